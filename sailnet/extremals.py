@@ -1,0 +1,113 @@
+"""The parameterised backward initial-value problem, Eqs. (14)-(19): one costate in, one extremal out."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import heyoka as hy
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import brentq
+
+from sailnet.dynamics import Array
+from sailnet.errors import SolveError
+from sailnet.mission import Transfer
+from sailnet.pontryagin import guidance_law
+from sailnet.propagation import propagator
+
+
+def arrival_gain(transfer: Transfer, costates: Array) -> Array:
+    """lambda . dx/dt at the target, whose value must be -1 for H = 0, Eq. (19).
+
+    On the target orbit U = 0 and V^2/R = 1/R^2, so only the sail's force counts and lambda_R
+    drops out. The value is homogeneous of degree one in the costates: a direction with a
+    negative gain becomes an extremal once divided by minus its gain.
+
+    Args:
+        costates: (n, 3) rows (lambda_R, lambda_U, lambda_V).
+    """
+    alpha = guidance_law(transfer, costates[:, 1], costates[:, 2])
+    pressure = transfer.beta * np.cos(alpha) ** 2 / transfer.target_radius**2
+    return np.asarray(pressure * (costates[:, 1] * np.cos(alpha) + costates[:, 2] * np.sin(alpha)))
+
+
+def arrival_lambda_v(transfer: Transfer, lambda_u0: float, arrival_sign: float) -> float:
+    """Solve Eq. (19) for lambda_V0.
+
+    Args:
+        lambda_u0: costate of the radial speed at arrival.
+        arrival_sign: sign of the cone angle at arrival. Eq. (19) is even in lambda_V0, so there is
+            a root of each sign; the cone angle has the sign opposite to lambda_V0 (Eq. 24).
+
+    Raises:
+        SolveError: no extremal arrives with this lambda_U0.
+    """
+
+    def residual(size: float) -> float:
+        return 1.0 + float(arrival_gain(transfer, np.array([[0.0, lambda_u0, -arrival_sign * size]]))[0])
+
+    low, high = 0.0, 1.0
+    while residual(high) > 0.0:
+        low, high = high, 2.0 * high
+        if high > 1e12:
+            raise SolveError(f"Eq. (19) has no root lambda_V0 for lambda_U0 = {lambda_u0:g}")
+    if residual(low) < 0.0:
+        raise SolveError(f"Eq. (19) has no root lambda_V0 for lambda_U0 = {lambda_u0:g}")
+    root = brentq(residual, low, high, xtol=1e-14, rtol=8.9e-16)
+    return -arrival_sign * float(root)
+
+
+@dataclass(frozen=True)
+class Extremals:
+    """A set of extremals sampled on one grid of time to go.
+
+    Attributes:
+        tau: (m,) time to go [TU], from 0 at arrival.
+        states: (n, m, 6) r, u, v [AU, AU/TU] and lambda_r, lambda_u, lambda_v. NaN after a failure.
+        jumps: (n,) number of jumps of the cone angle.
+        jump_times: (n,) time to go at the last jump found, NaN where there is none.
+    """
+
+    tau: Array
+    states: Array
+    jumps: Array
+    jump_times: Array
+
+
+def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike) -> Extremals:
+    """Propagate Eq. (15) from the target orbit, Eq. (17), for many arrival costates at once.
+
+    Args:
+        transfer: the problem.
+        costates: (n, 3) arrival costates (lambda_R0, lambda_U0, lambda_V0).
+        tau: (m,) increasing grid of time to go [TU], beginning at 0.
+
+    Returns:
+        One extremal per row; rows that could not be propagated hold NaN from there on.
+    """
+    arrivals = np.asarray(costates, float).reshape(-1, 3)
+    grid = np.asarray(tau, float)
+    states = np.full((len(arrivals), len(grid), 6), np.nan)
+    jumps = np.zeros(len(arrivals), int)
+    jump_times = np.full(len(arrivals), np.nan)
+    engine = propagator(transfer)
+    lane_grid = np.repeat(grid[:, None], engine.lanes, axis=1)
+    for rows in _batches(len(arrivals), engine.lanes):
+        lanes = np.resize(rows, engine.lanes)
+        initial = np.empty((6, engine.lanes))
+        initial[:3] = np.array(transfer.target_state)[:, None]
+        initial[3:] = arrivals[lanes].T
+        engine.start(transfer, initial)
+        sampled = engine.integrator.propagate_grid(lane_grid)[1]
+        kept = len(rows)
+        states[rows] = sampled[:, :6, :kept].transpose(2, 0, 1)
+        jumps[rows] = engine.jumps[:kept]
+        jump_times[rows] = engine.jump_times[:kept]
+        for lane, outcome in enumerate(engine.integrator.propagate_res[:kept]):
+            if outcome[0] != hy.taylor_outcome.time_limit:
+                states[rows[lane]] = np.nan
+    return Extremals(grid, states, jumps, jump_times)
+
+
+def _batches(count: int, size: int) -> Iterator[NDArray[np.intp]]:
+    for start in range(0, count, size):
+        yield np.arange(start, min(start + size, count))

@@ -1,0 +1,220 @@
+"""A mission: everything that distinguishes one transfer from another, read from a TOML file.
+
+Nothing about a particular planet is written in code. A mission file is validated when it is loaded;
+what is wrong is reported by key, value and what is allowed.
+"""
+
+import hashlib
+import json
+import math
+import tomllib
+from dataclasses import dataclass
+from importlib import resources
+from pathlib import Path
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
+
+from sailnet.errors import MissionError
+
+Positive = Annotated[float, Field(gt=0.0)]
+Count = Annotated[int, Field(gt=0)]
+
+
+@dataclass(frozen=True)
+class Transfer:
+    """The optimal-control problem: minimum time to a circular orbit with a constrained ideal sail.
+
+    Attributes:
+        beta: normalised characteristic acceleration (dimensionless), Eq. (1).
+        phi_max: bound on the cone angle [rad], Eq. (3); pi/2 means unconstrained.
+        delta: smoothing of the saturation, Eq. (12); 0 is the exact law, Eq. (11).
+        target_radius: radius of the target orbit [AU], Eq. (5).
+    """
+
+    beta: float
+    phi_max: float
+    delta: float
+    target_radius: float
+
+    @property
+    def target_state(self) -> tuple[float, float, float]:
+        """(r, u, v) on the target orbit [AU, AU/TU, AU/TU], Eq. (5)."""
+        return (self.target_radius, 0.0, 1.0 / math.sqrt(self.target_radius))
+
+
+class _Section(BaseModel):
+    # allow_inf_nan: a NaN would pass every comparison that is written as a rejection.
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, strict=True)
+
+
+class Sail(_Section):
+    """The sail: characteristic acceleration and attitude constraint."""
+
+    beta: Annotated[float, Field(gt=0.0, lt=1.0)]
+    max_cone_angle: Annotated[float, Field(gt=0.0, lt=90.0)]
+    smoothing: Annotated[float, Field(ge=0.0, le=0.1)]
+
+
+class Orbits(_Section):
+    """Departure and target, both circular and coplanar [AU]."""
+
+    departure_radius: Positive
+    target_radius: Positive
+
+
+class FlightRules(_Section):
+    """Closed-loop flight [TU]."""
+
+    period: Positive
+    arrival_threshold: Positive
+    longest: Positive
+
+
+class _Ordered(_Section):
+    @field_validator("*", mode="after")
+    @classmethod
+    def _lower_before_upper(cls, value: object) -> object:
+        if isinstance(value, tuple) and not value[0] < value[1]:
+            raise ValueError("the lower bound must be below the upper bound")
+        return value
+
+
+Interval = Annotated[tuple[float, float], Field(strict=False)]
+
+
+class Region(_Ordered):
+    """A box of states (r, u, v) [AU, AU/TU, AU/TU]."""
+
+    r: Interval
+    u: Interval
+    v: Interval
+
+
+class DatasetRecipe(_Ordered):
+    """The box of arrival costates, Eq. (22), and how each extremal is sampled."""
+
+    lambda_r: Interval
+    lambda_u: Interval
+    arrival_cone_angle: Literal["positive", "negative"]
+    duration: Positive
+    max_radius: Positive
+    max_jumps: Annotated[int, Field(ge=0)]
+    nominal_exclusion: Annotated[float, Field(ge=0.0)]
+    trajectories: Count
+    samples_per_trajectory: Annotated[int, Field(ge=2)]
+    seed: Annotated[int, Field(ge=0)]
+
+
+class TrainingRecipe(_Section):
+    """Network size and Levenberg-Marquardt settings."""
+
+    hidden: Annotated[tuple[Count, ...], Field(strict=False, min_length=1)]
+    train_samples: Count
+    validation_samples: Count
+    epochs: Count
+    patience: Count
+    goal: Positive
+    seed: Annotated[int, Field(ge=0)]
+
+
+class Mission(_Section):
+    """One transfer, with the recipes for its data set and networks."""
+
+    schema_version: Annotated[Literal[1], Field(alias="schema")]
+    name: Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$")]
+    title: str
+    sail: Sail
+    transfer: Orbits
+    flight: FlightRules
+    generalisation: Region
+    dataset: DatasetRecipe
+    training: TrainingRecipe
+
+    @property
+    def problem(self) -> Transfer:
+        """The optimal-control problem this mission poses."""
+        return Transfer(
+            beta=self.sail.beta,
+            phi_max=math.radians(self.sail.max_cone_angle),
+            delta=self.sail.smoothing,
+            target_radius=self.transfer.target_radius,
+        )
+
+    @property
+    def departure_state(self) -> tuple[float, float, float]:
+        """(r, u, v) on the departure orbit, Eq. (20)."""
+        return (self.transfer.departure_radius, 0.0, 1.0 / math.sqrt(self.transfer.departure_radius))
+
+    def to_json(self) -> str:
+        """Canonical text of the whole mission, as stored in every artefact."""
+        return json.dumps(self.model_dump(by_alias=True, mode="json"), sort_keys=True)
+
+    def digest(self, *sections: str) -> str:
+        """SHA-256 of the problem and of the named sections: equal means interchangeable."""
+        content = self.model_dump(by_alias=True, mode="json")
+        kept = {key: content[key] for key in ("name", "sail", "transfer", *sections)}
+        return hashlib.sha256(json.dumps(kept, sort_keys=True).encode()).hexdigest()
+
+
+def shipped_missions() -> list[str]:
+    """Names of the missions that come with the package."""
+    folder = resources.files("sailnet") / "missions"
+    return sorted(p.name.removesuffix(".toml") for p in folder.iterdir() if p.name.endswith(".toml"))
+
+
+def load_mission(name_or_path: str | Path) -> Mission:
+    """Load a mission by name (``earth_mars``) or from a TOML file.
+
+    Raises:
+        MissionError: no such mission, not TOML, an unknown or missing key, a value out of range.
+    """
+    path = Path(name_or_path)
+    if path.suffix == ".toml":
+        source = str(path)
+        try:
+            text = path.read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise MissionError(f"cannot read mission file {path}: {error}") from error
+    elif str(name_or_path) in shipped_missions():
+        source = str(name_or_path)
+        text = (resources.files("sailnet") / "missions" / f"{name_or_path}.toml").read_text("utf-8")
+    else:
+        raise MissionError(
+            f"no mission named {str(name_or_path)!r}: "
+            f"known are {', '.join(shipped_missions())}; or give the path of a .toml file"
+        )
+    try:
+        return parse_mission(tomllib.loads(text), source)
+    except tomllib.TOMLDecodeError as error:
+        raise MissionError(f"mission {source} is not valid TOML: {error}") from error
+
+
+def parse_mission(content: dict[str, object], source: str) -> Mission:
+    """Validate the content of a mission file; ``source`` names it in the message.
+
+    Raises:
+        MissionError: naming each offending key, its value, and what is allowed.
+    """
+    try:
+        return Mission.model_validate(content)
+    except ValidationError as error:
+        lines = [_explain(dict(item)) for item in error.errors()]
+        raise MissionError(f"mission {source} cannot be used:\n  " + "\n  ".join(lines)) from error
+
+
+def _explain(problem: dict[str, object]) -> str:
+    location = problem["loc"]
+    assert isinstance(location, tuple)
+    key = ".".join(str(part) for part in location)
+    if problem["type"] == "extra_forbidden":
+        model: type[BaseModel] = Mission
+        for part in location[:-1]:
+            annotation = model.model_fields[str(part)].annotation
+            assert isinstance(annotation, type)
+            model = annotation
+        known = sorted(field.alias or name for name, field in model.model_fields.items())
+        return f"{key}: unknown key; allowed here are {', '.join(known)}"
+    if problem["type"] == "missing":
+        return f"{key}: this key is missing"
+    return f"{key} = {problem['input']!r}: {problem['msg']}"

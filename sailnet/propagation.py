@@ -1,0 +1,166 @@
+"""Compiled propagation of extremals, with the cone angle's jump located as an event.
+
+Three forms of the law need three treatments:
+
+- *unconstrained* (phi_max = 90 deg, delta = 0): smooth but for the jump;
+- *smooth* (delta > 0): Eq. (12), smooth but for the jump;
+- *exact* (delta = 0): Eq. (11), whose corners at the bound are events as well.
+
+A Taylor step continues the law analytically, so it would step over the jump: the branch of the law
+is a parameter, flipped at the event lambda_v = 0. Where lambda_u < 0 the crossing is smooth and
+flipping only keeps the books; where lambda_u > 0 the command jumps.
+"""
+
+import math
+from collections.abc import Callable
+from functools import cache
+from typing import Any, Literal
+
+import heyoka as hy
+import numpy as np
+
+from sailnet.dynamics import Array, Expression, r, u, v
+from sailnet.mission import Transfer
+from sailnet.pontryagin import (
+    MODE,
+    PHI_MAX,
+    extremal_motion,
+    lambda_r,
+    lambda_u,
+    lambda_v,
+    saturated_angle,
+    unconstrained_angle,
+    unconstrained_law,
+)
+
+TOLERANCE = 1e-12
+"""Local error of the Taylor integrator."""
+
+SHARP_DELTA = 1e-4
+"""Below this the smoothed corner of Eq. (12) is sharper than a step, which must not span it."""
+
+LawKind = Literal["unconstrained", "smooth", "exact"]
+
+STATES = [r, u, v, lambda_r, lambda_u, lambda_v]
+
+
+def law_kind(transfer: Transfer) -> LawKind:
+    """Which treatment the saturation of this problem needs."""
+    if transfer.delta > 0.0:
+        return "smooth"
+    return "unconstrained" if transfer.phi_max >= math.pi / 2 else "exact"
+
+
+def law_expression(kind: LawKind) -> Expression:
+    """The cone angle as an expression of the costates, on the branch given by the parameters."""
+    bar = unconstrained_angle()
+    if kind == "unconstrained":
+        return bar
+    if kind == "smooth":
+        return saturated_angle(bar)
+    return hy.select(hy.eq(MODE, hy.expression(0.0)), bar, MODE * PHI_MAX)
+
+
+def parameters(transfer: Transfer, lambda_u: Array, lambda_v: Array) -> Array:
+    """(5, n) parameters beta, phi_max, delta, branch, mode that belong to these costates."""
+    pars = np.empty((5, len(lambda_v)))
+    pars[0], pars[1], pars[2] = transfer.beta, transfer.phi_max, transfer.delta
+    pars[3] = -np.copysign(1.0, lambda_v)
+    bar = unconstrained_law(lambda_u, lambda_v)
+    pars[4] = np.where(np.abs(bar) > transfer.phi_max, np.sign(bar), 0.0)
+    return pars
+
+
+@cache
+def _slopes(kind: LawKind, sign: float) -> Any:
+    system = extremal_motion(law_expression(kind))
+    return hy.cfunc([sign * dx for _, dx in system], vars=STATES)
+
+
+def slopes(kind: LawKind, sign: float, states: Array, pars: Array) -> Array:
+    """(6, n) time derivatives at (6, n) states and costates; ``sign`` -1 runs time backward."""
+    return np.asarray(_slopes(kind, sign)(np.ascontiguousarray(states), pars=np.ascontiguousarray(pars)))
+
+
+class Propagator:
+    """A batch Taylor integrator for Eq. (15), and optionally its sensitivity to the costates.
+
+    Args:
+        kind: form of the guidance law.
+        split_corners: end a step wherever the unconstrained angle meets the bound.
+        variational: also integrate the derivatives with respect to the three initial costates.
+    """
+
+    def __init__(self, kind: LawKind, split_corners: bool, variational: bool) -> None:
+        self.kind: LawKind = kind
+        self.lanes = int(hy.recommended_simd_size())
+        self.variational = variational
+        system: Any = [(x, -dx) for x, dx in extremal_motion(law_expression(kind))]
+        events = [hy.t_event_batch(lambda_v, callback=self._cross)]
+        if split_corners:
+            corner = unconstrained_angle() ** 2 - PHI_MAX**2
+            events.append(hy.t_event_batch(corner, callback=self._corner))
+        if variational:
+            system = hy.var_ode_sys(system, [lambda_r, lambda_u, lambda_v], order=1)
+        self.integrator = hy.taylor_adaptive_batch(
+            system,
+            np.ones((6, self.lanes)),
+            t_events=events,
+            tol=TOLERANCE,
+            compact_mode=variational,
+        )
+        self._initial_sensitivity = np.array(self.integrator.state[6:])
+        self.jumps = np.zeros(self.lanes, int)
+        self.jump_times = np.full(self.lanes, np.nan)
+
+    def __deepcopy__(self, memo: object) -> "Propagator":
+        # heyoka deep-copies its callbacks, which must write into this very object.
+        return self
+
+    def start(self, transfer: Transfer, states: Array) -> None:
+        """Begin at tau = 0 from (6, lanes) states and costates."""
+        ta = self.integrator
+        ta.set_time(np.zeros(self.lanes))
+        ta.reset_cooldowns()
+        ta.state[:6] = states
+        if self.variational:
+            ta.state[6:] = self._initial_sensitivity
+        ta.pars[:] = parameters(transfer, states[4], states[5])[: len(ta.pars)]
+        self.jumps[:] = 0
+        self.jump_times[:] = np.nan
+
+    def sensitivity(self) -> Array:
+        """(6, 3, lanes) derivatives of states and costates by the initial costates."""
+        return np.array(self.integrator.state[6:]).reshape(6, 3, self.lanes)
+
+    def _cross(self, ta: Any, direction: int, lane: int) -> bool:
+        jump = ta.state[4, lane] > 0.0
+        if jump and self.variational:
+            before = slopes(self.kind, -1.0, ta.state[:6, lane : lane + 1], ta.pars[:, lane : lane + 1])
+        ta.pars[3, lane] = -ta.pars[3, lane]
+        if not jump:
+            return True
+        ta.pars[4:, lane] *= -1.0
+        self.jumps[lane] += 1
+        self.jump_times[lane] = ta.time[lane]
+        if self.variational:
+            # Saltation: the jump happens earlier or later along neighbouring extremals.
+            after = slopes(self.kind, -1.0, ta.state[:6, lane : lane + 1], ta.pars[:, lane : lane + 1])
+            rows = ta.state[6:, lane].reshape(6, 3)
+            rows += (after - before) * (rows[5] / before[5])
+            ta.state[6:, lane] = rows.ravel()
+        return True
+
+    def _corner(self, ta: Any, direction: int, lane: int) -> bool:
+        ta.pars[4, lane] = 0.0 if ta.pars[4, lane] else ta.pars[3, lane]
+        return True
+
+
+_build: Callable[[LawKind, bool, bool], Propagator] = cache(Propagator)
+
+
+def propagator(transfer: Transfer, variational: bool = False) -> Propagator:
+    """The compiled propagator for a problem; compiled once per form of the law and process."""
+    kind = law_kind(transfer)
+    split = kind == "exact" or (kind == "smooth" and transfer.delta < SHARP_DELTA)
+    return _build(kind, split, variational)
