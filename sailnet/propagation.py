@@ -71,15 +71,14 @@ def parameters(transfer: Transfer, lambda_u: Array, lambda_v: Array) -> Array:
     return pars
 
 
+def backward_system(kind: LawKind) -> list[tuple[Expression, Expression]]:
+    """Eq. (15): the extremal's equations with time running from arrival to departure."""
+    return [(x, -dx) for x, dx in extremal_motion(law_expression(kind))]
+
+
 @cache
-def _slopes(kind: LawKind, sign: float) -> Any:
-    system = extremal_motion(law_expression(kind))
-    return hy.cfunc([sign * dx for _, dx in system], vars=STATES)
-
-
-def slopes(kind: LawKind, sign: float, states: Array, pars: Array) -> Array:
-    """(6, n) time derivatives at (6, n) states and costates; ``sign`` -1 runs time backward."""
-    return np.asarray(_slopes(kind, sign)(np.ascontiguousarray(states), pars=np.ascontiguousarray(pars)))
+def _compiled_slopes(kind: LawKind) -> Any:
+    return hy.cfunc([dx for _, dx in backward_system(kind)], vars=STATES)
 
 
 class Propagator:
@@ -95,7 +94,7 @@ class Propagator:
         self.kind: LawKind = kind
         self.lanes = int(hy.recommended_simd_size())
         self.variational = variational
-        system: Any = [(x, -dx) for x, dx in extremal_motion(law_expression(kind))]
+        system: Any = backward_system(kind)
         events = [hy.t_event_batch(lambda_v, callback=self._cross)]
         if split_corners:
             corner = unconstrained_angle() ** 2 - PHI_MAX**2
@@ -129,6 +128,12 @@ class Propagator:
         self.jumps[:] = 0
         self.jump_times[:] = np.nan
 
+    def slopes(self) -> Array:
+        """(6, lanes) derivatives by time to go at the current point, on the current branch."""
+        compiled = _compiled_slopes(self.kind)
+        states, pars = self.integrator.state[:6], self.integrator.pars
+        return np.asarray(compiled(np.array(states), pars=np.array(pars)))
+
     def sensitivity(self) -> Array:
         """(6, 3, lanes) derivatives of states and costates by the initial costates."""
         return np.array(self.integrator.state[6:]).reshape(6, 3, self.lanes)
@@ -136,7 +141,7 @@ class Propagator:
     def _cross(self, ta: Any, direction: int, lane: int) -> bool:
         jump = ta.state[4, lane] > 0.0
         if jump and self.variational:
-            before = slopes(self.kind, -1.0, ta.state[:6, lane : lane + 1], ta.pars[:, lane : lane + 1])
+            before = self.slopes()[:, lane, None]
         ta.pars[3, lane] = -ta.pars[3, lane]
         if not jump:
             return True
@@ -145,7 +150,7 @@ class Propagator:
         self.jump_times[lane] = ta.time[lane]
         if self.variational:
             # Saltation: the jump happens earlier or later along neighbouring extremals.
-            after = slopes(self.kind, -1.0, ta.state[:6, lane : lane + 1], ta.pars[:, lane : lane + 1])
+            after = self.slopes()[:, lane, None]
             rows = ta.state[6:, lane].reshape(6, 3)
             rows += (after - before) * (rows[5] / before[5])
             ta.state[6:, lane] = rows.ravel()
