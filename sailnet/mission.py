@@ -68,6 +68,7 @@ class FlightRules(_Section):
 
     period: Positive
     arrival_threshold: Positive
+    arrival_tolerance: Positive
     longest: Positive
 
 

@@ -1,0 +1,218 @@
+"""The ``sailnet`` command."""
+
+import argparse
+import json
+import math
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from tqdm import tqdm
+
+from sailnet import __version__
+from sailnet.errors import SailnetError, SolveError
+from sailnet.mission import load_mission
+
+Result = dict[str, object]
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line; returns the exit status: 0, or 1 when something cannot be done."""
+    given = sys.argv[1:] if arguments is None else list(arguments)
+    options = _parser().parse_args([_shield(argument) for argument in given])
+    run: Callable[[argparse.Namespace], Result] = options.run
+    try:
+        result = run(options)
+    except SailnetError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return 130
+    if options.json:
+        print(json.dumps(result))
+    else:
+        print("\n".join(f"{key:24s} {_readable(value)}" for key, value in result.items()))
+    return 0
+
+
+def _shield(argument: str) -> str:
+    """Keep argparse from taking -1e-3 or -inf for an option: it looks at the first character."""
+    try:
+        float(argument)
+    except ValueError:
+        return argument
+    return f" {argument}" if argument.startswith("-") else argument
+
+
+def _readable(value: object) -> str:
+    if isinstance(value, float):
+        return f"{value:.8g}"
+    if isinstance(value, (list, tuple)):
+        return "  ".join(_readable(item) for item in value)
+    if isinstance(value, dict):
+        return "\n".join([""] + [f"    {key:20s} {_readable(item)}" for key, item in value.items()])
+    return str(value)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="sailnet",
+        description="Optimal guidance of a solar sail: expert, networks, onboard C, closed loop.",
+        epilog="R in AU, U and V in AU/TU (a circular orbit at 1 AU has speed 1); angles in radians.",
+    )
+    parser.add_argument("--version", action="version", version=f"sailnet {__version__}")
+    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+
+    common = argparse.ArgumentParser(add_help=False)
+    common.add_argument("--mission", default="earth_mars", help="mission name or TOML file (%(default)s)")
+    common.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
+
+    state = argparse.ArgumentParser(add_help=False)
+    state.add_argument("r", metavar="R", type=float, help="distance from the Sun [AU]")
+    state.add_argument("u", metavar="U", type=float, help="radial speed [AU/TU]")
+    state.add_argument("v", metavar="V", type=float, help="transverse speed [AU/TU]")
+
+    backend = argparse.ArgumentParser(add_help=False)
+    backend.add_argument("--backend", choices=("c", "onnx"), default="c", help="what runs the networks")
+    backend.add_argument("--precision", choices=("float64", "float32"), default="float64")
+    backend.add_argument("--networks", type=Path, metavar="DIR", help="exported networks (default: shipped)")
+
+    loop = argparse.ArgumentParser(add_help=False)
+    loop.add_argument(
+        "--beta-bias", type=float, default=0.0, metavar="X", help="constant relative error of beta"
+    )
+    loop.add_argument(
+        "--beta-noise", type=float, default=0.0, metavar="X", help="half-width of the noise, e.g. 0.15"
+    )
+    loop.add_argument("--period", type=float, metavar="TU", help="guidance period (default: the mission's)")
+    loop.add_argument("--seed", type=int, default=0, help="of every random number (%(default)s)")
+
+    def command(
+        name: str,
+        run: Callable[[argparse.Namespace], Result],
+        help_: str,
+        *parents: argparse.ArgumentParser,
+        example: str,
+    ) -> argparse.ArgumentParser:
+        made = commands.add_parser(
+            name, parents=[*parents, common], help=help_, description=help_, epilog=f"example: {example}"
+        )
+        made.set_defaults(run=run)
+        return made
+
+    command("solve", _solve, "The indirect optimum from a state.", state, example="sailnet solve 1 0 1")
+    command(
+        "guide",
+        _guide,
+        "One guidance command from the networks.",
+        state,
+        backend,
+        example="sailnet guide 1.05 0.15 1.03 --json",
+    )
+    command(
+        "fly",
+        _fly,
+        "One closed-loop flight.",
+        state,
+        backend,
+        loop,
+        example="sailnet fly 1.1 0.18 0.93 --beta-noise 0.15 --seed 3",
+    )
+    evaluate = command(
+        "evaluate",
+        _evaluate,
+        "Closed-loop flights from random starts of the generalisation set.",
+        backend,
+        loop,
+        example="sailnet evaluate --flights 1000 --beta-noise 0.15",
+    )
+    evaluate.add_argument("--flights", type=int, default=100, metavar="N", help="how many (%(default)s)")
+    return parser
+
+
+def _solve(options: argparse.Namespace) -> Result:
+    from sailnet.expert import solve
+
+    extremal = solve(load_mission(options.mission).problem, _state(options))
+    return {
+        "time_of_flight": extremal.time_of_flight,
+        "cone_angle": extremal.cone_angle,
+        "costates": extremal.costates.tolist(),
+        "jumps": extremal.jumps,
+        "residual": extremal.residual,
+    }
+
+
+def _guide(options: argparse.Namespace) -> Result:
+    from sailnet.guidance import load_guidance
+
+    state = _state(options)
+    guidance = load_guidance(
+        load_mission(options.mission), options.backend, options.precision, options.networks
+    )
+    command = guidance.command([state])
+    return {
+        "cone_angle": float(command.cone_angle[0]),
+        "time_of_flight": float(command.time_of_flight[0]),
+        "status": command.status[0].name.lower(),
+    }
+
+
+def _fly(options: argparse.Namespace) -> Result:
+    from sailnet.expert import solve
+    from sailnet.flight import Disturbance, fly
+    from sailnet.guidance import load_guidance
+
+    mission = load_mission(options.mission)
+    state = _state(options)
+    guidance = load_guidance(mission, options.backend, options.precision, options.networks)
+    disturbance = Disturbance(options.beta_bias, options.beta_noise, options.seed)
+    flight = fly(mission, guidance, [state], disturbance=disturbance, period=options.period)
+    try:
+        optimum: float | None = solve(mission.problem, state).time_of_flight
+    except SolveError as error:
+        print(f"note: {error}", file=sys.stderr)
+        optimum = None
+    return {
+        "arrived": bool(flight.arrived[0]),
+        "time_of_flight": float(flight.time_of_flight[0]),
+        "terminal_error": flight.terminal_error[0].tolist(),
+        "max_cone_angle": float(flight.max_cone_angle[0]),
+        "optimal_time_of_flight": optimum,
+    }
+
+
+def _evaluate(options: argparse.Namespace) -> Result:
+    from sailnet.flight import Disturbance
+    from sailnet.guidance import load_guidance
+    from sailnet.montecarlo import evaluate, summarise
+
+    mission = load_mission(options.mission)
+    guidance = load_guidance(mission, options.backend, options.precision, options.networks)
+    disturbance = Disturbance(options.beta_bias, options.beta_noise, options.seed)
+    batches = []
+    with tqdm(total=options.flights, unit="flight", file=sys.stderr, disable=None) as bar:
+        for batch in evaluate(mission, guidance, options.flights, disturbance, period=options.period):
+            batches.append(batch)
+            bar.update(len(batch.arrived))
+    campaign = summarise(batches)
+    return {
+        "flights": len(campaign.flights.arrived),
+        "arrived": campaign.arrived,
+        "success_share": campaign.success_share,
+        "confidence_interval": list(campaign.confidence_interval),
+        "error_quantiles": campaign.error_quantiles(),
+        "attitude_violations": campaign.attitude_violations(mission.problem.phi_max),
+    }
+
+
+def _state(options: argparse.Namespace) -> tuple[float, float, float]:
+    state = (options.r, options.u, options.v)
+    if not all(math.isfinite(x) for x in state) or not options.r > 0.0:
+        raise SailnetError(f"the state R U V must be three finite numbers with R > 0, not {state}")
+    return state
+
+
+if __name__ == "__main__":
+    sys.exit(main())
