@@ -74,7 +74,7 @@ def _pictures(
         (
             "commands",
             "Commanded cone angle against the optimum",
-            "Dashed: the bound ±φ_max. The two-network strategy has no preprocessing (Figs 8c, 8d, 10 and 13).",
+            "Dashed: the bound ±φ_max. Two networks fly without preprocessing (Figs 8c, 8d, 10 and 13).",
             figures.commands(
                 mission,
                 {
@@ -93,8 +93,8 @@ def _pictures(
         (
             "jump",
             "The jump and its preprocessing",
-            "λ_v crosses zero while λ_u > 0 (dashed): the cone angle jumps; Eq. (23) removes the jump by a change "
-            "of sign, |α| by forgetting it (Figs 4 and 5).",
+            "λ_v crosses zero while λ_u > 0 (dashed): the cone angle jumps; Eq. (23) removes the jump by a "
+            "change of sign, |α| by forgetting it (Figs 4 and 5).",
             figures.jump(samples["tau"], samples, jump_time),
         ),
         (
