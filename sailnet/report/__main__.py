@@ -58,7 +58,8 @@ def _pictures(
     first = cases["Case 1"]
     inputs = np.column_stack([first.history.states[:, [0, 2, 3]], first.history.predicted_time_of_flight])
     histories = {
-        name: json.loads((folder / f"{name}.history.json").read_text(encoding="utf-8")) for name in networks
+        name: json.loads((folder / f"{name}.history.json").read_text(encoding="utf-8"))["epochs"]
+        for name in networks
     }
     drawn = [
         (

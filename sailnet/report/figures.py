@@ -147,12 +147,14 @@ def jump(tau: Array, columns: Mapping[str, Array], jump_time: float) -> Figure:
     return figure
 
 
-def training(histories: Mapping[str, Mapping[str, Sequence[float]]]) -> Figure:
+def training(histories: Mapping[str, Sequence[Mapping[str, float]]]) -> Figure:
     """Mean squared error over epochs (Fig. 7): one panel a network."""
-    figure, axes = _figure(len(histories), 3.0 * len(histories), 3.2)
-    for ax, (name, history) in zip(axes, histories.items(), strict=True):
-        ax.semilogy(history["train"], color=NETWORK, lw=1.3, label="training")
-        ax.semilogy(history["validation"], color=OPTIMUM, lw=1.3, ls="--", label="validation")
+    figure, axes = _figure(len(histories), 2.6 * len(histories), 3.0)
+    parts = (("train", NETWORK, "-"), ("validation", OPTIMUM, "--"), ("test", BASELINE, ":"))
+    for ax, (name, epochs) in zip(axes, histories.items(), strict=True):
+        number = [epoch["epoch"] for epoch in epochs]
+        for part, colour, style in parts:
+            ax.semilogy(number, [epoch[part] for epoch in epochs], style, color=colour, lw=1.3, label=part)
         ax.set(title=name, xlabel="epoch")
     axes[0].set_ylabel("MSE (output scaled to [0, 1])")
     axes[0].legend(fontsize=8)
