@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.dynamics import Array
-from sailnet.errors import DatasetError, MissionError
+from sailnet.errors import DatasetError
 from sailnet.files import write_whole
 from sailnet.mission import Mission, parse_mission
 
@@ -211,7 +211,7 @@ class Dataset:
     def _read(self, group: str, names: Sequence[str], start: int, stop: int) -> dict[str, Array]:
         try:
             return {name: self._file[group][name][start:stop] for name in names}
-        except OSError as error:
+        except (OSError, RuntimeError, ValueError, TypeError, AttributeError, MemoryError) as error:
             raise DatasetError(
                 f"{self._path} is damaged: {group} rows {start} to {stop} cannot be read; generate it again"
             ) from error
@@ -235,7 +235,9 @@ def open_dataset(path: Path, mission: Mission | None = None) -> Iterator[Dataset
     with file:
         try:
             dataset = Dataset(path, file)
-        except (KeyError, OSError, ValueError, RuntimeError, UnicodeDecodeError, MissionError) as error:
+        except DatasetError:
+            raise
+        except Exception as error:  # a flipped bit in the metadata can surface as any of them
             raise DatasetError(f"{path} is damaged or no sailnet data set: {error}") from error
         if mission is not None and dataset.mission.digest() != mission.digest():
             raise DatasetError(
