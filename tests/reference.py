@@ -72,7 +72,7 @@ def unconstrained_angle(lambda_u: ArrayLike, lambda_v: ArrayLike, branch: ArrayL
     with np.errstate(divide="ignore", invalid="ignore"):
         facing = np.arctan(-2 * lv / (root - 3 * lu))
         averted = side * np.pi / 2 + np.arctan(4 * lv / (root + 3 * lu))
-    return np.where(lu < 0, facing, averted)
+    return np.asarray(np.where(lu < 0, facing, averted))
 
 
 def smoothed(bar: ArrayLike, phi_max: float, delta: float) -> Array:
