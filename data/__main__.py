@@ -20,6 +20,13 @@ from sailnet.propagation import TOLERANCE
 from sailnet.provenance import software
 
 
+def _count(text: str) -> int:
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not a positive number")
+    return number
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m data",
@@ -28,8 +35,10 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("output", type=Path, help="the HDF5 file to write")
     parser.add_argument("--mission", default="earth_mars", help="mission name or TOML file")
-    parser.add_argument("--trajectories", type=int, help="instead of the mission's number")
-    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1, help="processes (default: all)")
+    parser.add_argument("--trajectories", type=_count, help="instead of the mission's number")
+    parser.add_argument(
+        "--workers", type=_count, default=os.cpu_count() or 1, help="processes (default: all)"
+    )
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser
 
