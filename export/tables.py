@@ -37,7 +37,9 @@ def stage_tables(stage: str, networks: Sequence[Network]) -> str:
     upper_bounds = np.zeros((len(networks), inputs))
     first = [[np.zeros(0) for _ in networks] for _ in range(inputs)]
     biases = [[np.zeros(0) for _ in networks] for _ in range(max(depths))]
-    hidden = [[[np.zeros(0) for _ in networks] for _ in range(widest)] for _ in range(max(1, max(depths) - 1))]
+    hidden = [
+        [[np.zeros(0) for _ in networks] for _ in range(widest)] for _ in range(max(1, max(depths) - 1))
+    ]
     output, output_bias = [], []
     for k, network in enumerate(networks):
         used = len(network.inputs)
@@ -56,7 +58,9 @@ def stage_tables(stage: str, networks: Sequence[Network]) -> str:
 
     return "\n".join(
         [
-            f"/* Stage {stage!r}: {', '.join(f'{n.name} {list(n.hidden)}' for n in networks)}. */".replace("'", '"'),
+            f"/* Stage {stage!r}: {', '.join(f'{n.name} {list(n.hidden)}' for n in networks)}. */".replace(
+                "'", '"'
+            ),
             f"#define {upper}_NETWORKS {len(networks)}",
             f"#define {upper}_DEPTH {max(depths)}",
             f"#define {upper}_ROWS SAILNET_ROUNDED_UP({widest}, 4)",

@@ -3,6 +3,7 @@
 import copy
 from typing import Self
 
+import numpy as np
 import torch
 from torch import Tensor, nn
 
@@ -31,7 +32,9 @@ class TorchNetwork(nn.Module):
 
     def forward(self, inputs: Tensor) -> Tensor:
         """Evaluate."""
-        clamped = torch.minimum(torch.maximum(inputs, self.get_buffer("input_min")), self.get_buffer("input_max"))
+        clamped = torch.minimum(
+            torch.maximum(inputs, self.get_buffer("input_min")), self.get_buffer("input_max")
+        )
         layer = (clamped - self.get_buffer("input_min")) / self.get_buffer("input_range")
         for hidden in self.layers[:-1]:
             layer = torch.sigmoid(hidden(layer))
@@ -56,9 +59,12 @@ class TorchGuidance(nn.Module):
         size = torch.minimum(torch.abs(self.alpha_pre(inputs)), self.get_buffer("phi_max"))
         return torch.where(self.lambda_v(inputs) > 0.0, -size, size), tau
 
-    def in_precision(self, dtype: torch.dtype) -> Self:
-        """A copy in another precision (``Module.to`` would change this one)."""
-        return _in_precision(self, dtype)
+    def in_float32(self) -> Self:
+        """A copy in single precision (``Module.to`` would change this one), its bound rounded down."""
+        single = copy.deepcopy(self).to(torch.float32)
+        bound = round_down(float(self.get_buffer("phi_max")), np.float32)
+        single.register_buffer("phi_max", torch.tensor(bound, dtype=torch.float32))
+        return single
 
 
 class TorchBaseline(nn.Module):
@@ -76,9 +82,3 @@ class TorchBaseline(nn.Module):
         phi_max = self.get_buffer("phi_max")
         alpha = self.alpha(torch.cat([state, tau[:, None]], dim=1))
         return torch.minimum(torch.maximum(alpha, -phi_max), phi_max), tau
-
-
-def _in_precision[M: nn.Module](module: M, dtype: torch.dtype) -> M:
-    """A copy of ``module`` with weights in ``dtype`` and its bound ``phi_max`` rounded down."""
-    converted = copy.deepcopy(module).to(dtype)
-    return converted

@@ -23,7 +23,9 @@ def verify_checksum(file: Path, sums: Path) -> None:
         listed = dict(line.split(maxsplit=1)[::-1] for line in sums.read_text("utf-8").splitlines())
         actual = _sha256(file)
     except (OSError, ValueError) as error:
-        raise GuidanceError(f"cannot read {file} and its checksum: {error}; export or install again") from error
+        raise GuidanceError(
+            f"cannot read {file} and its checksum: {error}; export or install again"
+        ) from error
     if listed.get(file.name) != actual:
         raise GuidanceError(f"{file} is damaged or was changed: its checksum does not match; export it again")
 

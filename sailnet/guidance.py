@@ -48,6 +48,10 @@ class Guidance(Protocol):
     def mission(self) -> Mission:
         """The mission it was made for."""
 
+    @property
+    def networks_digest(self) -> str:
+        """SHA-256 over the weights that fly: equal means the same networks, whatever the back end."""
+
     def command(self, states: ArrayLike) -> Commands:
         """Command the sails at (n, 3) states (r, u, v) [AU, AU/TU, AU/TU].
 

@@ -41,11 +41,15 @@ class CGuidance:
             }
             self._batch = loaded.sailnet_guidance_batch
         except (OSError, AttributeError) as error:
-            raise GuidanceError(f"cannot load {library}: {error}; compile it again on this machine") from error
+            raise GuidanceError(
+                f"cannot load {library}: {error}; compile it again on this machine"
+            ) from error
         if functions["sailnet_api_version"]() != API_VERSION:
             raise GuidanceError(f"{library} was exported by another version of sailnet; export it again")
         if functions["sailnet_mission_digest"]().decode() != mission.digest():
-            raise GuidanceError(f"{library} was exported for another mission than {mission.name!r} as it is now")
+            raise GuidanceError(
+                f"{library} was exported for another mission than {mission.name!r} as it is now"
+            )
         self.mission = mission
         self.networks_digest: str = functions["sailnet_networks_digest"]().decode()
         self.precision: Precision = "float64" if functions["sailnet_real_size"]() == 8 else "float32"

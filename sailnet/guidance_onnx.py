@@ -38,7 +38,9 @@ class OnnxGuidance:
             raise GuidanceError(f"cannot load {graph}: {error}; export it again") from error
         facts = GuidanceFacts.from_json(stored)
         if facts.mission_digest != mission.digest():
-            raise GuidanceError(f"{graph} was exported for another mission than {mission.name!r} as it is now")
+            raise GuidanceError(
+                f"{graph} was exported for another mission than {mission.name!r} as it is now"
+            )
         self.mission = mission
         self.networks_digest = facts.networks_digest
         self._facts = facts
@@ -58,6 +60,8 @@ class OnnxGuidance:
         status = np.where(inside, status, GuidanceStatus.OUTSIDE_DOMAIN)
         return Commands(
             cone_angle=np.where(valid, cone_angle, 0.0).astype(np.float64),
-            time_of_flight=np.where(valid, time_of_flight, self._facts.largest_time_of_flight).astype(np.float64),
+            time_of_flight=np.where(valid, time_of_flight, self._facts.largest_time_of_flight).astype(
+                np.float64
+            ),
             status=np.where(valid, status, GuidanceStatus.INVALID_INPUT).astype(np.int32),
         )
