@@ -35,7 +35,9 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _watched(blocks: Iterator[Block], total: int, quiet: bool) -> Iterator[Block]:
-    with tqdm(total=total, unit="trajectory", desc="data set", disable=True if quiet else None, file=sys.stderr) as bar:
+    with tqdm(
+        total=total, unit="trajectory", desc="data set", disable=True if quiet else None, file=sys.stderr
+    ) as bar:
         for block in blocks:
             yield block
             bar.update(len(block.trajectories["flags"]))
