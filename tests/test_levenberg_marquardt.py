@@ -1,13 +1,14 @@
 """The trainer's derivatives against automatic differentiation, and its convergence."""
 
 import math
+from itertools import pairwise
 
 import pytest
 import torch
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from torch import Tensor
-from torch.func import jacrev, jvp  # type: ignore[attr-defined]
+from torch.func import jacrev, jvp
 
 from training.layers import Layers, augment, forward
 from training.least_squares import LeastSquares
@@ -23,6 +24,10 @@ def _problem(layers: Layers, samples: int, chunk: int = 7, seed: int = 0) -> Lea
     return LeastSquares.of(layers, inputs, targets, chunk)
 
 
+def _random(layers: Layers, seed: int) -> Tensor:
+    return torch.randn(layers.parameters, generator=torch.Generator().manual_seed(seed), dtype=torch.float64)
+
+
 def _plain_output(layers: Layers, inputs: Tensor, parameters: Tensor) -> Tensor:
     """The textbook network, on (k, n) inputs, for automatic differentiation."""
     layer = inputs
@@ -36,7 +41,7 @@ def _plain_output(layers: Layers, inputs: Tensor, parameters: Tensor) -> Tensor:
 @given(layers=SHAPES, samples=st.integers(1, 40), seed=st.integers(0, 99))
 def test_derivatives_equal_automatic_differentiation(layers: Layers, samples: int, seed: int) -> None:
     problem = _problem(layers, samples, seed=seed)
-    parameters = layers.initial(seed)
+    parameters = _random(layers, seed)
 
     def residual(at: Tensor) -> Tensor:
         return _plain_output(layers, problem.inputs[:-1], at) - problem.targets
@@ -51,12 +56,11 @@ def test_derivatives_equal_automatic_differentiation(layers: Layers, samples: in
         problem.curvature(parameters).tril(), (jacobian.T @ jacobian / samples).tril(), rtol=1e-10, atol=1e-12
     )
 
-    direction = torch.randn(
-        layers.parameters, generator=torch.Generator().manual_seed(seed), dtype=torch.float64
-    )
+    direction = _random(layers, seed + 1)
 
     def slope(at: Tensor) -> Tensor:
-        return jvp(residual, (at,), (direction,))[1]
+        change: Tensor = jvp(residual, (at,), (direction,))[1]
+        return change
 
     second = jvp(slope, (parameters,), (direction,))[1]
     torch.testing.assert_close(
@@ -69,7 +73,7 @@ def test_derivatives_equal_automatic_differentiation(layers: Layers, samples: in
 def test_chunks_change_nothing_but_rounding(chunk: int) -> None:
     layers = Layers((3, 6, 5, 1))
     whole, cut = _problem(layers, 211, chunk=1000), _problem(layers, 211, chunk=chunk)
-    parameters = layers.initial(1)
+    parameters = _random(layers, 1)
     torch.testing.assert_close(cut.curvature(parameters), whole.curvature(parameters), rtol=1e-12, atol=1e-14)
     torch.testing.assert_close(
         cut.gradient(parameters)[0], whole.gradient(parameters)[0], rtol=1e-12, atol=1e-14
@@ -86,7 +90,7 @@ def test_blocks_walk_through_all_samples() -> None:
 
 
 def _representable(layers: Layers, samples: int) -> tuple[LeastSquares, Tensor]:
-    teacher = layers.initial(5)
+    teacher = _random(layers, 5)
     inputs = _problem(layers, samples).inputs[:-1]
     return LeastSquares.of(layers, inputs, _plain_output(layers, inputs, teacher), 64), teacher
 
@@ -94,28 +98,23 @@ def _representable(layers: Layers, samples: int) -> tuple[LeastSquares, Tensor]:
 def test_convergence_is_quadratic_where_the_target_is_representable() -> None:
     layers = Layers((2, 3, 1))
     problem, teacher = _representable(layers, 200)
-    generator = torch.Generator().manual_seed(0)
-    nearby = teacher + 0.03 * torch.randn(layers.parameters, generator=generator, dtype=torch.float64)
+    nearby = teacher + 0.03 * _random(layers, 0)
     at = Iterate(nearby, torch.zeros_like(nearby), 1e-13, 0, problem.loss(nearby))
     errors = [math.sqrt(at.loss)]
-    while errors[-1] > 1e-9:
+    while errors[-1] > 1e-12:
         following = advance(problem, at, problem.samples)
         assert following is not None
         at = following
         errors.append(math.sqrt(at.loss))
-    orders = [
-        math.log(after / here) / math.log(here / before)
-        for before, here, after in zip(errors, errors[1:], errors[2:], strict=False)
-        if after > 1e-13
-    ]
-    assert len(errors) <= 6
-    assert max(orders) > 1.7
+    # The constant is set by the conditioning; linear convergence would soon break any.
+    assert len(errors) <= 5
+    assert all(after < 3e3 * before**2 for before, after in pairwise(errors))
 
 
 def test_training_from_scratch_recovers_a_representable_function() -> None:
     layers = Layers((2, 4, 1))
     problem, _ = _representable(layers, 400)
-    at = begin(problem, layers.initial(3))
+    at = begin(problem, problem.with_fitted_output(layers.initial(3)))
     losses = [at.loss]
     # J^T J from a quarter of the samples at a time: the minimum must not depend on that.
     for _ in range(400):
@@ -147,12 +146,22 @@ def test_start_is_set_by_the_seed_and_spreads_the_neurons() -> None:
         assert float(spread.median()) > 0.02
 
 
+def test_output_layer_is_fitted_to_the_targets() -> None:
+    layers = Layers((3, 6, 5, 1))
+    problem = _problem(layers, 300)
+    fitted = problem.with_fitted_output(layers.initial(2))
+    output = layers.ranges[-1]
+    assert torch.equal(fitted[: output.start], layers.initial(2)[: output.start])
+    assert float(problem.gradient(fitted)[0][output].abs().max()) < 1e-4
+    assert problem.loss(fitted) <= float(problem.targets.var(correction=0))
+
+
 @pytest.mark.skipif(not torch.cuda.is_available(), reason="no CUDA device")
 def test_cuda_takes_the_same_steps() -> None:
     layers = Layers((3, 8, 8, 1))
     on_cpu = _problem(layers, 500, chunk=128)
     on_cuda = LeastSquares.of(layers, on_cpu.inputs[:-1].cuda(), on_cpu.targets.cuda(), 128)
-    start = layers.initial(0)
+    start = on_cpu.with_fitted_output(layers.initial(0))
     here, there = begin(on_cpu, start), begin(on_cuda, start.cuda())
     for _ in range(5):
         one, other = advance(on_cpu, here, 250), advance(on_cuda, there, 250)
