@@ -112,6 +112,7 @@ class TrainingRecipe(_Section):
 
     hidden: Annotated[tuple[Count, ...], Field(strict=False, min_length=1)]
     train_samples: Count
+    curvature_samples: Count
     validation_samples: Count
     epochs: Count
     patience: Count

@@ -1,0 +1,102 @@
+"""The state of an unfinished training run, as an npz file that executes nothing when loaded."""
+
+import json
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from sailnet.errors import NetworkError
+from sailnet.files import write_whole
+from training.levenberg_marquardt import Iterate
+
+SCHEMA = "sailnet-checkpoint/1"
+
+History = list[dict[str, float]]
+
+
+@dataclass
+class Progress:
+    """A training run between two epochs.
+
+    Attributes:
+        iterate: where Levenberg-Marquardt stands.
+        best: parameters with the lowest validation error so far.
+        best_epoch: the epoch they were reached in.
+        best_validation: that error.
+        seconds: time spent, earlier sessions included.
+        history: one record an epoch: epoch, train, validation, test, mu, seconds.
+    """
+
+    iterate: Iterate
+    best: Tensor
+    best_epoch: int
+    best_validation: float
+    seconds: float
+    history: History
+
+
+def save_checkpoint(progress: Progress, run: str, path: Path) -> None:
+    """Write a checkpoint of the run identified by ``run``; whole or not at all."""
+    at = progress.iterate
+    numbers = {
+        "schema": SCHEMA,
+        "run": run,
+        "damping": at.damping,
+        "steps": at.steps,
+        "loss": at.loss,
+        "best_epoch": progress.best_epoch,
+        "best_validation": progress.best_validation,
+        "seconds": progress.seconds,
+        "history": progress.history,
+    }
+
+    def write(beside: Path) -> None:
+        with beside.open("wb") as stream:
+            # JSON keeps every float64 exactly.
+            np.savez(
+                stream,
+                state=np.array(json.dumps(numbers)),
+                parameters=at.parameters.cpu().numpy(),
+                scale=at.scale.cpu().numpy(),
+                best=progress.best.cpu().numpy(),
+            )
+
+    write_whole(path, write)
+
+
+def load_checkpoint(path: Path, run: str, device: torch.device) -> Progress:
+    """Read a checkpoint.
+
+    Raises:
+        NetworkError: missing, damaged, or of a run with other data, recipe or seed.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as stored:
+            state = json.loads(str(stored["state"]))
+            tensors = {
+                name: torch.from_numpy(stored[name]).to(device) for name in ("parameters", "scale", "best")
+            }
+        if state["schema"] != SCHEMA or state["run"] != run:
+            raise NetworkError(
+                f"{path} belongs to a run with another data set, recipe, seed or device: "
+                "train without --resume to start again"
+            )
+        iterate = Iterate(
+            tensors["parameters"], tensors["scale"], state["damping"], state["steps"], state["loss"]
+        )
+        return Progress(
+            iterate,
+            tensors["best"],
+            state["best_epoch"],
+            state["best_validation"],
+            state["seconds"],
+            state["history"],
+        )
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+        raise NetworkError(
+            f"cannot read checkpoint {path}: {error}; train without --resume to start again"
+        ) from error

@@ -1,0 +1,105 @@
+"""``python -m training.compare_targets``: which single-valued target the command network learns best.
+
+Around a pinch (lambda_u = lambda_v = 0) any even, 2 pi-periodic function of the direction chi of
+(-3 lambda_u, -sqrt(8) lambda_v) is single-valued, and |alpha| follows from it. All candidates get
+the same samples, network size, start and number of epochs, and are judged by the error of |alpha|
+they lead to on the same test trajectories.
+"""
+
+import argparse
+import sys
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import torch
+from tqdm import tqdm
+
+from sailnet.dataset import open_dataset
+from sailnet.dynamics import Array
+from sailnet.errors import SailnetError
+from sailnet.mission import Transfer
+from sailnet.networks import COMMAND_INPUTS
+from sailnet.pontryagin import guidance_law
+from training.layers import forward
+from training.samples import load_samples
+from training.targets import TARGETS, Target, command_error, cone_direction
+from training.train import NEAR_ARRIVAL, epochs, problems, start
+
+
+def candidates(problem: Transfer) -> list[Target]:
+    """The targets compared; the first three are read without any change to the guidance."""
+
+    def size_at(direction: Array) -> Array:
+        return np.abs(guidance_law(problem, -np.cos(direction) / 3.0, np.sin(direction) / np.sqrt(8.0)))
+
+    costates = ("lambda_u", "lambda_v")
+    return [
+        TARGETS["alpha_pre"],
+        TARGETS["alpha_pre_eq23"],
+        TARGETS["alpha"],
+        Target(
+            "direction",
+            COMMAND_INPUTS,
+            costates,
+            lambda columns: cone_direction(columns["lambda_u"], columns["lambda_v"]),
+            "|chi|, read by Eqs. (11) and (12)",
+            lambda output, _: size_at(np.clip(np.abs(output), 0.0, np.pi)),
+        ),
+        Target(
+            "cos_direction",
+            COMMAND_INPUTS,
+            costates,
+            lambda columns: np.cos(cone_direction(columns["lambda_u"], columns["lambda_v"])),
+            "cos chi, read by arccos and Eqs. (11) and (12)",
+            lambda output, _: size_at(np.arccos(np.clip(output, -1.0, 1.0))),
+        ),
+    ]
+
+
+def _show(bar: tqdm, record: dict[str, float]) -> None:
+    bar.update(int(record["epoch"]) - bar.n)
+
+
+def main() -> int:
+    """Run the command; returns the exit status."""
+    parser = argparse.ArgumentParser(
+        prog="python -m training.compare_targets",
+        description=__doc__,
+        epilog="example: python -m training.compare_targets build/earth_mars/dataset.h5 --epochs 200",
+    )
+    parser.add_argument("dataset", type=Path)
+    parser.add_argument("--epochs", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=7)
+    options = parser.parse_args()
+    print(f"{'target':16}{'all':>10}{'tau<0.3':>10}{'largest':>10}   MSE and error of |alpha| / (2 phi_max)")
+    try:
+        with open_dataset(options.dataset) as data:
+            changes = {"epochs": options.epochs, "patience": options.epochs, "seed": options.seed}
+            recipe = data.mission.training.model_copy(update=changes)
+            problem = data.mission.problem
+            for target in candidates(problem):
+                samples = load_samples(
+                    data, target, recipe.seed, recipe.train_samples, recipe.validation_samples
+                )
+                run = problems(samples, recipe.hidden, torch.device("cpu"))
+                progress = start(run, recipe.seed)
+                with tqdm(total=recipe.epochs, desc=target.name, disable=None, file=sys.stderr) as bar:
+                    epochs(run, recipe, progress, watch=partial(_show, bar))
+                layers = run.train.layers
+                scaled = torch.from_numpy(samples.scaled(samples.test)[0].T.copy())
+                ones = torch.ones(1, scaled.shape[1], dtype=torch.float64)
+                output = forward(layers.matrices(progress.best), torch.cat([scaled, ones]))[1].numpy()
+                output = samples.output_min + (samples.output_max - samples.output_min) * output
+                error = command_error(target, output, samples.test.alpha, problem.phi_max)
+                near = samples.test.tau < NEAR_ARRIVAL
+                numbers = (np.mean(error**2), np.mean(error[near] ** 2), np.abs(error).max())
+                print(f"{target.name:16}" + "".join(f"{x:10.2e}" for x in numbers), flush=True)
+    except SailnetError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,126 @@
+"""From the data set to scaled samples: split by trajectory, drawn evenly, scaled to [0, 1]."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sailnet.dataset import CHUNK, Dataset
+from sailnet.dynamics import Array
+from sailnet.errors import DatasetError
+from training.targets import Target
+
+PARTS = ("train", "validation", "test")
+SHARES = (0.70, 0.15, 0.15)
+
+ROWS_READ = 16 * CHUNK
+"""Rows of the data set held at once."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """Samples of one part of the split, in physical units.
+
+    Attributes:
+        inputs: (n, k) the network's inputs.
+        values: (n,) the target.
+        alpha: (n,) cone angle [rad], by which command networks are compared.
+        tau: (n,) time to go [TU].
+    """
+
+    inputs: Array
+    values: Array
+    alpha: Array
+    tau: Array
+
+
+@dataclass(frozen=True)
+class SampleSet:
+    """What one network is trained, stopped and judged on.
+
+    Attributes:
+        train: drawn from the training trajectories, in random order.
+        validation: drawn from the validation trajectories.
+        test: every sample of the test trajectories.
+        input_min, input_max: (k,) range of the inputs over the training trajectories.
+        output_min, output_max: range of the target over them.
+    """
+
+    train: Part
+    validation: Part
+    test: Part
+    input_min: Array
+    input_max: Array
+    output_min: float
+    output_max: float
+
+    def scaled(self, part: Part) -> tuple[Array, Array]:
+        """(n, k) inputs and (n,) values of a part, min-max scaled; inputs clamped to [0, 1]."""
+        inputs = np.clip((part.inputs - self.input_min) / (self.input_max - self.input_min), 0.0, 1.0)
+        return inputs, (part.values - self.output_min) / (self.output_max - self.output_min)
+
+
+def split_trajectories(trajectories: int, seed: int) -> NDArray[np.int8]:
+    """(trajectories,) index into ``PARTS``, in the proportions ``SHARES``.
+
+    The split is by trajectory because samples of one trajectory are near-copies of each other.
+
+    Raises:
+        DatasetError: too few trajectories for three parts.
+    """
+    bounds = np.rint(np.cumsum(SHARES) * trajectories).astype(int)
+    if np.any(np.diff([0, *bounds]) == 0):
+        raise DatasetError(
+            f"{trajectories} trajectories cannot be split into {', '.join(PARTS)}: generate at least 7"
+        )
+    parts = np.repeat(np.arange(len(PARTS), dtype=np.int8), np.diff([0, *bounds]))
+    return np.random.default_rng([seed, 0]).permutation(parts)
+
+
+def load_samples(
+    data: Dataset, target: Target, seed: int, train_samples: int, validation_samples: int
+) -> SampleSet:
+    """Read one network's samples; memory holds what is returned and a block of rows.
+
+    Raises:
+        DatasetError: damaged, or too few trajectories to split.
+    """
+    part_of_row = np.repeat(split_trajectories(data.trajectories, seed), np.diff(data.first_sample))
+    rng = np.random.default_rng([seed, 1])
+    drawn = []
+    for part, limit in enumerate((train_samples, validation_samples, data.samples)):
+        rows = np.flatnonzero(part_of_row == part)
+        drawn.append(rows if limit >= len(rows) else np.sort(rng.choice(rows, limit, replace=False)))
+    names = tuple(dict.fromkeys((*target.inputs, *target.columns, "alpha", "tau")))
+    collected: list[list[Mapping[str, Array]]] = [[] for _ in PARTS]
+    low, high = np.full(len(target.inputs) + 1, np.inf), np.full(len(target.inputs) + 1, -np.inf)
+    for start in range(0, data.samples, ROWS_READ):
+        stop = min(start + ROWS_READ, data.samples)
+        block = data.read(names, start, stop)
+        block["value"] = target.value(block)
+        ranged = np.stack([block[name] for name in (*target.inputs, "value")])
+        ranged = ranged[:, part_of_row[start:stop] == 0]
+        if ranged.size:
+            low, high = np.minimum(low, ranged.min(axis=1)), np.maximum(high, ranged.max(axis=1))
+        for rows, kept in zip(drawn, collected, strict=True):
+            here = rows[np.searchsorted(rows, start) : np.searchsorted(rows, stop)] - start
+            kept.append({name: column[here] for name, column in block.items()})
+    parts = [_assemble(target, kept) for kept in collected]
+    order = rng.permutation(len(parts[0].values))
+    shuffled = Part(*(getattr(parts[0], name)[order] for name in ("inputs", "values", "alpha", "tau")))
+    return SampleSet(
+        shuffled,
+        parts[1],
+        parts[2],
+        low[:-1],
+        high[:-1],
+        output_min=float(low[-1]),
+        output_max=float(high[-1]),
+    )
+
+
+def _assemble(target: Target, kept: list[Mapping[str, Array]]) -> Part:
+    columns = {name: np.concatenate([block[name] for block in kept]) for name in kept[0]}
+    inputs = np.column_stack([columns[name] for name in target.inputs])
+    return Part(inputs, columns["value"], columns["alpha"], columns["tau"])
