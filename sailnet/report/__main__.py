@@ -12,7 +12,8 @@ from sailnet.dataset import JUMP_FLAG, Dataset, open_dataset
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.files import write_whole
-from sailnet.guidance import load_baseline, load_guidance
+from sailnet.guidance import load_guidance
+from sailnet.guidance_onnx import OnnxGuidance
 from sailnet.mission import Mission, load_mission
 from sailnet.networks import Network, load_network
 from sailnet.provenance import software
@@ -131,7 +132,7 @@ def _run(options: argparse.Namespace) -> None:
     names = [name for name in NETWORKS if (folder / f"{name}.safetensors").exists()]
     networks = {name: load_network(folder / f"{name}.safetensors") for name in names}
     guidance = load_guidance(mission, "c", "float64", options.build / "export")
-    baseline = load_baseline(mission, options.build / "export")
+    baseline = OnnxGuidance(mission, options.build / "export" / "baseline_f64.onnx")
     timings_path = options.build / "bench.json"
     timings = json.loads(timings_path.read_text(encoding="utf-8")) if timings_path.exists() else None
     with tqdm(total=3, desc="report", file=sys.stderr, disable=None) as bar:
