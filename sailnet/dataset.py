@@ -78,7 +78,9 @@ def write_dataset(
     """
 
     def write(beside: Path) -> None:
-        with h5py.File(beside, "w") as file:
+        # Only since this version of the format does every piece of metadata carry a checksum; without
+        # one HDF5 can crash or hang on a single flipped bit.
+        with h5py.File(beside, "w", libver="v110") as file:
             columns = _create_columns(file)
             digests = {key: hashlib.sha256() for key in columns}
             trajectories = samples = 0
@@ -92,13 +94,11 @@ def write_dataset(
                 count, length = next(iter(block.samples.values())).shape
                 trajectories, samples = trajectories + count, samples + count * length
             for key, column in columns.items():
-                column.attrs["sha256"] = digests[key].hexdigest()
-            file.attrs["schema"] = SCHEMA
-            file.attrs["mission"] = mission.to_json()
-            file.attrs["provenance"] = json.dumps(dict(provenance), sort_keys=True)
+                _put_text(column, sha256=digests[key].hexdigest())
+            origin = json.dumps(dict(provenance), sort_keys=True)
+            _put_text(file, schema=SCHEMA, mission=mission.to_json(), provenance=origin)
             file.attrs["trajectories"], file.attrs["samples"] = trajectories, samples
-            file.attrs["sha256"] = _content_digest(file)
-            file.attrs["provenance_sha256"] = _text_digest(file.attrs["provenance"])
+            _put_text(file, sha256=_content_digest(file), provenance_sha256=_text_digest(origin))
 
     try:
         write_whole(path, write)
@@ -121,7 +121,7 @@ def _create_columns(file: Any) -> dict[str, Any]:
                 shuffle=True,
                 fletcher32=True,
             )
-            column.attrs["unit"], column.attrs["meaning"] = unit, meaning
+            _put_text(column, unit=unit, meaning=meaning)
             columns[f"{group}/{name}"] = column
     return columns
 
@@ -139,19 +139,29 @@ def _flatten(block: Block, first_trajectory: int, first_sample: int) -> dict[str
     }
 
 
-def _text_digest(text: object) -> str:
-    return hashlib.sha256(str(text).encode()).hexdigest()
+def _put_text(place: Any, **attributes: str) -> None:
+    # Of fixed length: HDF5 keeps other texts in a heap without a checksum. JSON escapes to ASCII.
+    for name, text in attributes.items():
+        place.attrs[name] = np.bytes_(text.encode("ascii"))
+
+
+def _text(place: Any, name: str) -> str:
+    return bytes.decode(place.attrs[name], "ascii")
+
+
+def _text_digest(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def _content_digest(file: Any) -> str:
     """The same for the same samples of the same mission, whenever and wherever they were made."""
     content = hashlib.sha256()
     for name in ("schema", "mission"):
-        content.update(str(file.attrs[name]).encode())
+        content.update(_text(file, name).encode())
     for group, schema in (("samples", SAMPLES), ("trajectories", TRAJECTORIES)):
         for name in schema:
             column = file[group][name]
-            content.update(f"{group}/{name}{column.shape}{column.attrs['sha256']}".encode())
+            content.update(f"{group}/{name}{column.shape}{_text(column, 'sha256')}".encode())
     return content.hexdigest()
 
 
@@ -160,17 +170,17 @@ class Dataset:
 
     def __init__(self, path: Path, file: Any) -> None:
         self._path, self._file = path, file
-        schema = file.attrs.get("schema")
+        schema = _text(file, "schema")
         if schema != SCHEMA:
             raise DatasetError(f"{path} has schema {schema!r}, this version reads {SCHEMA!r}")
-        self.mission: Mission = parse_mission(json.loads(file.attrs["mission"]), str(path))
-        self.provenance: dict[str, object] = json.loads(file.attrs["provenance"])
-        self.digest: str = str(file.attrs["sha256"])
+        self.mission: Mission = parse_mission(json.loads(_text(file, "mission")), str(path))
+        self.provenance: dict[str, object] = json.loads(_text(file, "provenance"))
+        self.digest: str = _text(file, "sha256")
         # Not the attributes of these names: the checksum covers the columns' lengths.
         self.trajectories: int = len(file["trajectories/first_sample"])
         self.samples: int = len(file["samples/trajectory"])
-        header = (_content_digest(file), _text_digest(file.attrs["provenance"]))
-        if header != (self.digest, file.attrs["provenance_sha256"]):
+        header = (_content_digest(file), _text_digest(_text(file, "provenance")))
+        if header != (self.digest, _text(file, "provenance_sha256")):
             raise DatasetError(
                 f"{path} is damaged: its header does not match its checksum; generate it again"
             )
@@ -205,7 +215,7 @@ class Dataset:
                 for start in range(0, size, 16 * CHUNK):
                     part = self._read(group, [name], start, min(start + 16 * CHUNK, size))[name]
                     content.update(np.ascontiguousarray(part, dtype=INTEGER.get(name, "<f8")).tobytes())
-                if content.hexdigest() != self._file[group][name].attrs["sha256"]:
+                if content.hexdigest() != _text(self._file[group][name], "sha256"):
                     raise DatasetError(f"{self._path} is damaged: {group}/{name} does not match its checksum")
 
     def _read(self, group: str, names: Sequence[str], start: int, stop: int) -> dict[str, Array]:

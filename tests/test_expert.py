@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from sailnet.expert import Extremal, Nominal, solve, solve_nominal
 from sailnet.extremals import arrival_lambda_v, propagate_extremals
 from sailnet.mission import Mission, Transfer
 from sailnet.pontryagin import evaluate_hamiltonian, guidance_law
+from sailnet.shooting import Shots, shoot
 from tests.reference import fly
 
 GOLDEN = {
@@ -130,6 +132,22 @@ def test_the_costates_are_the_gradient_of_the_time_of_flight(problem: Transfer) 
         ahead = solve(exact, state + shift).time_of_flight
         behind = solve(exact, state - shift).time_of_flight
         assert (ahead - behind) / (2 * step) == pytest.approx(costates[i], rel=1e-4, abs=1e-4)
+
+
+def test_the_shortest_of_the_extremals_found_wins(problem: Transfer, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Newton's results are doctored: a second extremal that takes twice as long is put before the first."""
+    state = (1.05, 0.15, 1.03)
+    genuine = shoot
+
+    def doctored(*arguments: Any) -> Shots:
+        found = genuine(*arguments)
+        columns = vars(found).items()
+        twice = {name: np.concatenate([column, column]) for name, column in columns}
+        twice["tau"] = np.concatenate([2 * found.tau, found.tau])
+        return Shots(**twice)
+
+    monkeypatch.setattr(sailnet.expert, "shoot", doctored)
+    assert solve(problem, state).time_of_flight == pytest.approx(6.15517, abs=1e-5)
 
 
 @pytest.mark.parametrize(
