@@ -20,6 +20,13 @@ from sailnet.propagation import TOLERANCE
 from sailnet.provenance import software
 
 
+def _count(text: str) -> int:
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not a positive number")
+    return number
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m data",
@@ -28,16 +35,17 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("output", type=Path, help="the HDF5 file to write")
     parser.add_argument("--mission", default="earth_mars", help="mission name or TOML file")
-    parser.add_argument("--trajectories", type=int, help="instead of the mission's number")
-    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1, help="processes (default: all)")
+    parser.add_argument("--trajectories", type=_count, help="instead of the mission's number")
+    parser.add_argument(
+        "--workers", type=_count, default=os.cpu_count() or 1, help="processes (default: all)"
+    )
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser
 
 
 def _watched(blocks: Iterator[Block], total: int, quiet: bool) -> Iterator[Block]:
-    with tqdm(
-        total=total, unit="trajectory", desc="data set", disable=True if quiet else None, file=sys.stderr
-    ) as bar:
+    hidden = True if quiet else None  # None: hidden unless stderr is a terminal
+    with tqdm(total=total, unit="trajectory", desc="data set", disable=hidden, file=sys.stderr) as bar:
         for block in blocks:
             yield block
             bar.update(len(block.trajectories["flags"]))

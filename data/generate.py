@@ -13,6 +13,7 @@ import numpy as np
 
 from sailnet.dataset import JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG, Block
 from sailnet.dynamics import Array
+from sailnet.errors import DatasetError
 from sailnet.extremals import arrival_lambda_v, propagate_extremals
 from sailnet.jumps import preprocess
 from sailnet.mission import Mission
@@ -23,6 +24,9 @@ CANDIDATES = 512
 
 AHEAD = 8
 """Shards under way at once: bounds the memory."""
+
+FUTILE = 64
+"""Shards in a row without a single admitted extremal after which the recipe is given up."""
 
 STATES = ("r", "u", "v", "lambda_r", "lambda_u", "lambda_v")
 
@@ -70,8 +74,14 @@ def compute_shard(mission: Mission, nominal: tuple[float, float], shard: int) ->
 
 
 def generate(mission: Mission, nominal: tuple[float, float], executor: Executor) -> Iterator[Block]:
-    """Yield blocks in shard order until the recipe's number of trajectories is reached."""
+    """Yield blocks in shard order until the recipe's number of trajectories is reached.
+
+    Raises:
+        DatasetError: the recipe admits no extremal.
+        SolveError: the recipe's box holds costates without an extremal.
+    """
     missing = mission.dataset.trajectories
+    futile = 0
     shards = count()
     under_way: deque[Future[Block]] = deque()
     try:
@@ -79,6 +89,15 @@ def generate(mission: Mission, nominal: tuple[float, float], executor: Executor)
             while len(under_way) < AHEAD:
                 under_way.append(executor.submit(compute_shard, mission, nominal, next(shards)))
             block = under_way.popleft().result()
+            if not len(block.trajectories["flags"]):
+                futile += 1
+                if futile == FUTILE:
+                    raise DatasetError(
+                        f"none of {FUTILE * CANDIDATES} extremals meets mission {mission.name!r}'s recipe: "
+                        "widen lambda_r, lambda_u, max_radius or max_jumps of its [dataset] section"
+                    )
+                continue
+            futile = 0
             block = Block(
                 {name: values[:missing] for name, values in block.samples.items()},
                 {name: values[:missing] for name, values in block.trajectories.items()},

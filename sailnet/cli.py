@@ -145,7 +145,7 @@ def _solve(options: argparse.Namespace) -> Result:
 
 
 def _guide(options: argparse.Namespace) -> Result:
-    from sailnet.guidance import load_guidance
+    from sailnet.guidance import GuidanceStatus, load_guidance
 
     state = _state(options)
     guidance = load_guidance(
@@ -155,7 +155,7 @@ def _guide(options: argparse.Namespace) -> Result:
     return {
         "cone_angle": float(command.cone_angle[0]),
         "time_of_flight": float(command.time_of_flight[0]),
-        "status": command.status[0].name.lower(),
+        "status": GuidanceStatus(command.status[0]).name.lower(),
     }
 
 

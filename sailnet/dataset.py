@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.dynamics import Array
-from sailnet.errors import DatasetError, MissionError
+from sailnet.errors import DatasetError
 from sailnet.files import write_whole
 from sailnet.mission import Mission, parse_mission
 
@@ -85,8 +85,9 @@ def write_dataset(
             for block in blocks:
                 for key, values in _flatten(block, trajectories, samples).items():
                     column = columns[key]
-                    column.resize(len(column) + len(values), axis=0)
-                    column[-len(values) :] = values
+                    start = len(column)
+                    column.resize(start + len(values), axis=0)
+                    column[start:] = values
                     digests[key].update(values.tobytes())
                 count, length = next(iter(block.samples.values())).shape
                 trajectories, samples = trajectories + count, samples + count * length
@@ -165,8 +166,9 @@ class Dataset:
         self.mission: Mission = parse_mission(json.loads(file.attrs["mission"]), str(path))
         self.provenance: dict[str, object] = json.loads(file.attrs["provenance"])
         self.digest: str = str(file.attrs["sha256"])
-        self.trajectories: int = int(file.attrs["trajectories"])
-        self.samples: int = int(file.attrs["samples"])
+        # Not the attributes of these names: the checksum covers the columns' lengths.
+        self.trajectories: int = len(file["trajectories/first_sample"])
+        self.samples: int = len(file["samples/trajectory"])
         header = (_content_digest(file), _text_digest(file.attrs["provenance"]))
         if header != (self.digest, file.attrs["provenance_sha256"]):
             raise DatasetError(
@@ -209,7 +211,7 @@ class Dataset:
     def _read(self, group: str, names: Sequence[str], start: int, stop: int) -> dict[str, Array]:
         try:
             return {name: self._file[group][name][start:stop] for name in names}
-        except OSError as error:
+        except (OSError, RuntimeError, ValueError, TypeError, AttributeError, MemoryError) as error:
             raise DatasetError(
                 f"{self._path} is damaged: {group} rows {start} to {stop} cannot be read; generate it again"
             ) from error
@@ -233,7 +235,9 @@ def open_dataset(path: Path, mission: Mission | None = None) -> Iterator[Dataset
     with file:
         try:
             dataset = Dataset(path, file)
-        except (KeyError, OSError, ValueError, RuntimeError, UnicodeDecodeError, MissionError) as error:
+        except DatasetError:
+            raise
+        except Exception as error:  # a flipped bit in the metadata can surface as any of them
             raise DatasetError(f"{path} is damaged or no sailnet data set: {error}") from error
         if mission is not None and dataset.mission.digest() != mission.digest():
             raise DatasetError(

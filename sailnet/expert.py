@@ -121,6 +121,19 @@ def solve(transfer: Transfer, state: ArrayLike, guesses: int = 16) -> Extremal:
     )
 
 
+def sample(transfer: Transfer, extremal: Extremal, count: int = 501) -> tuple[Array, Array]:
+    """An extremal from departure to arrival.
+
+    Returns:
+        (count,) time since departure [TU], and (count, 7) columns r, u, v, lambda_r, lambda_u,
+        lambda_v and the optimal cone angle [rad].
+    """
+    tau = np.linspace(0.0, extremal.time_of_flight, count)
+    states = propagate_extremals(transfer, extremal.arrival_costates, tau).states[0, ::-1]
+    alpha = guidance_law(transfer, states[:, 4], states[:, 5])
+    return tau, np.column_stack([states, alpha])
+
+
 @dataclass(frozen=True)
 class Nominal:
     """The three solutions of Section 4.1.1 from the departure orbit.

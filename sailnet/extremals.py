@@ -1,5 +1,6 @@
 """The parameterised backward initial-value problem, Eqs. (14)-(19): one costate in, one extremal out."""
 
+from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -82,7 +83,7 @@ def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike)
         tau: (m,) increasing grid of time to go [TU], beginning at 0.
 
     Returns:
-        One extremal per row; rows that could not be propagated hold NaN from there on.
+        One extremal per row; a row that could not be propagated (a fall into the Sun) holds NaN.
     """
     arrivals = np.asarray(costates, float).reshape(-1, 3)
     grid = np.asarray(tau, float)
@@ -91,7 +92,9 @@ def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike)
     jump_times = np.full(len(arrivals), np.nan)
     engine = propagator(transfer)
     lane_grid = np.repeat(grid[:, None], engine.lanes, axis=1)
-    for rows in _batches(len(arrivals), engine.lanes):
+    batches = deque(_batches(len(arrivals), engine.lanes))
+    while batches:
+        rows = batches.popleft()
         lanes = np.resize(rows, engine.lanes)
         initial = np.empty((6, engine.lanes))
         initial[:3] = np.array(transfer.target_state)[:, None]
@@ -102,9 +105,13 @@ def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike)
         states[rows] = sampled[:, :6, :kept].transpose(2, 0, 1)
         jumps[rows] = engine.jumps[:kept]
         jump_times[rows] = engine.jump_times[:kept]
-        for lane, outcome in enumerate(engine.integrator.propagate_res[:kept]):
-            if outcome[0] != hy.taylor_outcome.time_limit:
-                states[rows[lane]] = np.nan
+        unfinished = ~np.isfinite(sampled[-1, 0, :kept])
+        states[rows[unfinished]] = np.nan
+        # A lane that fails stops the others of its batch on their way: those start again.
+        fell = [outcome[0] == hy.taylor_outcome.err_nf_state for outcome in engine.integrator.propagate_res]
+        stopped = rows[unfinished & ~np.array(fell[:kept])]
+        if 0 < len(stopped) < kept:
+            batches.append(stopped)
     return Extremals(grid, states, jumps, jump_times)
 
 

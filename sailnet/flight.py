@@ -4,6 +4,7 @@ Many sails fly side by side. Each flight draws its disturbances from a stream of
 result depends neither on its company nor on the number of workers.
 """
 
+import itertools
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -131,7 +132,7 @@ def fly(
     flying = np.arange(count)
     log: list[tuple[NDArray[np.intp], float, Array, Array, Array]] = []
     draws = np.empty((count, DRAWS))
-    for k in range(int(np.ceil(mission.flight.longest / held)) + 1):
+    for k in itertools.count():
         time = k * held
         command = guidance.command(states[[0, 2, 3]][:, flying].T)
         if recorder is not None:
@@ -144,7 +145,7 @@ def fly(
         stopped[flying[near & ~lost]] = True
         going = ~(near | lost)
         flying = flying[going]
-        if not len(flying):
+        if not len(flying) or time >= mission.flight.longest:
             break
         if k % DRAWS == 0:
             for i in flying:
@@ -152,7 +153,7 @@ def fly(
         error = noise.beta_bias + noise.beta_noise * draws[flying, k % DRAWS]
         beta = mission.sail.beta * (1.0 + error)
         states[:, flying] = hold_command(states[:, flying], command.cone_angle[going], beta, held)
-    duration[flying] = mission.flight.longest
+    duration[flying] = time
 
     ends = states[[0, 2, 3]].T.copy()
     terminal_error = np.abs(ends - np.array(mission.problem.target_state))

@@ -101,13 +101,18 @@ def unconstrained_law(lambda_u: ArrayLike, lambda_v: ArrayLike) -> Array:
 def _law(transfer: Transfer, lambda_u: ArrayLike, lambda_v: ArrayLike) -> Array:
     a, b = np.broadcast_arrays(np.asarray(lambda_u, float), np.asarray(lambda_v, float))
     inputs = np.ascontiguousarray([a.ravel(), b.ravel()])
-    size = inputs.shape[1]
-    pars = np.zeros((4, size))
+    # Only the direction counts; the square of a huge or tiny costate would leave the float range.
+    largest = np.abs(inputs).max(axis=0)
+    neither = largest == 0.0
+    inputs /= np.where(neither, 1.0, largest)
+    pars = np.zeros((4, inputs.shape[1]))
     pars[1], pars[2], pars[3] = transfer.phi_max, transfer.delta, -np.copysign(1.0, inputs[1])
-    angles = _compiled_law()(inputs, pars=pars)
+    angles = np.asarray(_compiled_law()(inputs, pars=pars))
+    # The exact law may exceed the bound by a rounding error.
+    angles[0] = np.clip(angles[0], -transfer.phi_max, transfer.phi_max)
     # hy.atan2(0, 0) is 0, but the offset of the far side would still be added.
-    angles[:, (inputs[0] == 0.0) & (inputs[1] == 0.0)] = 0.0
-    return np.asarray(angles).reshape(2, *a.shape)
+    angles[:, neither] = 0.0
+    return angles.reshape(2, *a.shape)
 
 
 def evaluate_hamiltonian(

@@ -12,6 +12,7 @@ flipping only keeps the books; where lambda_u > 0 the command jumps.
 """
 
 import math
+import threading
 from collections.abc import Callable
 from functools import cache
 from typing import Any, Literal
@@ -157,15 +158,23 @@ class Propagator:
         return True
 
     def _corner(self, ta: Any, direction: int, lane: int) -> bool:
-        ta.pars[4, lane] = 0.0 if ta.pars[4, lane] else ta.pars[3, lane]
+        # The smooth law needs the step to end here, and has no mode to switch.
+        if self.kind == "exact":
+            ta.pars[4, lane] = 0.0 if ta.pars[4, lane] else ta.pars[3, lane]
         return True
 
 
-_build: Callable[[LawKind, bool, bool], Propagator] = cache(Propagator)
+class _Compiled(threading.local):
+    # A propagator holds the trajectory it is on, so threads must not share one.
+    def __init__(self) -> None:
+        self.build: Callable[[LawKind, bool, bool], Propagator] = cache(Propagator)
+
+
+_compiled = _Compiled()
 
 
 def propagator(transfer: Transfer, variational: bool = False) -> Propagator:
-    """The compiled propagator for a problem; compiled once per form of the law and process."""
+    """The compiled propagator for a problem; compiled once per form of the law and thread."""
     kind = law_kind(transfer)
     split = kind == "exact" or (kind == "smooth" and transfer.delta < SHARP_DELTA)
-    return _build(kind, split, variational)
+    return _compiled.build(kind, split, variational)

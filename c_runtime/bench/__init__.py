@@ -1,0 +1,1 @@
+"""Benchmarks of the flight runtime beside other ways to evaluate the same networks."""

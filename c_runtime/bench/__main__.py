@@ -1,0 +1,135 @@
+"""``python -m c_runtime.bench``: the time of one command, on this machine, in one run.
+
+The exported C in both precisions, beside onnxruntime (one thread), PyTorch eager and NumPy.
+"""
+
+import argparse
+import json
+import platform
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+import onnxruntime
+
+from c_runtime.shared_library import PRECISIONS, CompilerError, find_compiler
+
+HERE = Path(__file__).parent
+FLAGS = "-O3 -march=native -fno-trapping-math -ffp-contract=fast"
+STATE = (1.05, 0.15, 1.03)
+
+Row = dict[str, str | float]
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command; returns its exit status."""
+    parser = argparse.ArgumentParser(prog="python -m c_runtime.bench", description=__doc__)
+    parser.add_argument("exported", type=Path, help="folder written by python -m export")
+    parser.add_argument(
+        "--networks", type=Path, help="folder of the weights; adds PyTorch and NumPy to the table"
+    )
+    parser.add_argument("--flags", default=FLAGS, help="of the C compiler (default: %(default)s)")
+    parser.add_argument("--json", action="store_true", help="print one JSON object instead of a table")
+    options = parser.parse_args(arguments)
+    try:
+        compiler = find_compiler()
+        rows = [_time_c(compiler, options.flags, options.exported, precision) for precision in PRECISIONS]
+    except (CompilerError, subprocess.CalledProcessError) as error:
+        print(f"bench: {error}", file=sys.stderr)
+        return 1
+    rows += [_time_onnxruntime(options.exported, precision) for precision in PRECISIONS]
+    if options.networks:
+        rows += _time_python(options.networks)
+    report = {"machine": _machine(), "date": datetime.now(UTC).isoformat(timespec="seconds")}
+    report |= {"compiler": _version(compiler), "flags": options.flags}
+    if options.json:
+        print(json.dumps({**report, "unit": "ns per command", "rows": rows}))
+    else:
+        print("\n".join(f"{key}: {value}" for key, value in report.items()))
+        print(f"{'one command':<28}{'precision':>10}{'min [ns]':>12}{'median [ns]':>14}")
+        for row in rows:
+            print(f"{row['what']:<28}{row['precision']:>10}{row['min_ns']:>12.0f}{row['median_ns']:>14.0f}")
+    return 0
+
+
+def _time_c(compiler: list[str], flags: str, exported: Path, precision: str) -> Row:
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "bench"
+        sources = [str(HERE / "bench_command.c"), str(exported / "sailnet_guidance.c")]
+        command = [*compiler, "-std=c99", *shlex.split(flags), *PRECISIONS[precision], f"-I{exported}"]
+        subprocess.run([*command, *sources, "-o", str(program)], check=True)
+        measured = subprocess.run([program], check=True, capture_output=True, text=True).stdout
+    return {"what": "exported C", "precision": f"float{precision[1:]}", **json.loads(measured)}
+
+
+def _time_onnxruntime(exported: Path, precision: str) -> Row:
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = options.inter_op_num_threads = 1
+    session = onnxruntime.InferenceSession(
+        exported / f"guidance_{precision}.onnx", options, providers=["CPUExecutionProvider"]
+    )
+    state = np.array([STATE], f"float{precision[1:]}")
+    return _time(
+        "onnxruntime, merged graph", f"float{precision[1:]}", lambda: session.run(None, {"state": state})
+    )
+
+
+def _time_python(folder: Path) -> list[Row]:
+    import torch
+
+    from export.torch_networks import TorchGuidance
+    from sailnet.networks import load_guidance_networks
+
+    networks = load_guidance_networks(folder)
+    state = np.array([STATE])
+    rows = [_time("NumPy", "float64", lambda: networks.command(state))]
+    guidance = TorchGuidance(networks)
+    torch.set_num_threads(1)
+    for module, dtype in ((guidance.in_float32(), torch.float32), (guidance, torch.float64)):
+        tensor = torch.tensor([STATE], dtype=dtype)
+        with torch.inference_mode():
+            rows.append(
+                _time("PyTorch eager", str(dtype).removeprefix("torch."), lambda m=module, t=tensor: m(t))
+            )
+    return rows
+
+
+def _time(
+    what: str, precision: str, command: Callable[[], object], batches: int = 25, calls: int = 400
+) -> Row:
+    nanoseconds = []
+    for _ in range(batches):
+        start = time.perf_counter_ns()
+        for _ in range(calls):
+            command()
+        nanoseconds.append((time.perf_counter_ns() - start) / calls)
+    return {
+        "what": what,
+        "precision": precision,
+        "min_ns": min(nanoseconds),
+        "median_ns": float(np.median(nanoseconds)),
+    }
+
+
+def _machine() -> str:
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+        name = next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
+    except (OSError, StopIteration):
+        name = platform.processor()
+    return f"{name} ({platform.machine()}, {platform.system()})"
+
+
+def _version(compiler: list[str]) -> str:
+    run = subprocess.run([*compiler, "--version"], capture_output=True, text=True, check=False)
+    return run.stdout.splitlines()[0] if run.stdout else compiler[0]
+
+
+if __name__ == "__main__":
+    sys.exit(main())

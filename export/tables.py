@@ -1,0 +1,108 @@
+"""The weights as C tables, in the layout that ``c_runtime/source/stage.c.in`` evaluates.
+
+A stage is one or two networks evaluated in step; all its tables have the network as last index but
+one. Rows shorter than the array they initialise leave zeros behind, as C defines: the padding is
+chosen when the C is compiled, not here.
+"""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from export.errors import ExportError
+from sailnet.dynamics import Array
+from sailnet.networks import COMMAND_INPUTS, Network
+
+LOG2_E = 1.0 / math.log(2.0)
+SMALLEST, LARGEST = 1e-30, 1e30
+
+
+def stage_tables(stage: str, networks: Sequence[Network]) -> str:
+    """C source of the sizes and constant tables of one stage.
+
+    Hidden layers are multiplied by -log2(e), so that sigmoid(x) = 1 / (1 + 2^z) of their result z.
+    The first layer absorbs the width of the input ranges, the last layer the output range.
+
+    Raises:
+        ExportError: a weight does not fit single precision.
+    """
+    depths = [len(network.hidden) for network in networks]
+    widest = max(size for network in networks for size in network.hidden)
+    inputs = len(COMMAND_INPUTS)
+    name = f"sailnet_{stage}"
+    upper = stage.upper()
+
+    lower_bounds = np.zeros((len(networks), inputs))
+    upper_bounds = np.zeros((len(networks), inputs))
+    first = [[np.zeros(0) for _ in networks] for _ in range(inputs)]
+    biases = [[np.zeros(0) for _ in networks] for _ in range(max(depths))]
+    hidden = [
+        [[np.zeros(0) for _ in networks] for _ in range(widest)] for _ in range(max(1, max(depths) - 1))
+    ]
+    output, output_bias = [], []
+    for k, network in enumerate(networks):
+        used = len(network.inputs)
+        lower_bounds[k, :used], upper_bounds[k, :used] = network.input_min, network.input_max
+        per_range = network.weights[0] / (network.input_max - network.input_min)
+        for i in range(used):
+            first[i][k] = -LOG2_E * per_range[:, i]
+        for layer, bias in enumerate(network.biases[:-1]):
+            biases[layer][k] = -LOG2_E * bias
+        for layer, weight in enumerate(network.weights[1:-1]):
+            for i in range(weight.shape[1]):
+                hidden[layer][i][k] = -LOG2_E * weight[:, i]
+        span = network.output_max - network.output_min
+        output.append(span * network.weights[-1][0])
+        output_bias.append(network.output_min + span * float(network.biases[-1][0]))
+
+    return "\n".join(
+        [
+            f"/* Stage {stage!r}: {', '.join(f'{n.name} {list(n.hidden)}' for n in networks)}. */".replace(
+                "'", '"'
+            ),
+            f"#define {upper}_NETWORKS {len(networks)}",
+            f"#define {upper}_DEPTH {max(depths)}",
+            f"#define {upper}_ROWS SAILNET_ROUNDED_UP({widest}, 4)",
+            f"#define {upper}_WIDTH SAILNET_PADDED({widest})",
+            _table(f"{name}_lower[{upper}_NETWORKS][4]", _rows(lower_bounds)),
+            _table(f"{name}_upper[{upper}_NETWORKS][4]", _rows(upper_bounds)),
+            _table(f"{name}_first[4][{upper}_NETWORKS][{upper}_WIDTH]", _nested(first)),
+            _table(f"{name}_biases[{upper}_DEPTH][{upper}_NETWORKS][{upper}_WIDTH]", _nested(biases)),
+            _table(
+                f"{name}_hidden[{len(hidden)}][{upper}_ROWS][{upper}_NETWORKS][{upper}_WIDTH]",
+                "{\n" + ",\n".join(_nested(layer) for layer in hidden) + "\n}",
+            ),
+            _table(f"{name}_output[{upper}_NETWORKS][{upper}_WIDTH]", _rows(output)),
+            _table(f"{name}_output_bias[{upper}_NETWORKS]", _row(output_bias)),
+            f"static const int32_t {name}_depth[{upper}_NETWORKS] = {{{', '.join(map(str, depths))}}};",
+            "",
+        ]
+    )
+
+
+def literal(value: float) -> str:
+    """A decimal literal that reads back exactly in double precision and fits single precision.
+
+    Raises:
+        ExportError: it is too large.
+    """
+    if not abs(value) < LARGEST:
+        raise ExportError(f"a weight of {value:g} does not fit single precision; train with bounded weights")
+    return repr(float(value)) if abs(value) > SMALLEST else "0.0"
+
+
+def _table(declaration: str, initialiser: str) -> str:
+    return f"static const sailnet_real {declaration} =\n{initialiser};"
+
+
+def _nested(rows: Sequence[Sequence[Array]]) -> str:
+    return "{\n" + ",\n".join(_rows(row) for row in rows) + "\n}"
+
+
+def _rows(rows: Sequence[Array] | Array) -> str:
+    return "{" + ",\n ".join(_row(row) for row in rows) + "}"
+
+
+def _row(values: Sequence[float] | Array) -> str:
+    return "{" + ", ".join(f"R({literal(float(v))})" for v in values) + "}" if len(values) else "{R(0.0)}"

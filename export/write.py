@@ -1,0 +1,97 @@
+"""One export: everything computed and checked beside the target folder, then moved into it."""
+
+import tempfile
+from pathlib import Path
+
+from tqdm import tqdm
+
+from c_runtime.shared_library import CompilerError, compile_libraries
+from export.errors import ExportError
+from export.to_c import write_c
+from export.to_onnx import Graph, write_onnx
+from export.torch_networks import TorchBaseline, TorchGuidance
+from sailnet.checksums import write_checksums
+from sailnet.errors import NetworkError
+from sailnet.guidance_facts import describe
+from sailnet.mission import Mission
+from sailnet.networks import COMMAND_INPUTS, GuidanceNetworks, Network, load_guidance_networks, load_network
+
+CHECKSUMS = "SHA256SUMS"
+
+
+def export(
+    networks_folder: Path, target: Path, mission: Mission, baseline: Path | None = None, progress: bool = True
+) -> list[Path]:
+    """Write ONNX graphs, C and compiled libraries of the networks in a folder; returns what was written.
+
+    The list of checksums is moved last: an export that was killed between two files is noticed on load.
+
+    Args:
+        networks_folder: holds ``tau``, ``alpha_pre`` and ``lambda_v`` (``.safetensors``).
+        target: folder to write to; it keeps what it had if anything fails.
+        mission: whose rules of flight are built in, and whose problem the networks must be trained for.
+        baseline: ``alpha.safetensors``, a network that gives the signed cone angle from (r, u, v, tau).
+        progress: show a bar on stderr.
+
+    Raises:
+        NetworkError: a network is missing, damaged or does not fit.
+        ExportError: networks of another mission, no compiler, or a target that cannot be written.
+    """
+    networks = load_guidance_networks(networks_folder)
+    _refuse_other_mission(networks.tau, mission)
+    alpha = load_network(baseline) if baseline else None
+    if alpha is not None:
+        _refuse_other_mission(alpha, mission)
+        if alpha.inputs != COMMAND_INPUTS:
+            raise NetworkError(f"the baseline takes {alpha.inputs}, not {COMMAND_INPUTS}")
+    try:
+        target.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=target, prefix=".export-") as name:
+            return _write_and_move(networks, alpha, mission, Path(name), target, progress)
+    except CompilerError as error:
+        raise ExportError(str(error)) from error
+    except OSError as error:
+        raise ExportError(f"cannot write to {target}: {error}") from error
+
+
+def _write_and_move(
+    networks: GuidanceNetworks,
+    alpha: Network | None,
+    mission: Mission,
+    beside: Path,
+    target: Path,
+    progress: bool,
+) -> list[Path]:
+    trio = {"tau": networks.tau, "alpha_pre": networks.alpha_pre, "lambda_v": networks.lambda_v}
+    facts = describe(trio, mission)
+    write_c(networks, facts, beside)
+    compiled = compile_libraries(beside, beside)
+
+    guidance = TorchGuidance(networks)
+    commands = ("cone_angle", "time_of_flight")
+    graphs = [
+        Graph("tau.onnx", guidance.tau, "state", 3, ["tau"]),
+        Graph("alpha_pre.onnx", guidance.alpha_pre, "state_and_tau", 4, ["alpha_pre"]),
+        Graph("lambda_v.onnx", guidance.lambda_v, "state_and_tau", 4, ["lambda_v"]),
+        Graph("guidance_f32.onnx", guidance.in_float32(), "state", 3, commands),
+        Graph("guidance_f64.onnx", guidance, "state", 3, commands),
+    ]
+    for graph in tqdm(graphs, "ONNX graphs", disable=not progress):
+        write_onnx(graph, facts, beside)
+    if alpha is not None:
+        pair = TorchBaseline(networks.tau, alpha)
+        facts_of_pair = describe({"tau": networks.tau, "alpha": alpha}, mission)
+        write_onnx(Graph("baseline_f64.onnx", pair, "state", 3, commands), facts_of_pair, beside)
+
+    listed = [file for file in beside.iterdir() if file not in compiled]
+    write_checksums(listed, beside / CHECKSUMS)
+    moved = [*sorted([*listed, *compiled]), beside / CHECKSUMS]
+    return [file.replace(target / file.name) for file in moved]
+
+
+def _refuse_other_mission(network: Network, mission: Mission) -> None:
+    if network.mission.digest() != mission.digest():
+        raise ExportError(
+            f"network {network.name} was trained for mission {network.mission.name!r} with other parameters "
+            f"than mission {mission.name!r} has now: train again, or name the mission with --mission"
+        )

@@ -1,0 +1,67 @@
+"""The merged ONNX graph in onnxruntime: the second back end, held equal to the C by test."""
+
+from pathlib import Path
+
+import numpy as np
+import onnxruntime
+from numpy.typing import ArrayLike
+
+from sailnet.checksums import verify_checksum
+from sailnet.errors import GuidanceError
+from sailnet.guidance import Commands, GuidanceStatus, Precision, as_states
+from sailnet.guidance_facts import METADATA_KEY, GuidanceFacts
+from sailnet.mission import Mission
+
+_PRECISIONS: dict[str, Precision] = {"tensor(float)": "float32", "tensor(double)": "float64"}
+
+
+class OnnxGuidance:
+    """Flies an exported graph (``state`` to ``cone_angle`` and ``time_of_flight``).
+
+    Args:
+        mission: the mission to fly.
+        graph: the ONNX file, beside its list of checksums.
+
+    Raises:
+        GuidanceError: the graph is missing, damaged, of another mission or cannot be loaded.
+    """
+
+    def __init__(self, mission: Mission, graph: Path) -> None:
+        verify_checksum(graph, graph.parent / "SHA256SUMS")
+        options = onnxruntime.SessionOptions()
+        options.intra_op_num_threads = options.inter_op_num_threads = 1
+        try:
+            self._session = onnxruntime.InferenceSession(graph, options, providers=["CPUExecutionProvider"])
+            self.precision = _PRECISIONS[self._session.get_inputs()[0].type]
+            stored = self._session.get_modelmeta().custom_metadata_map[METADATA_KEY]
+        except Exception as error:  # onnxruntime's exceptions share no other base
+            raise GuidanceError(f"cannot load {graph}: {error}; export it again") from error
+        facts = GuidanceFacts.from_json(stored)
+        if facts.mission_digest != mission.digest():
+            raise GuidanceError(
+                f"{graph} was exported for another mission than {mission.name!r} as it is now"
+            )
+        self.mission = mission
+        self.networks_digest = facts.networks_digest
+        self._facts = facts
+        kind = np.dtype(self.precision).type
+        self._state_min, self._state_max = np.array(facts.state_min, kind), np.array(facts.state_max, kind)
+        self._arrival_threshold = kind(facts.arrival_threshold)
+
+    def command(self, states: ArrayLike) -> Commands:
+        """Command the sails at (n, 3) states; see ``sailnet.guidance.Guidance``."""
+        array = as_states(states, self.precision)
+        valid = np.isfinite(array).all(axis=1)
+        # A NaN never enters the graph: what its operators make of one is not defined.
+        entered = np.where(valid[:, None], array, self._state_min)
+        cone_angle, time_of_flight = self._session.run(["cone_angle", "time_of_flight"], {"state": entered})
+        inside = ((array >= self._state_min) & (array <= self._state_max)).all(axis=1)
+        status = np.where(time_of_flight < self._arrival_threshold, GuidanceStatus.ARRIVED, GuidanceStatus.OK)
+        status = np.where(inside, status, GuidanceStatus.OUTSIDE_DOMAIN)
+        return Commands(
+            cone_angle=np.where(valid, cone_angle, 0.0).astype(np.float64),
+            time_of_flight=np.where(valid, time_of_flight, self._facts.largest_time_of_flight).astype(
+                np.float64
+            ),
+            status=np.where(valid, status, GuidanceStatus.INVALID_INPUT).astype(np.int32),
+        )

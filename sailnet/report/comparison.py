@@ -1,0 +1,162 @@
+"""The table "paper | here"."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from sailnet.dataset import Dataset
+from sailnet.networks import Network
+from sailnet.report import paper
+from sailnet.report.evaluation import Section5
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of the table; ``note`` says what a reader must know to compare the two."""
+
+    quantity: str
+    paper: str
+    here: str
+    note: str = ""
+
+
+def _triple(values: Iterable[float]) -> str:
+    return "(" + ", ".join(f"{value:.2e}" for value in values) + ")"
+
+
+def problem_rows(data: Dataset) -> list[Row]:
+    """Flight times of Section 4.1.1 and the size of the data set."""
+    nominal = data.provenance["nominal"]
+    assert isinstance(nominal, dict)
+    titles = {
+        "unconstrained": "unconstrained",
+        "constrained": "constrained, δ = 0",
+        "smoothed": "constrained, δ = 1e-3 (nominal)",
+    }
+    rows = [
+        Row(
+            f"time of flight, {title} [TU]",
+            f"{paper.TIMES[key]:.5f}",
+            f"{nominal[key]['time_of_flight']:.5f}",
+        )
+        for key, title in titles.items()
+    ]
+    rows.append(Row("optimal trajectories", f"{paper.TRAJECTORIES:,}", f"{data.trajectories:,}"))
+    rows.append(Row("samples", f"{paper.SAMPLES:,}", f"{data.samples:,}"))
+    return rows
+
+
+def error_rows(networks: Mapping[str, Network]) -> list[Row]:
+    """Table 1: mean squared errors, scaled to [0, 1]."""
+    printed = {**paper.ERRORS, "alpha_pre_eq23": paper.ERRORS["alpha_pre"]}
+    titles = {
+        "tau": "time of flight network",
+        "lambda_v": "λ_v network",
+        "alpha_pre_eq23": "α_pre network, Eq. (23) as printed",
+        "alpha_pre": "α_pre network that flies",
+        "alpha": "α network, no preprocessing",
+    }
+    notes = {
+        "alpha_pre_eq23": "this target is two-valued around the points where λ_u = λ_v = 0",
+        "alpha_pre": "single-valued target, in its own range: four times stricter than Eq. (23)'s",
+    }
+    rows = []
+    for name, title in titles.items():
+        if name in networks:
+            record = networks[name].provenance
+            here = " / ".join(f"{record[f'{part}_mse']:.2e}" for part in ("train", "validation", "test"))
+            theirs = " / ".join(f"{value:.2e}" for value in printed[name])
+            rows.append(Row(f"MSE, {title}: training / validation / test", theirs, here, notes.get(name, "")))
+    for name in ("alpha_pre_eq23", "alpha_pre", "alpha"):
+        if name in networks:
+            rows.append(
+                Row(
+                    f"test MSE of |α| from the {titles[name]}",
+                    f"{printed[name][2]:.2e}" if name != "alpha_pre" else "",
+                    f"{networks[name].provenance['command_mse']:.2e}",
+                    "one measure for all targets: |α| over 2 φ_max, the same test trajectories",
+                )
+            )
+    return rows
+
+
+def flight_rows(section5: Section5) -> list[Row]:
+    """Sections 5.1 to 5.3."""
+    rows = []
+    for name, flown in section5.three.items():
+        rows += [
+            Row(
+                f"{name}: optimal time of flight [TU]",
+                f"{paper.CASE_OPTIMUM[name]:.4f}",
+                f"{flown.extremal.time_of_flight:.5f}",
+                "indirect method",
+            ),
+            Row(
+                f"{name}: time of flight predicted at departure [TU]",
+                f"{paper.CASE_PREDICTED[name]:.4f}",
+                f"{flown.history.predicted_time_of_flight[0]:.4f}",
+            ),
+            Row(
+                f"{name}: time of flight flown, three networks [TU]",
+                "",
+                f"{flown.time_of_flight:.4f}",
+                "until the predicted time left drops below the threshold",
+            ),
+            Row(f"{name}: ΔΦ, three networks", _triple(paper.CASE_ERROR[name]), _triple(flown.error)),
+            Row(
+                f"{name}: ΔΦ, two networks",
+                _triple(paper.CASE_1_ERROR_TWO_NETWORKS) if name == "Case 1" else "",
+                _triple(section5.two[name].error),
+                "" if section5.two[name].flights.stopped[0] else "never met the stop rule",
+            ),
+        ]
+    noise = section5.noise
+    rows += [
+        Row(
+            "β noise ±15 %: time of flight [TU]",
+            f"{paper.NOISE_TIME:.4f}",
+            f"{noise.time_of_flight:.4f}",
+            f"optimum without noise {noise.extremal.time_of_flight:.4f}; the noise differs from the paper's",
+        ),
+        Row("β noise ±15 %: ΔΦ", _triple(paper.NOISE_ERROR), _triple(noise.error), f"seed {section5.seed}"),
+    ]
+    some = section5.generalisation
+    rows.append(
+        Row(
+            "random starts that arrive",
+            f"{paper.GENERALISATION_SUCCESSES} of {paper.GENERALISATION_FLIGHTS}",
+            f"{int(some.arrived.sum())} of {len(some.arrived)}",
+            f"arrive: within 1e-3 in every component; seed {section5.seed}",
+        )
+    )
+    if some.arrived.any():
+        mean = some.terminal_error[some.arrived].mean(axis=0)
+        rows.append(Row("their mean ΔΦ", _triple(paper.GENERALISATION_ERROR), _triple(mean)))
+    campaign = section5.campaign
+    low, high = campaign.confidence_interval
+    rows.append(
+        Row(
+            "random starts that arrive, larger campaign",
+            "",
+            f"{campaign.arrived} of {len(campaign.flights.arrived)} = {100 * campaign.success_share:.1f} %",
+            f"95 % interval {100 * low:.1f} to {100 * high:.1f} %",
+        )
+    )
+    return rows
+
+
+def timing_rows(timings: Mapping[str, object] | None) -> list[Row]:
+    """Section 5.4: time of a command."""
+    if timings is None:
+        return []
+    lines = timings["rows"]
+    assert isinstance(lines, list)
+    best = {str(line["name"]): float(line["median_ns"]) for line in lines}
+    return [
+        Row(
+            f"time of a command, {name} [µs]",
+            f"{1e6 * paper.COMMAND_SECONDS:.1f}" if name.startswith("C ") else "",
+            f"{nanoseconds / 1e3:.3f}",
+            "median of batches",
+        )
+        for name, nanoseconds in best.items()
+    ]

@@ -1,0 +1,53 @@
+"""Solutions and artefacts that several tests read and that take seconds to make."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from sailnet.expert import Extremal, Nominal, solve, solve_nominal
+from sailnet.mission import Mission, Transfer, load_mission
+from sailnet.networks import GuidanceNetworks, save_network
+from tests.random_networks import random_guidance, random_network, save_guidance
+
+
+@pytest.fixture(scope="session")
+def mission() -> Mission:
+    return load_mission("earth_mars")
+
+
+@pytest.fixture(scope="session")
+def problem(mission: Mission) -> Transfer:
+    return mission.problem
+
+
+@pytest.fixture(scope="session")
+def nominal(mission: Mission) -> Nominal:
+    return solve_nominal(mission)
+
+
+@pytest.fixture(scope="session")
+def jumping(problem: Transfer) -> Extremal:
+    """Case 2 of the paper: its cone angle jumps once."""
+    return solve(problem, (1.05, 0.15, 1.03))
+
+
+@dataclass(frozen=True)
+class Exported:
+    """One export of random networks; tests read it and change only copies."""
+
+    networks: GuidanceNetworks
+    weights: Path
+    folder: Path
+
+
+@pytest.fixture(scope="session")
+def exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Exported:
+    from export.write import export
+
+    weights, folder = tmp_path_factory.mktemp("networks"), tmp_path_factory.mktemp("exported")
+    networks = random_guidance()
+    save_guidance(networks, weights)
+    save_network(random_network("alpha"), weights / "alpha.safetensors")
+    export(weights, folder, mission, weights / "alpha.safetensors", progress=False)
+    return Exported(networks, weights, folder)

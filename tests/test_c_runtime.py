@@ -1,0 +1,104 @@
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import Exported
+
+C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
+FAST = "-O3 -march=native -fno-trapping-math -ffp-contract=fast"
+# Undefined behaviour ends the program; needs no library of the sanitizer.
+TRAPPING = "-O1 -fsanitize=undefined -fsanitize-undefined-trap-on-error"
+COMPILERS = [name for name in ("gcc", "clang", "clang-14") if shutil.which(name)]
+
+every_compiler = pytest.mark.parametrize("compiler", COMPILERS)
+every_precision = pytest.mark.parametrize(
+    "define", ["-USAILNET_FLOAT64", "-DSAILNET_FLOAT64"], ids=["f32", "f64"]
+)
+
+
+def test_there_is_a_compiler() -> None:
+    assert COMPILERS
+
+
+@every_compiler
+@pytest.mark.parametrize("flags", ["-O2", FAST, TRAPPING])
+def test_unit_tests_in_c(exported: Exported, tmp_path: Path, compiler: str, flags: str) -> None:
+    run = subprocess.run(
+        [
+            "make",
+            "-s",
+            "test",
+            f"EXPORTED={exported.folder}",
+            f"BUILD={tmp_path}",
+            f"CC={compiler}",
+            f"CFLAGS={flags}",
+        ],
+        cwd=C_RUNTIME,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert run.stdout.count("all passed") == 2
+
+
+@every_compiler
+@every_precision
+@pytest.mark.parametrize("level", ["-O2", "-O3"])
+def test_flight_file_compiles_without_a_warning(
+    exported: Exported, tmp_path: Path, compiler: str, define: str, level: str
+) -> None:
+    for file in ("sailnet_guidance.c", "sailnet_batch.c"):
+        command = [compiler, "-std=c99", level, define, *WARNINGS, "-c", file, "-o", str(tmp_path / "out.o")]
+        subprocess.run(command, cwd=exported.folder, check=True)
+
+
+@pytest.mark.skipif(not shutil.which("g++"), reason="no C++ compiler (apt install g++)")
+@every_precision
+def test_flight_file_is_cplusplus_too(exported: Exported, tmp_path: Path, define: str) -> None:
+    command = ["g++", "-x", "c++", "-std=c++11", define, *WARNINGS, "-c", "sailnet_guidance.c"]
+    subprocess.run([*command, "-o", str(tmp_path / "out.o")], cwd=exported.folder, check=True)
+
+
+@every_compiler
+def test_fast_math_is_refused(exported: Exported, compiler: str) -> None:
+    command = [compiler, "-std=c99", "-ffast-math", "-fsyntax-only", "sailnet_guidance.c"]
+    run = subprocess.run(command, cwd=exported.folder, capture_output=True, text=True, check=False)
+    assert run.returncode != 0
+    assert "guards against NaN" in run.stderr
+
+
+@every_compiler
+@every_precision
+def test_flight_file_needs_nothing_and_writes_nothing_static(
+    exported: Exported, tmp_path: Path, compiler: str, define: str
+) -> None:
+    object_file = tmp_path / "guidance.o"
+    command = [compiler, "-std=c99", "-O2", define, "-c", "sailnet_guidance.c", "-o", str(object_file)]
+    subprocess.run(command, cwd=exported.folder, check=True)
+    symbols = subprocess.run(["nm", object_file], capture_output=True, text=True, check=True).stdout
+    kinds = {line.split()[-1]: line.split()[-2] for line in symbols.splitlines()}
+    # Compilers may call these four on their own account, and a freestanding platform provides them.
+    undefined = {name for name, kind in kinds.items() if kind == "U"}
+    assert undefined <= {"memcpy", "memset", "memmove", "memcmp", "_GLOBAL_OFFSET_TABLE_"}
+    assert not {name for name, kind in kinds.items() if kind in "dDbBC"}
+    assert {name for name, kind in kinds.items() if kind == "T"} == {"sailnet_guidance"}
+
+
+def test_benchmark_prints_one_json_object(exported: Exported) -> None:
+    run = subprocess.run(
+        [sys.executable, "-m", "c_runtime.bench", str(exported.folder), "--json"],
+        cwd=C_RUNTIME.parent,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    report = json.loads(run.stdout)
+    assert {"machine", "date", "compiler", "flags"} <= report.keys()
+    assert [row["what"] for row in report["rows"]].count("exported C") == 2
+    assert all(0.0 < row["min_ns"] <= row["median_ns"] for row in report["rows"])

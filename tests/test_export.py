@@ -1,0 +1,259 @@
+import shutil
+from pathlib import Path
+
+import numpy as np
+import onnx
+import onnxruntime
+import pytest
+import torch
+
+from c_runtime.shared_library import compile_libraries
+from export.__main__ import main
+from export.to_c import write_c
+from export.torch_networks import TorchGuidance
+from export.write import export
+from sailnet import load_mission
+from sailnet.checksums import verify_checksum
+from sailnet.dynamics import Array
+from sailnet.guidance import Precision, load_guidance
+from sailnet.guidance_c import CGuidance
+from sailnet.guidance_facts import METADATA_KEY, GuidanceFacts, describe, round_down
+from sailnet.guidance_onnx import OnnxGuidance
+from sailnet.networks import GuidanceNetworks, load_network, save_network
+from tests.conftest import Exported
+from tests.random_networks import STATE_MAX, STATE_MIN, random_guidance, random_network, save_guidance
+
+MISSION = load_mission("earth_mars")
+
+
+def some_states(n: int, margin: float = 0.05) -> Array:
+    """In the box and a little around it."""
+    low, high = np.array(STATE_MIN) - margin, np.array(STATE_MAX) + margin
+    return np.random.default_rng(1).uniform(low, high, (n, 3))
+
+
+def sign_is_certain(networks: GuidanceNetworks, states: Array, tolerance: float) -> Array:
+    """Where the costate network is not within rounding of zero."""
+    lambda_v = networks.lambda_v(np.column_stack([states, networks.tau(states)]))
+    return np.asarray(np.abs(lambda_v) > tolerance)
+
+
+def test_the_random_networks_exercise_the_law(exported: Exported) -> None:
+    alpha, tau = exported.networks.command(some_states(20000))
+    assert 0.2 < (alpha > 0).mean() < 0.8
+    assert np.ptp(tau) > 5.0
+    assert np.unique(np.abs(alpha).round(3)).size > 500
+    assert tau.min() < MISSION.flight.arrival_threshold
+
+
+@pytest.mark.parametrize(("precision", "bound"), [("float64", 1e-12), ("float32", 1e-6)])
+def test_c_onnx_torch_and_numpy_agree(exported: Exported, precision: Precision, bound: float) -> None:
+    # All start from the same numbers: what rounding the state costs is not the runtime's error.
+    states = some_states(100_000).astype(precision).astype(float)
+    module = TorchGuidance(exported.networks)
+    module = module.in_float32() if precision == "float32" else module
+    with torch.inference_mode():
+        alpha_torch, tau_torch = module(torch.tensor(states, dtype=getattr(torch, precision)))
+    c, graph = (load_guidance(MISSION, b, precision, exported.folder).command(states) for b in ("c", "onnx"))
+    alpha, tau = exported.networks.command(states)
+    certain = sign_is_certain(exported.networks, states, 1e3 * bound)
+    assert certain.mean() > 0.99
+    # tau runs to 10 TU: its rounding is coarser than that of an angle.
+    for other_alpha, other_tau in (
+        (c.cone_angle, c.time_of_flight),
+        (graph.cone_angle, graph.time_of_flight),
+        (alpha_torch.numpy(), tau_torch.numpy()),
+    ):
+        np.testing.assert_allclose(other_tau, tau, rtol=0, atol=10 * bound)
+        if precision == "float64":
+            np.testing.assert_allclose(other_alpha[certain], alpha[certain], rtol=0, atol=bound)
+        else:
+            np.testing.assert_allclose(other_alpha[certain], c.cone_angle[certain], rtol=0, atol=bound)
+            np.testing.assert_allclose(other_alpha[certain], alpha[certain], rtol=0, atol=bound)
+        assert np.abs(other_alpha).max() <= round_down(MISSION.problem.phi_max, precision)
+    clear = np.abs(tau - MISSION.flight.arrival_threshold) > 10 * bound
+    assert (c.status == graph.status)[clear].all()
+    assert set(np.unique(c.status)) == {0, 1, 2}
+
+
+@pytest.mark.parametrize(
+    "hidden",
+    [((7,), (5,), (33,)), ((20, 20, 20), (8,), (16, 21, 3, 5)), ((3, 40), (32, 32, 32), (2, 9))],
+    ids=["one layer", "other depths", "other widths"],
+)
+def test_c_takes_any_hidden_sizes(hidden: tuple[tuple[int, ...], ...], tmp_path: Path) -> None:
+    networks = random_guidance(*hidden, seed=3)
+    trio = {n.name: n for n in (networks.tau, networks.alpha_pre, networks.lambda_v)}
+    write_c(networks, describe(trio, MISSION), tmp_path)
+    compile_libraries(tmp_path, tmp_path)
+    states = some_states(20_000)
+    alpha, tau = networks.command(states)
+    command = CGuidance(MISSION, tmp_path / "guidance_f64.so").command(states)
+    certain = sign_is_certain(networks, states, 1e-9)
+    np.testing.assert_allclose(command.time_of_flight, tau, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(command.cone_angle[certain], alpha[certain], rtol=0, atol=1e-12)
+
+
+def test_each_graph_is_its_network(exported: Exported) -> None:
+    states = some_states(1000)
+    networks = exported.networks
+    inputs = np.column_stack([states, networks.tau(states)])
+    for network, columns, name in (
+        (networks.tau, states, "state"),
+        (networks.alpha_pre, inputs, "state_and_tau"),
+        (networks.lambda_v, inputs, "state_and_tau"),
+    ):
+        session = onnxruntime.InferenceSession(exported.folder / f"{network.name}.onnx")
+        (output,) = session.run([network.name], {name: columns})
+        np.testing.assert_allclose(output, network(columns), rtol=0, atol=1e-11)
+
+
+def test_baseline_graph_clamps_the_signed_angle(exported: Exported) -> None:
+    states = some_states(1000)
+    tau = exported.networks.tau(states)
+    alpha = load_network(exported.weights / "alpha.safetensors")(np.column_stack([states, tau]))
+    command = OnnxGuidance(MISSION, exported.folder / "baseline_f64.onnx").command(states)
+    bound = MISSION.problem.phi_max
+    np.testing.assert_allclose(command.cone_angle, np.clip(alpha, -bound, bound), rtol=0, atol=1e-12)
+
+
+def test_onnx_is_self_contained_and_says_what_it_is(exported: Exported, tmp_path: Path) -> None:
+    for graph in sorted(exported.folder.glob("*.onnx")):
+        alone = Path(shutil.copy(graph, tmp_path))
+        model = onnx.load(alone, load_external_data=False)
+        onnx.checker.check_model(model, full_check=True)
+        assert all(not tensor.external_data for tensor in model.graph.initializer)
+        assert model.graph.input[0].type.tensor_type.shape.dim[0].dim_param
+        (facts,) = [GuidanceFacts.from_json(p.value) for p in model.metadata_props if p.key == METADATA_KEY]
+        assert facts.mission_digest == MISSION.digest()
+        assert facts.datasets["tau"] == "random */ weights"
+        # Nothing of the machine it was made on.
+        assert str(Path.cwd()).encode() not in alone.read_bytes()
+    float32 = onnx.load(exported.folder / "guidance_f32.onnx")
+    float64 = onnx.load(exported.folder / "guidance_f64.onnx")
+    assert {t.data_type for t in float32.graph.initializer} & {onnx.TensorProto.DOUBLE} == set()
+    assert {t.data_type for t in float64.graph.initializer} & {onnx.TensorProto.FLOAT} == set()
+
+
+def test_weights_are_not_rounded_on_the_way_to_float64(exported: Exported) -> None:
+    stored = onnx.load(exported.folder / "guidance_f64.onnx").graph.initializer
+    (weight,) = [onnx.numpy_helper.to_array(t) for t in stored if t.name == "lambda_v.layers.1.weight"]
+    np.testing.assert_array_equal(weight, exported.networks.lambda_v.weights[1])
+
+
+def test_every_file_is_listed(exported: Exported) -> None:
+    for file in exported.folder.iterdir():
+        if file.name not in {"SHA256SUMS", "libraries.sha256"}:
+            sums = "libraries.sha256" if file.suffix == ".so" else "SHA256SUMS"
+            verify_checksum(file, exported.folder / sums)
+
+
+def test_same_weights_same_c(exported: Exported, tmp_path: Path) -> None:
+    trio = {
+        n.name: n for n in (exported.networks.tau, exported.networks.alpha_pre, exported.networks.lambda_v)
+    }
+    write_c(exported.networks, describe(trio, MISSION), tmp_path)
+    assert (tmp_path / "sailnet_guidance.c").read_bytes() == (
+        exported.folder / "sailnet_guidance.c"
+    ).read_bytes()
+
+
+def snapshot(folder: Path) -> dict[str, bytes]:
+    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
+
+
+def test_networks_of_another_mission_are_refused(
+    exported: Exported, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    other = MISSION.model_copy(update={"sail": MISSION.sail.model_copy(update={"beta": 0.1})})
+    save_guidance(random_guidance(mission=other), tmp_path / "networks")
+    target = shutil.copytree(exported.folder, tmp_path / "target")
+    assert main([str(tmp_path / "networks"), str(target)]) == 1
+    assert "was trained for mission 'earth_mars' with other parameters" in capsys.readouterr().err
+    assert snapshot(target) == snapshot(exported.folder)
+
+
+def test_a_failure_half_way_leaves_the_old_files(
+    exported: Exported, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = shutil.copytree(exported.folder, tmp_path / "target")
+    save_guidance(random_guidance(seed=8), tmp_path / "networks")
+
+    def fail(*_: object) -> None:
+        raise OSError("disk full")
+
+    monkeypatch.setattr("export.write.write_checksums", fail)
+    monkeypatch.setattr("export.write.write_onnx", lambda *_: None)
+    assert main([str(tmp_path / "networks"), str(target)]) == 1
+    assert snapshot(target) == snapshot(exported.folder)
+
+
+def test_a_target_that_cannot_be_written_is_an_error(
+    exported: Exported, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").write_text("not a folder")
+    assert main([str(exported.weights), str(tmp_path / "file" / "target")]) == 1
+    assert "cannot write to" in capsys.readouterr().err
+    assert (tmp_path / "file").read_text() == "not a folder"
+
+
+@pytest.mark.parametrize("compiler", ["no-such-compiler", "false"])
+def test_no_working_compiler_is_an_error(
+    compiler: str,
+    exported: Exported,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setenv("CC", compiler)
+    assert main([str(exported.weights), str(tmp_path)]) == 1
+    assert "compiler" in capsys.readouterr().err
+    assert snapshot(tmp_path) == {}
+
+
+def test_missing_networks_are_an_error(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([str(tmp_path), str(tmp_path / "target")]) == 1
+    assert "tau.safetensors" in capsys.readouterr().err
+    assert not (tmp_path / "target").exists()
+
+
+def test_weights_beyond_single_precision_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    networks = random_guidance(hidden := (4,), hidden, hidden)
+    networks.tau.weights[0][0, 0] = 1e35
+    save_guidance(networks, tmp_path / "networks")
+    assert main([str(tmp_path / "networks"), str(tmp_path / "target")]) == 1
+    assert "does not fit single precision" in capsys.readouterr().err
+
+
+def test_a_baseline_with_other_inputs_is_refused(
+    exported: Exported, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    save_network(random_network("tau"), tmp_path / "alpha.safetensors")
+    arguments = [
+        str(exported.weights),
+        str(tmp_path / "target"),
+        "--baseline",
+        str(tmp_path / "alpha.safetensors"),
+    ]
+    assert main(arguments) == 1
+    assert "the baseline takes" in capsys.readouterr().err
+
+
+def test_a_smaller_bound_of_the_mission_bounds_every_graph(tmp_path: Path) -> None:
+    narrow = MISSION.model_copy(update={"sail": MISSION.sail.model_copy(update={"max_cone_angle": 11.3})})
+    save_guidance(random_guidance((4,), (4,), (4,), mission=narrow), tmp_path / "networks")
+    export(tmp_path / "networks", tmp_path / "out", narrow, progress=False)
+    for backend in ("c", "onnx"):
+        for precision in ("float32", "float64"):
+            command = load_guidance(narrow, backend, precision, tmp_path / "out").command(some_states(2000))  # type: ignore[arg-type]
+            largest = np.abs(command.cone_angle).max()
+            assert np.radians(11.3) * (1 - 1e-6) < largest <= np.radians(11.3)
+
+
+@pytest.mark.parametrize("value", [1.0471975511965976, 0.1, 1.0, 1 / 3, 2e-5])
+def test_a_rounded_bound_never_exceeds_the_bound(value: float) -> None:
+    assert round_down(value, np.float64) == value
+    rounded = round_down(value, np.float32)
+    assert rounded <= value < float(np.nextafter(np.float32(rounded), np.float32(2.0)))
