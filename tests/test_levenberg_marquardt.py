@@ -14,6 +14,9 @@ from training.layers import Layers, augment, forward
 from training.least_squares import LeastSquares
 from training.levenberg_marquardt import Iterate, advance, begin
 
+# More threads only wait for each other on matrices this small.
+torch.set_num_threads(1)
+
 SHAPES = st.lists(st.integers(1, 5), min_size=2, max_size=4).map(lambda widths: Layers((*widths, 1)))
 
 
@@ -114,17 +117,17 @@ def test_convergence_is_quadratic_where_the_target_is_representable() -> None:
 def test_training_from_scratch_recovers_a_representable_function() -> None:
     layers = Layers((2, 4, 1))
     problem, _ = _representable(layers, 400)
-    at = begin(problem, problem.with_fitted_output(layers.initial(3)))
+    at = begin(problem, layers.initial(3))
     losses = [at.loss]
     # J^T J from a quarter of the samples at a time: the minimum must not depend on that.
-    for _ in range(400):
+    for _ in range(150):
         following = advance(problem, at, 100)
         if following is None or following.loss < 1e-16:
             break
         at = following
         losses.append(at.loss)
     assert losses == sorted(losses, reverse=True)
-    assert losses[-1] < 1e-10
+    assert losses[-1] < 1e-6 * losses[0]
 
 
 def test_a_minimum_is_recognised() -> None:
@@ -146,22 +149,12 @@ def test_start_is_set_by_the_seed_and_spreads_the_neurons() -> None:
         assert float(spread.median()) > 0.02
 
 
-def test_output_layer_is_fitted_to_the_targets() -> None:
-    layers = Layers((3, 6, 5, 1))
-    problem = _problem(layers, 300)
-    fitted = problem.with_fitted_output(layers.initial(2))
-    output = layers.ranges[-1]
-    assert torch.equal(fitted[: output.start], layers.initial(2)[: output.start])
-    assert float(problem.gradient(fitted)[0][output].abs().max()) < 1e-4
-    assert problem.loss(fitted) <= float(problem.targets.var(correction=0))
-
-
 @pytest.mark.skipif(not torch.cuda.is_available(), reason="no CUDA device")
 def test_cuda_takes_the_same_steps() -> None:
     layers = Layers((3, 8, 8, 1))
     on_cpu = _problem(layers, 500, chunk=128)
     on_cuda = LeastSquares.of(layers, on_cpu.inputs[:-1].cuda(), on_cpu.targets.cuda(), 128)
-    start = on_cpu.with_fitted_output(layers.initial(0))
+    start = layers.initial(0)
     here, there = begin(on_cpu, start), begin(on_cuda, start.cuda())
     for _ in range(5):
         one, other = advance(on_cpu, here, 250), advance(on_cuda, there, 250)

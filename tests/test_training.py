@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import torch
 
 from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.errors import DatasetError, NetworkError
@@ -16,6 +17,9 @@ from sailnet.networks import load_network
 from training.samples import load_samples, split_trajectories
 from training.targets import TARGETS, command_error
 from training.train import train_network
+
+# More threads only wait for each other on matrices this small.
+torch.set_num_threads(1)
 
 TRAJECTORIES, LENGTH = 40, 30
 

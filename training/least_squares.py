@@ -11,9 +11,6 @@ from training.layers import Layers, augment, backward, forward, triangle
 CHUNK = 1024
 """Samples whose Jacobian is held at once: 8 MB for 961 parameters, which stays in the cache."""
 
-RIDGE = 1e-6
-"""Keeps a fitted output layer small where neurons are nearly alike."""
-
 
 @dataclass(frozen=True)
 class LeastSquares:
@@ -69,21 +66,6 @@ class LeastSquares:
             total += float(residual @ residual)
             self._accumulate(gradient, backward(matrices, activations, residual), activations)
         return gradient / self.samples, total / self.samples
-
-    def with_fitted_output(self, parameters: Tensor) -> Tensor:
-        """The same hidden layers with the linear output layer that fits the targets best."""
-        layers = self.layers
-        neurons = layers.shapes[-1][1]
-        moments = parameters.new_zeros(neurons, neurons + 1)
-        for inputs, targets in self._chunks(4 * self.chunk):
-            last = forward(layers.matrices(parameters), inputs)[0][-1]
-            moments[:, :-1].addmm_(last, last.T)
-            moments[:, -1] += last @ targets
-        moments /= self.samples
-        moments[:, :-1].diagonal().add_(RIDGE)
-        fitted = parameters.clone()
-        layers.matrices(fitted)[-1][0] = torch.linalg.solve(moments[:, :-1], moments[:, -1])
-        return fitted
 
     def curvature(self, parameters: Tensor) -> Tensor:
         """J^T J / n, of which the lower triangle is valid.

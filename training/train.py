@@ -69,8 +69,7 @@ def problems(samples: SampleSet, hidden: tuple[int, ...], device: torch.device) 
 
 def start(run: Problems, seed: int) -> Progress:
     """The state before the first epoch."""
-    hidden = run.train.layers.initial(seed).to(run.train.targets.device)
-    parameters = run.train.with_fitted_output(hidden)
+    parameters = run.train.layers.initial(seed).to(run.train.targets.device)
     return Progress(begin(run.train, parameters), parameters, 0, run.validation.loss(parameters), 0.0, [])
 
 
