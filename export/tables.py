@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from export.centred import centred_biases
 from export.errors import ExportError
 from sailnet.dynamics import Array
 from sailnet.networks import COMMAND_INPUTS, Network
@@ -21,7 +22,8 @@ SMALLEST, LARGEST = 1e-30, 1e30
 def stage_tables(stage: str, networks: Sequence[Network]) -> str:
     """C source of the sizes and constant tables of one stage.
 
-    Hidden layers are multiplied by -log2(e), so that sigmoid(x) = 1 / (1 + 2^z) of their result z.
+    Hidden layers are multiplied by -log2(e), so that sigmoid(x) = 1 / (1 + 2^z) of their result z; the
+    biases absorb the 1/2 by which the C's sigmoids are centred.
     The first layer absorbs the width of the input ranges, the last layer the output range.
 
     Raises:
@@ -47,20 +49,19 @@ def stage_tables(stage: str, networks: Sequence[Network]) -> str:
         per_range = network.weights[0] / (network.input_max - network.input_min)
         for i in range(used):
             first[i][k] = -LOG2_E * per_range[:, i]
-        for layer, bias in enumerate(network.biases[:-1]):
+        *inner, last = centred_biases(network)
+        for layer, bias in enumerate(inner):
             biases[layer][k] = -LOG2_E * bias
         for layer, weight in enumerate(network.weights[1:-1]):
             for i in range(weight.shape[1]):
                 hidden[layer][i][k] = -LOG2_E * weight[:, i]
         span = network.output_max - network.output_min
         output.append(span * network.weights[-1][0])
-        output_bias.append(network.output_min + span * float(network.biases[-1][0]))
+        output_bias.append(network.output_min + span * float(last[0]))
 
     return "\n".join(
         [
-            f"/* Stage {stage!r}: {', '.join(f'{n.name} {list(n.hidden)}' for n in networks)}. */".replace(
-                "'", '"'
-            ),
+            f'/* Stage "{stage}": {", ".join(f"{n.name} {list(n.hidden)}" for n in networks)}. */',
             f"#define {upper}_NETWORKS {len(networks)}",
             f"#define {upper}_DEPTH {max(depths)}",
             f"#define {upper}_ROWS SAILNET_ROUNDED_UP({widest}, 4)",

@@ -41,7 +41,8 @@ def _header(facts: GuidanceFacts) -> str:
 
 
 def _source(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
-    opening = f"/*\n * Neural optimal guidance of a solar sail: see sailnet_guidance.h.\n *\n{_provenance(facts)}\n */\n"
+    title = "Neural optimal guidance of a solar sail: see sailnet_guidance.h."
+    opening = f"/*\n * {title}\n *\n{_provenance(facts)}\n */\n"
     stage = _read("source/stage.c.in")
     return "\n".join(
         [

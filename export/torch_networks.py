@@ -7,20 +7,26 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
+from export.centred import centred_biases
 from sailnet.guidance_facts import round_down
 from sailnet.networks import GuidanceNetworks, Network
 
 
 class TorchNetwork(nn.Module):
-    """One network in float64: physical (n, k) inputs, clamped to the trained range, to (n,) output."""
+    """One network in float64: physical (n, k) inputs, clamped to the trained range, to (n,) output.
+
+    Sigmoids are evaluated centred, as tanh(x / 2) / 2; the layers absorb both halves, exactly.
+    """
 
     def __init__(self, network: Network) -> None:
         super().__init__()
         self.layers = nn.ModuleList()
-        for weight, bias in zip(network.weights, network.biases, strict=True):
+        last = len(network.weights) - 1
+        for i, (weight, bias) in enumerate(zip(network.weights, centred_biases(network), strict=True)):
+            halved_in, halved_out = (0.5 if i > 0 else 1.0), (0.5 if i < last else 1.0)
             layer = nn.Linear(weight.shape[1], weight.shape[0], dtype=torch.float64)
-            layer.weight.data.copy_(torch.tensor(weight))
-            layer.bias.data.copy_(torch.tensor(bias))
+            layer.weight.data.copy_(torch.tensor(halved_out * halved_in * weight))
+            layer.bias.data.copy_(torch.tensor(halved_out * bias))
             self.layers.append(layer)
         self.register_buffer("input_min", torch.tensor(network.input_min))
         self.register_buffer("input_max", torch.tensor(network.input_max))
@@ -37,9 +43,10 @@ class TorchNetwork(nn.Module):
         )
         layer = (clamped - self.get_buffer("input_min")) / self.get_buffer("input_range")
         for hidden in self.layers[:-1]:
-            layer = torch.sigmoid(hidden(layer))
+            layer = torch.tanh(hidden(layer))
         scaled = self.layers[-1](layer)[:, 0]
-        return self.get_buffer("output_min") + self.get_buffer("output_range") * scaled
+        output: Tensor = self.get_buffer("output_min") + self.get_buffer("output_range") * scaled
+        return output
 
 
 class TorchGuidance(nn.Module):

@@ -86,9 +86,9 @@ def describe(networks: Mapping[str, Network], mission: Mission) -> GuidanceFacts
 
 def round_down(value: float, precision: DTypeLike) -> float:
     """The largest number of this precision that does not exceed ``value``."""
-    kind = np.dtype(precision).type
-    nearest = kind(value)
-    return float(nearest if float(nearest) <= value else np.nextafter(nearest, kind(-np.inf)))
+    nearest = np.asarray(value, precision)
+    below = np.nextafter(nearest, np.asarray(-np.inf, precision))
+    return float(nearest if float(nearest) <= value else below)
 
 
 def _digest(networks: Mapping[str, Network]) -> str:

@@ -125,7 +125,7 @@ def test_damaged_files_are_refused_before_they_are_loaded(
     file = folder / f"guidance_f64.{'so' if backend == 'c' else 'onnx'}"
     content = bytearray(file.read_bytes())
     content[len(content) // 2] ^= 1
-    file.write_bytes({"truncated": content[:5000], "flipped": content, "empty": b""}[damage])
+    file.write_bytes(bytes({"truncated": content[:5000], "flipped": content, "empty": b""}[damage]))
     with pytest.raises(GuidanceError, match="damaged"):
         load_guidance(MISSION, backend, folder=folder)
 

@@ -13,6 +13,7 @@ import tempfile
 import time
 from collections.abc import Callable
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -91,12 +92,10 @@ def _time_python(folder: Path) -> list[Row]:
     rows = [_time("NumPy", "float64", lambda: networks.command(state))]
     guidance = TorchGuidance(networks)
     torch.set_num_threads(1)
-    for module, dtype in ((guidance.in_float32(), torch.float32), (guidance, torch.float64)):
-        tensor = torch.tensor([STATE], dtype=dtype)
+    for module, precision in ((guidance.in_float32(), "float32"), (guidance, "float64")):
+        call = partial(module, torch.tensor([STATE], dtype=getattr(torch, precision)))
         with torch.inference_mode():
-            rows.append(
-                _time("PyTorch eager", str(dtype).removeprefix("torch."), lambda m=module, t=tensor: m(t))
-            )
+            rows.append(_time("PyTorch eager", precision, call))
     return rows
 
 

@@ -83,10 +83,11 @@ SAILNET_INLINE sailnet_real sailnet_exp2_fraction(sailnet_real r)
 }
 
 /*
- * The sigmoid 1 / (1 + exp(-x)) of x = -octaves ln 2. The tables hold hidden layers in this unit,
- * which makes the reduction to a power of two exact. Any bits give a value in [0, 1].
+ * The sigmoid 1 / (1 + exp(-x)) less 1/2, of x = -octaves ln 2; any bits give a value in [-1/2, 1/2].
+ * The tables hold hidden layers in octaves, which makes the reduction to a power of two exact, and
+ * their biases have the half added back: numbers around zero, and sums of them, are rounded finer.
  */
-SAILNET_INLINE sailnet_real sailnet_sigmoid(sailnet_real octaves)
+SAILNET_INLINE sailnet_real sailnet_centred_sigmoid(sailnet_real octaves)
 {
     const sailnet_real z = sailnet_clamped(octaves, -SAILNET_LARGEST_OCTAVES, SAILNET_LARGEST_OCTAVES);
     const sailnet_real rounded = z + SAILNET_ROUNDER;
@@ -97,5 +98,6 @@ SAILNET_INLINE sailnet_real sailnet_sigmoid(sailnet_real octaves)
     memcpy(&bits, &rounded, sizeof bits);
     bits = (bits << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
     memcpy(&power, &bits, sizeof power);
-    return R(1.0) / (R(1.0) + sailnet_exp2_fraction(fraction) * power);
+    const sailnet_real exponential = sailnet_exp2_fraction(fraction) * power;
+    return (R(0.5) - R(0.5) * exponential) / (R(1.0) + exponential);
 }
