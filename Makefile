@@ -1,0 +1,74 @@
+# `make` sets up everything and runs the whole pipeline; `make test` runs every test.
+# Each step is redone only when what it depends on has changed.
+
+MISSION ?= earth_mars
+BUILD   ?= build/$(MISSION)
+SEED    ?= 1
+FLIGHTS ?= 1000
+PYTHON3 ?= python3
+VENV    ?= .venv
+PYTHON  := $(VENV)/bin/python
+READY   := $(VENV)/.ready
+
+physics  := $(addprefix sailnet/,dynamics.py pontryagin.py propagation.py extremals.py shooting.py expert.py)
+mission  := $(wildcard sailnet/missions/$(MISSION).toml) sailnet/mission.py
+networks := $(BUILD)/networks
+exported := $(BUILD)/export
+
+.PHONY: all setup dataset train export evaluate bench report ship test lint clean
+.DELETE_ON_ERROR:
+
+all: report
+	@echo
+	@echo "The report: $(BUILD)/report/index.html"
+
+setup: $(READY)
+
+$(READY): pyproject.toml constraints.txt setup.py
+	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }
+	$(PYTHON3) -m venv $(VENV)
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[train,report,dev]'
+	@touch $@
+
+dataset: $(BUILD)/dataset.h5
+$(BUILD)/dataset.h5: $(mission) $(physics) sailnet/dataset.py sailnet/jumps.py $(wildcard data/*.py) | $(READY)
+	$(PYTHON) -m data $@ --mission $(MISSION)
+
+# --resume: a run that was killed goes on, and networks that are finished are kept.
+train: $(networks)/trained
+$(networks)/trained: $(BUILD)/dataset.h5 sailnet/networks.py $(wildcard training/*.py) | $(READY)
+	$(PYTHON) -m training $< $(networks) --resume
+	@touch $@
+
+export: $(exported)/exported
+$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/include/* c_runtime/source/*) | $(READY)
+	$(PYTHON) -m export $(networks) $(exported) --mission $(MISSION) --baseline $(networks)/alpha.safetensors
+	@touch $@
+
+evaluate: $(exported)/exported
+	$(VENV)/bin/sailnet evaluate --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED)
+
+bench: $(BUILD)/bench.json
+$(BUILD)/bench.json: $(exported)/exported $(wildcard c_runtime/bench/*) | $(READY)
+	$(PYTHON) -m c_runtime.bench $(exported) --networks $(networks) --json > $@
+
+report: $(BUILD)/report/index.html
+$(BUILD)/report/index.html: $(BUILD)/bench.json $(wildcard sailnet/*.py sailnet/report/*) | $(READY)
+	$(PYTHON) -m sailnet.report --mission $(MISSION) --build $(BUILD) --output $(BUILD)/report \
+	    --seed $(SEED) --flights $(FLIGHTS)
+
+# Make the networks of the last run the ones that come with the package, and their figures the README's.
+ship: $(BUILD)/report/index.html
+	$(PYTHON) -m export.ship $(BUILD) sailnet/shipped/$(MISSION) --mission $(MISSION) --readme README.md
+
+lint: | $(READY)
+	$(PYTHON) -m ruff check .
+	$(PYTHON) -m ruff format --check .
+	$(PYTHON) -m mypy
+
+test: lint
+	$(PYTHON) -m pytest
+
+clean:
+	rm -rf build
