@@ -71,9 +71,9 @@ def model_card(mission: Mission, networks: Mapping[str, Network], report: Mappin
         f"over {tau.provenance['test_samples']} samples of trajectories that took no part in training, "
         "scaled to [0, 1].",
         "",
-        f"**Domain.** Trained on states with {domain} [AU, AU/TU], which is a box around the data and not the "
-        "data: states inside it may lie far from every sample. Outside, the command stays within the bound and "
-        "the status says so; it is not to be trusted.",
+        f"**Domain.** Trained on states with {domain} [AU, AU/TU], which is a box around the data, not the "
+        "data: states inside it may lie far from every sample. Outside, the command stays within the bound "
+        "and the status says so; it is not to be trusted.",
         "",
         "**Limits.** Planar circular target orbit, ideal sail, nominal characteristic acceleration. "
         "The share of random starts that do not arrive is in the table.",

@@ -56,7 +56,7 @@ def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_every_step_leaves_its_artefacts(toy: Path) -> None:
-    names = {"tau", "alpha_pre", "lambda_v", "alpha", "alpha_pre_eq23"}
+    names = {"tau", "alpha_pre", "lambda_v", "lambda_v_printed", "alpha", "alpha_pre_eq23"}
     assert {path.stem for path in (toy / "networks").glob("*.safetensors")} == names
     exported = {path.name for path in (toy / "export").iterdir()}
     graphs = {"tau.onnx", "alpha_pre.onnx", "lambda_v.onnx", "guidance_f32.onnx", "guidance_f64.onnx"}

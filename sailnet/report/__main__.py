@@ -21,7 +21,7 @@ from sailnet.report import comparison, figures
 from sailnet.report.evaluation import Section5, fly_section5
 from sailnet.report.page import Picture, write_page
 
-NETWORKS = ("tau", "lambda_v", "alpha_pre", "alpha_pre_eq23", "alpha")
+NETWORKS = ("tau", "lambda_v", "alpha_pre", "lambda_v_printed", "alpha_pre_eq23", "alpha")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -89,8 +89,8 @@ def _pictures(
         (
             "predictions",
             "What the networks predict along Case 1",
-            "Of λ_v only the sign is used (Figs 8a and 8b).",
-            figures.predictions(first.history, networks["lambda_v"](inputs), first.optimum),
+            "Left: τ. Right: λ_v by the network of Table 1; the one that flies gives its sign (Figs 8a, 8b).",
+            figures.predictions(first.history, networks["lambda_v_printed"](inputs), first.optimum),
         ),
         (
             "jump",
