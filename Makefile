@@ -53,8 +53,11 @@ bench: $(BUILD)/bench.json
 $(BUILD)/bench.json: $(exported)/exported $(wildcard c_runtime/bench/*) | $(READY)
 	$(PYTHON) -m c_runtime.bench $(exported) --networks $(networks) --json > $@
 
+$(BUILD)/agreement.json: $(exported)/exported | $(READY)
+	$(PYTHON) -m export.agreement $(networks) $(exported) --dataset $(BUILD)/dataset.h5 > $@
+
 report: $(BUILD)/report/index.html
-$(BUILD)/report/index.html: $(BUILD)/bench.json $(wildcard sailnet/*.py sailnet/report/*) | $(READY)
+$(BUILD)/report/index.html: $(BUILD)/bench.json $(BUILD)/agreement.json $(wildcard sailnet/*.py sailnet/report/*) | $(READY)
 	$(PYTHON) -m sailnet.report --mission $(MISSION) --build $(BUILD) --output $(BUILD)/report \
 	    --seed $(SEED) --flights $(FLIGHTS)
 

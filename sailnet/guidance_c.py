@@ -51,10 +51,15 @@ class CGuidance:
                 f"{library} was exported for another mission than {mission.name!r} as it is now"
             )
         self.mission = mission
+        self._library = library
         self.networks_digest: str = functions["sailnet_networks_digest"]().decode()
         self.precision: Precision = "float64" if functions["sailnet_real_size"]() == 8 else "float32"
         self._batch.restype = None
         self._batch.argtypes = [ctypes.c_uint64, *[ctypes.c_void_p] * 4]
+
+    def __reduce__(self) -> tuple[type["CGuidance"], tuple[Mission, Path]]:
+        # A worker in another process loads, and checks, the library itself.
+        return CGuidance, (self.mission, self._library)
 
     def command(self, states: ArrayLike) -> Commands:
         """Command the sails at (n, 3) states; see ``sailnet.guidance.Guidance``."""

@@ -42,11 +42,16 @@ class OnnxGuidance:
                 f"{graph} was exported for another mission than {mission.name!r} as it is now"
             )
         self.mission = mission
+        self._graph = graph
         self.networks_digest = facts.networks_digest
         self._facts = facts
         kind = np.dtype(self.precision).type
         self._state_min, self._state_max = np.array(facts.state_min, kind), np.array(facts.state_max, kind)
         self._arrival_threshold = kind(facts.arrival_threshold)
+
+    def __reduce__(self) -> tuple[type["OnnxGuidance"], tuple[Mission, Path]]:
+        # A worker in another process loads, and checks, the graph itself.
+        return OnnxGuidance, (self.mission, self._graph)
 
     def command(self, states: ArrayLike) -> Commands:
         """Command the sails at (n, 3) states; see ``sailnet.guidance.Guidance``."""

@@ -1,16 +1,17 @@
 """Campaigns: starts, confidence interval, independence of batches and workers."""
 
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sailnet.guidance import load_guidance
 from scipy.stats import binomtest
 
 from sailnet.errors import SailnetError
 from sailnet.flight import Disturbance
+from sailnet.guidance import load_guidance
 from sailnet.mission import load_mission
 from sailnet.montecarlo import evaluate, random_starts, summarise, wilson_interval
 
@@ -40,7 +41,7 @@ def test_a_campaign_is_the_same_for_any_number_of_workers() -> None:
     guidance = load_guidance(MISSION, "c", "float64")
     noise = Disturbance(beta_noise=0.15, seed=4)
     one = summarise(list(evaluate(MISSION, guidance, 130, noise, period=0.02)))
-    with ThreadPoolExecutor(3) as pool:
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
         three = summarise(list(evaluate(MISSION, guidance, 130, noise, period=0.02, executor=pool)))
     for name, values in vars(one.flights).items():
         np.testing.assert_array_equal(values, getattr(three.flights, name), err_msg=name)

@@ -4,6 +4,7 @@ import argparse
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from tqdm import tqdm
@@ -126,6 +127,11 @@ def _facts(section5: Section5) -> list[tuple[str, str]]:
     ]
 
 
+def _optional(path: Path) -> Any:
+    """Content of a JSON file that a shorter run leaves out."""
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
+
+
 def _run(options: argparse.Namespace) -> None:
     mission = load_mission(options.mission)
     folder = options.build / "networks"
@@ -133,8 +139,7 @@ def _run(options: argparse.Namespace) -> None:
     networks = {name: load_network(folder / f"{name}.safetensors") for name in names}
     guidance = load_guidance(mission, "c", "float64", options.build / "export")
     baseline = OnnxGuidance(mission, options.build / "export" / "baseline_f64.onnx")
-    timings_path = options.build / "bench.json"
-    timings = json.loads(timings_path.read_text(encoding="utf-8")) if timings_path.exists() else None
+    timings, agreement = _optional(options.build / "bench.json"), _optional(options.build / "agreement.json")
     with tqdm(total=3, desc="report", file=sys.stderr, disable=None) as bar:
         section5 = fly_section5(mission, guidance, baseline, options.seed, options.flights)
         bar.update()
@@ -144,6 +149,7 @@ def _run(options: argparse.Namespace) -> None:
                 *comparison.error_rows(networks),
                 *comparison.flight_rows(section5),
                 *comparison.timing_rows(timings),
+                *comparison.agreement_rows(agreement),
             ]
             pictures = _pictures(mission, section5, data, networks, folder)
             digest = data.digest

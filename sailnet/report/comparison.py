@@ -1,6 +1,6 @@
 """The table "paper | here"."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from sailnet.dataset import Dataset
@@ -168,3 +168,16 @@ def timing_rows(timings: Mapping[str, object] | None) -> list[Row]:
             )
         )
     return rows
+
+
+def agreement_rows(records: Sequence[Mapping[str, object]] | None) -> list[Row]:
+    """How far the back ends are apart, from ``python -m export.agreement``."""
+    return [
+        Row(
+            f"|Δα| {record['pair']}, {record['precision']}, {record['states']} [rad]",
+            "",
+            f"{record['largest']:.1e}",
+            f"largest of {record['count']:,}; 99.9 % below {record['quantile_999']:.1e}",
+        )
+        for record in records or []
+    ]
