@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from export.agreement import compare, states_of_box
-from export.centred import centred_biases
 from sailnet.flight import Disturbance, fly
 from sailnet.guidance import Backend, load_guidance
 from sailnet.mission import Mission, shipped_missions
@@ -61,15 +60,6 @@ def test_c_onnxruntime_and_pytorch_agree() -> None:
             # Single precision rounds within the networks; see the report for the measured figures.
             assert most < 1e-5
             assert largest < 1e-4
-
-
-def test_centring_the_sigmoids_changes_nothing_but_rounding() -> None:
-    networks = load_guidance_networks(SHIPPED / "earth_mars")
-    for network in (networks.tau, networks.alpha_pre, networks.lambda_v):
-        for weight, bias, centred in zip(
-            network.weights[1:], network.biases[1:], centred_biases(network)[1:], strict=True
-        ):
-            np.testing.assert_allclose(centred, bias + weight.sum(axis=1) / 2, rtol=1e-12, atol=1e-12)
 
 
 def test_the_model_card_tells_the_data_set() -> None:
