@@ -16,9 +16,10 @@ import torch
 
 from export.torch_networks import TorchGuidance
 from sailnet import SailnetError
+from sailnet.backends import load_guidance
 from sailnet.dataset import open_dataset
 from sailnet.dynamics import Array
-from sailnet.guidance import Precision, load_guidance
+from sailnet.guidance import Precision
 from sailnet.networks import GuidanceNetworks, load_guidance_networks
 
 PRECISIONS: tuple[Precision, ...] = ("float64", "float32")

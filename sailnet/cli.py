@@ -145,7 +145,8 @@ def _solve(options: argparse.Namespace) -> Result:
 
 
 def _guide(options: argparse.Namespace) -> Result:
-    from sailnet.guidance import GuidanceStatus, load_guidance
+    from sailnet.backends import load_guidance
+    from sailnet.guidance import GuidanceStatus
 
     state = _state(options)
     guidance = load_guidance(
@@ -160,9 +161,9 @@ def _guide(options: argparse.Namespace) -> Result:
 
 
 def _fly(options: argparse.Namespace) -> Result:
+    from sailnet.backends import load_guidance
     from sailnet.expert import solve
     from sailnet.flight import Disturbance, fly
-    from sailnet.guidance import load_guidance
 
     mission = load_mission(options.mission)
     state = _state(options)
@@ -184,8 +185,8 @@ def _fly(options: argparse.Namespace) -> Result:
 
 
 def _evaluate(options: argparse.Namespace) -> Result:
+    from sailnet.backends import load_guidance
     from sailnet.flight import Disturbance
-    from sailnet.guidance import load_guidance
     from sailnet.montecarlo import evaluate, summarise
 
     mission = load_mission(options.mission)

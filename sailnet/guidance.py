@@ -2,8 +2,6 @@
 
 from dataclasses import dataclass
 from enum import IntEnum
-from importlib import resources
-from pathlib import Path
 from typing import Literal, Protocol
 
 import numpy as np
@@ -14,7 +12,6 @@ from sailnet.errors import GuidanceError
 from sailnet.mission import Mission
 
 Precision = Literal["float32", "float64"]
-Backend = Literal["c", "onnx"]
 
 
 class GuidanceStatus(IntEnum):
@@ -76,42 +73,3 @@ def as_states(states: ArrayLike, precision: Precision) -> NDArray[np.floating]:
     if array.ndim != 2 or array.shape[1] != 3:
         raise GuidanceError(f"states must be an (n, 3) array of (r, u, v), not of shape {array.shape}")
     return array
-
-
-def load_guidance(
-    mission: Mission,
-    backend: Backend = "c",
-    precision: Precision = "float64",
-    folder: Path | None = None,
-) -> Guidance:
-    """Load what ``python -m export`` wrote for this mission.
-
-    Args:
-        mission: the mission to fly; other networks are refused.
-        backend: ``c`` is the flight file itself, compiled; ``onnx`` the merged graph in onnxruntime.
-        precision: of the arithmetic.
-        folder: of the exported files; by default those shipped with the package.
-
-    Raises:
-        GuidanceError: a file is missing, damaged, of another mission or cannot be loaded.
-    """
-    from sailnet.guidance_c import CGuidance
-    from sailnet.guidance_onnx import OnnxGuidance
-
-    where = folder if folder is not None else _shipped(mission)
-    bits = np.dtype(precision).itemsize * 8
-    if backend == "c":
-        return CGuidance(mission, where / f"guidance_f{bits}.so")
-    if backend == "onnx":
-        return OnnxGuidance(mission, where / f"guidance_f{bits}.onnx")
-    raise GuidanceError(f"no back end {backend!r}: known are c and onnx")
-
-
-def _shipped(mission: Mission) -> Path:
-    folder = Path(str(resources.files("sailnet"))) / "shipped" / mission.name
-    if not folder.is_dir():
-        raise GuidanceError(
-            f"no networks are shipped for mission {mission.name!r}: train and export some "
-            "(python -m training, python -m export) and name their folder"
-        )
-    return folder

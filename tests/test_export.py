@@ -14,9 +14,10 @@ from export.to_c import write_c
 from export.torch_networks import TorchGuidance
 from export.write import export
 from sailnet import load_mission
+from sailnet.backends import Backend, load_guidance
 from sailnet.checksums import verify_checksum
 from sailnet.dynamics import Array
-from sailnet.guidance import Backend, Precision, load_guidance
+from sailnet.guidance import Precision
 from sailnet.guidance_c import CGuidance
 from sailnet.guidance_facts import METADATA_KEY, GuidanceFacts, describe, round_down
 from sailnet.guidance_onnx import OnnxGuidance

@@ -7,9 +7,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from sailnet import load_mission
+from sailnet.backends import Backend, load_guidance
 from sailnet.checksums import write_checksums
 from sailnet.errors import GuidanceError
-from sailnet.guidance import Backend, GuidanceStatus, Precision, load_guidance
+from sailnet.guidance import GuidanceStatus, Precision
 from sailnet.guidance_c import CGuidance
 from sailnet.guidance_facts import round_down
 from tests.conftest import Exported

@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.stats import binomtest
 
+from sailnet.backends import load_guidance
 from sailnet.errors import SailnetError
 from sailnet.flight import Disturbance
-from sailnet.guidance import load_guidance
 from sailnet.mission import load_mission
 from sailnet.montecarlo import evaluate, random_starts, summarise, wilson_interval
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from export.agreement import compare, states_of_box
+from sailnet.backends import Backend, load_guidance
 from sailnet.flight import Disturbance, fly
-from sailnet.guidance import Backend, load_guidance
 from sailnet.mission import Mission, shipped_missions
 from sailnet.montecarlo import evaluate, summarise
 from sailnet.networks import load_guidance_networks

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
+from sailnet.backends import load_guidance
 from sailnet.dataset import JUMP_FLAG, Dataset, open_dataset
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.files import write_whole
-from sailnet.guidance import load_guidance
 from sailnet.guidance_onnx import OnnxGuidance
 from sailnet.mission import Mission, load_mission
 from sailnet.networks import Network, load_network
