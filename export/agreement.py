@@ -28,6 +28,10 @@ SIGN_MARGIN: Mapping[str, float] = {"float64": 1e-9, "float32": 1e-3}
 """Output of the sign network [1] below which rounding may decide the sign of the command."""
 
 
+GOAL: Mapping[str, float] = {"float64": 1e-12, "float32": 1e-6}
+"""Difference of the cone angle [rad] that is aimed at."""
+
+
 def states_of_dataset(path: Path, count: int, seed: int) -> Array:
     """(count, 3) samples drawn evenly from a data set."""
     with open_dataset(path) as data:
@@ -46,8 +50,9 @@ def compare(networks: GuidanceNetworks, exported: Path, states: Array) -> list[d
     """Differences of the cone angle between every pair of evaluations, in both precisions.
 
     Returns:
-        One record a precision and pair: largest difference [rad] and its 99.9 % quantile over the
-        states where the sign network is not within rounding of zero, and their share.
+        One record a precision and pair: largest difference [rad], its 99.9 % quantile and median, and
+        the share within ``GOAL``, over the states where the sign network is not within rounding of
+        zero; and the share of those states.
     """
     records: list[dict[str, object]] = []
     for precision in PRECISIONS:
@@ -73,6 +78,8 @@ def compare(networks: GuidanceNetworks, exported: Path, states: Array) -> list[d
                     "pair": f"{one} - {other}",
                     "largest": float(difference.max()),
                     "quantile_999": float(np.quantile(difference, 0.999)),
+                    "median": float(np.median(difference)),
+                    "share_within_goal": float((difference <= GOAL[precision]).mean()),
                     "share_compared": float(certain.mean()),
                 }
             )
