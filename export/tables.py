@@ -36,7 +36,7 @@ def stage_tables(stage: str, networks: Sequence[Network]) -> str:
     upper = stage.upper()
 
     lower_bounds = np.zeros((len(networks), inputs))
-    upper_bounds = np.zeros((len(networks), inputs))
+    clamp_min, clamp_max = np.zeros((2, len(networks), inputs))
     first = [[np.zeros(0) for _ in networks] for _ in range(inputs)]
     biases = [[np.zeros(0) for _ in networks] for _ in range(max(depths))]
     hidden = [
@@ -45,7 +45,8 @@ def stage_tables(stage: str, networks: Sequence[Network]) -> str:
     output, output_bias = [], []
     for k, network in enumerate(networks):
         used = len(network.inputs)
-        lower_bounds[k, :used], upper_bounds[k, :used] = network.input_min, network.input_max
+        lower_bounds[k, :used] = network.input_min
+        clamp_min[k, :used], clamp_max[k, :used] = network.clamp
         per_range = network.weights[0] / (network.input_max - network.input_min)
         for i in range(used):
             first[i][k] = -LOG2_E * per_range[:, i]
@@ -67,7 +68,8 @@ def stage_tables(stage: str, networks: Sequence[Network]) -> str:
             f"#define {upper}_ROWS SAILNET_ROUNDED_UP({widest}, 4)",
             f"#define {upper}_WIDTH SAILNET_PADDED({widest})",
             _table(f"{name}_lower[{upper}_NETWORKS][4]", _rows(lower_bounds)),
-            _table(f"{name}_upper[{upper}_NETWORKS][4]", _rows(upper_bounds)),
+            _table(f"{name}_clamp_min[{upper}_NETWORKS][4]", _rows(clamp_min)),
+            _table(f"{name}_clamp_max[{upper}_NETWORKS][4]", _rows(clamp_max)),
             _table(f"{name}_first[4][{upper}_NETWORKS][{upper}_WIDTH]", _nested(first)),
             _table(f"{name}_biases[{upper}_DEPTH][{upper}_NETWORKS][{upper}_WIDTH]", _nested(biases)),
             _table(
@@ -80,6 +82,12 @@ def stage_tables(stage: str, networks: Sequence[Network]) -> str:
             "",
         ]
     )
+
+
+def domain_tables(state_min: Sequence[float], state_max: Sequence[float]) -> str:
+    """C source of the box of states (r, u, v) outside of which the status says so."""
+    bounds = (("min", state_min), ("max", state_max))
+    return "\n".join(_table(f"sailnet_domain_{end}[3]", _row(values)) for end, values in bounds) + "\n"
 
 
 def literal(value: float) -> str:

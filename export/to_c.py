@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from export.tables import literal, stage_tables
+from export.tables import domain_tables, literal, stage_tables
 from sailnet.guidance_facts import GuidanceFacts, round_down
 from sailnet.networks import GuidanceNetworks
 
@@ -51,6 +51,7 @@ def _source(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
             _instance(stage, "tau"),
             stage_tables("command", [networks.alpha_pre, networks.lambda_v]),
             _instance(stage, "command"),
+            domain_tables(facts.state_min, facts.state_max),
             _read("source/guidance.c"),
         ]
     )

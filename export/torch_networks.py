@@ -13,7 +13,7 @@ from sailnet.networks import GuidanceNetworks, Network
 
 
 class TorchNetwork(nn.Module):
-    """One network in float64: physical (n, k) inputs, clamped to the trained range, to (n,) output.
+    """One network in float64: physical (n, k) inputs, clamped as ``Network.clamp``, to (n,) output.
 
     Sigmoids are evaluated centred, as tanh(x / 2) / 2; the layers absorb both halves, exactly.
     """
@@ -29,7 +29,8 @@ class TorchNetwork(nn.Module):
             layer.bias.data.copy_(torch.tensor(halved_out * bias))
             self.layers.append(layer)
         self.register_buffer("input_min", torch.tensor(network.input_min))
-        self.register_buffer("input_max", torch.tensor(network.input_max))
+        self.register_buffer("clamp_min", torch.tensor(network.clamp[0]))
+        self.register_buffer("clamp_max", torch.tensor(network.clamp[1]))
         # Computed here, in double precision: a difference of rounded limits would be less accurate.
         self.register_buffer("input_range", torch.tensor(network.input_max - network.input_min))
         self.register_buffer("output_min", torch.tensor(network.output_min, dtype=torch.float64))
@@ -39,7 +40,7 @@ class TorchNetwork(nn.Module):
     def forward(self, inputs: Tensor) -> Tensor:
         """Evaluate."""
         clamped = torch.minimum(
-            torch.maximum(inputs, self.get_buffer("input_min")), self.get_buffer("input_max")
+            torch.maximum(inputs, self.get_buffer("clamp_min")), self.get_buffer("clamp_max")
         )
         layer = (clamped - self.get_buffer("input_min")) / self.get_buffer("input_range")
         for hidden in self.layers[:-1]:

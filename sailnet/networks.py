@@ -23,6 +23,13 @@ from sailnet.mission import Mission, parse_mission
 
 SCHEMA = "sailnet-network/1"
 
+EXTRAPOLATION = 2.0
+"""Inputs are clamped to the trained range widened on each side by this many times its width.
+
+A flight that leaves the range is still steered by what the networks make of it, which brings most of
+them back; a clamp at the range itself does not. The clamp bounds what absurd inputs can do.
+"""
+
 STATE_INPUTS = ("r", "u", "v")
 COMMAND_INPUTS = ("r", "u", "v", "tau")
 
@@ -65,13 +72,19 @@ class Network:
             raise NetworkError(f"network {self.name}: weights or scaling are not finite and ordered")
 
     @property
+    def clamp(self) -> tuple[Array, Array]:
+        """Lower and upper (k,) bounds the inputs are clamped to."""
+        margin = EXTRAPOLATION * (self.input_max - self.input_min)
+        return self.input_min - margin, self.input_max + margin
+
+    @property
     def hidden(self) -> tuple[int, ...]:
         """Sizes of the hidden layers."""
         return tuple(len(b) for b in self.biases[:-1])
 
     def __call__(self, inputs: ArrayLike) -> Array:
-        """Evaluate at (n, k) physical inputs, clamped to the trained range; returns (n,)."""
-        clamped = np.clip(np.asarray(inputs, float), self.input_min, self.input_max)
+        """Evaluate at (n, k) physical inputs, clamped as ``clamp`` says; returns (n,)."""
+        clamped = np.clip(np.asarray(inputs, float), *self.clamp)
         layer = (clamped - self.input_min) / (self.input_max - self.input_min)
         for weight, bias in zip(self.weights[:-1], self.biases[:-1], strict=True):
             layer = expit(layer @ weight.T + bias)

@@ -43,17 +43,19 @@ def test_invalid_input_gives_the_safe_command(
 
 @every_backend
 @every_precision
-def test_outside_the_box_flies_the_nearest_state_of_the_box(
+def test_outside_the_box_the_status_says_so_and_beyond_the_clamp_nothing_changes(
     exported: Exported, backend: Backend, precision: Precision
 ) -> None:
     guidance = load_guidance(MISSION, backend, precision, exported.folder)
     inside = np.array([[STATE_MAX[0], 0.0, 1.0], [1.0, STATE_MIN[1], 1.0], [1.0, 0.0, STATE_MAX[2]]])
-    outside = inside + np.array([[1e3, 0, 0], [0, -1e30, 0], [0, 0, 1e-3]])
-    at_edge, beyond = guidance.command(inside), guidance.command(outside)
-    assert (beyond.status == GuidanceStatus.OUTSIDE_DOMAIN).all()
-    assert not (at_edge.status == GuidanceStatus.OUTSIDE_DOMAIN).any()
-    np.testing.assert_array_equal(beyond.cone_angle, at_edge.cone_angle)
-    np.testing.assert_array_equal(beyond.time_of_flight, at_edge.time_of_flight)
+    assert not (guidance.command(inside).status == GuidanceStatus.OUTSIDE_DOMAIN).any()
+    outward = np.diag([1.0, -1.0, 1.0])
+    near, far, absurd = (guidance.command(inside + step * outward) for step in (1e-3, 1e3, 1e30))
+    for commands in (near, far, absurd):
+        assert (commands.status == GuidanceStatus.OUTSIDE_DOMAIN).all()
+    np.testing.assert_array_equal(far.cone_angle, absurd.cone_angle)
+    np.testing.assert_array_equal(far.time_of_flight, absurd.time_of_flight)
+    assert not np.array_equal(near.cone_angle, far.cone_angle)
 
 
 @every_backend

@@ -9,7 +9,7 @@ SAILNET_INLINE int32_t sailnet_in_domain(const sailnet_real input[4])
 {
     int32_t inside = 1;
     for (int32_t i = 0; i < 3; i++) {
-        inside &= (input[i] >= sailnet_tau_lower[0][i]) & (input[i] <= sailnet_tau_upper[0][i]);
+        inside &= (input[i] >= sailnet_domain_min[i]) & (input[i] <= sailnet_domain_max[i]);
     }
     return inside;
 }

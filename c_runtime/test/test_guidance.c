@@ -52,18 +52,18 @@ static sailnet_real between(sailnet_real lower, sailnet_real upper)
 static sailnet_state state_in_domain(void)
 {
     sailnet_state state;
-    state.r = between(sailnet_tau_lower[0][0], sailnet_tau_upper[0][0]);
-    state.u = between(sailnet_tau_lower[0][1], sailnet_tau_upper[0][1]);
-    state.v = between(sailnet_tau_lower[0][2], sailnet_tau_upper[0][2]);
+    state.r = between(sailnet_domain_min[0], sailnet_domain_max[0]);
+    state.u = between(sailnet_domain_min[1], sailnet_domain_max[1]);
+    state.v = between(sailnet_domain_min[2], sailnet_domain_max[2]);
     return state;
 }
 
 static sailnet_state middle_of_domain(void)
 {
     sailnet_state state;
-    state.r = R(0.5) * (sailnet_tau_lower[0][0] + sailnet_tau_upper[0][0]);
-    state.u = R(0.5) * (sailnet_tau_lower[0][1] + sailnet_tau_upper[0][1]);
-    state.v = R(0.5) * (sailnet_tau_lower[0][2] + sailnet_tau_upper[0][2]);
+    state.r = R(0.5) * (sailnet_domain_min[0] + sailnet_domain_max[0]);
+    state.u = R(0.5) * (sailnet_domain_min[1] + sailnet_domain_max[1]);
+    state.v = R(0.5) * (sailnet_domain_min[2] + sailnet_domain_max[2]);
     return state;
 }
 
@@ -149,22 +149,28 @@ static void test_status_tells_domain_and_arrival(void)
     }
 }
 
-static void test_outside_the_domain_flies_its_edge(void)
+static void test_outside_the_domain_is_told_and_beyond_the_clamp_nothing_changes(void)
 {
     for (int i = 0; i < 10000; i++) {
         sailnet_state edge = state_in_domain();
-        sailnet_state beyond;
-        sailnet_command at_edge;
-        sailnet_command at_beyond;
-        edge.r = sailnet_tau_upper[0][0];
-        beyond = edge;
-        beyond.r = edge.r + between(R(0.001), R(10.0));
-        CHECK(sailnet_guidance(&edge, &at_edge) != SAILNET_OUTSIDE_DOMAIN);
-        CHECK(sailnet_guidance(&beyond, &at_beyond) == SAILNET_OUTSIDE_DOMAIN);
-        /* All three networks were trained on the same box, or the command would still move. */
-        if (sailnet_command_upper[0][0] == edge.r && sailnet_command_upper[1][0] == edge.r) {
-            CHECK(is_same(at_edge, at_beyond));
-        }
+        sailnet_state near;
+        sailnet_state far;
+        sailnet_state absurd;
+        sailnet_command command;
+        sailnet_command at_far;
+        sailnet_command at_absurd;
+        edge.r = sailnet_domain_max[0];
+        near = edge;
+        near.r = edge.r + between(R(0.001), R(10.0));
+        far = edge;
+        far.r = R(1e3);
+        absurd = edge;
+        absurd.r = R(1e30);
+        CHECK(sailnet_guidance(&edge, &command) != SAILNET_OUTSIDE_DOMAIN);
+        CHECK(sailnet_guidance(&near, &command) == SAILNET_OUTSIDE_DOMAIN);
+        CHECK(sailnet_guidance(&far, &at_far) == SAILNET_OUTSIDE_DOMAIN);
+        CHECK(sailnet_guidance(&absurd, &at_absurd) == SAILNET_OUTSIDE_DOMAIN);
+        CHECK(is_same(at_far, at_absurd));
     }
 }
 
@@ -235,7 +241,7 @@ int main(void)
     test_special_values_in_each_place();
     test_null_pointers();
     test_status_tells_domain_and_arrival();
-    test_outside_the_domain_flies_its_edge();
+    test_outside_the_domain_is_told_and_beyond_the_clamp_nothing_changes();
     test_same_input_same_bits();
     test_sigmoid_against_long_double();
     test_sigmoid_of_any_bits_is_within_a_half();
