@@ -21,8 +21,8 @@ def cone_angle_size(output: Array, phi_max: float) -> Array:
     return np.minimum(np.abs(output), phi_max)
 
 
-SIGN_SCALE = 2.0
-"""Size of lambda_v [TU^2/AU] below which the sign network's target is nearly linear in it.
+SIGN_SCALE = 10.0
+"""Size of lambda_v [TU^2/AU] below which the sign network's target is nearly linear in it (README.md).
 
 Only the sign of lambda_v is used, and it matters where lambda_v is small; its range is some 60.
 """

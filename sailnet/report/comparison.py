@@ -61,7 +61,7 @@ def error_rows(networks: Mapping[str, Network]) -> list[Row]:
         "alpha": "α network, no preprocessing",
     }
     notes = {
-        "lambda_v": "target asinh(λ_v / 2), which resolves the sign; in its own range",
+        "lambda_v": "compressed target, asinh, which resolves the sign; in its own range",
         "alpha_pre_eq23": "this target is two-valued around the points where λ_u = λ_v = 0",
         "alpha_pre": "single-valued target, in its own range: four times stricter than Eq. (23)'s",
     }

@@ -25,7 +25,6 @@ STYLE: Any = {
     "axes.grid": True,
     "grid.color": "#e6e6e6",
     "axes.axisbelow": True,
-    "legend.frameon": False,
     "svg.fonttype": "path",
     "svg.hashsalt": "sailnet",
 }
@@ -49,6 +48,9 @@ def to_svg(figure: Figure) -> str:
     """The figure as an <svg> element."""
     stream = StringIO()
     with mpl.rc_context(STYLE):
+        for ax in figure.axes:
+            if (legend := ax.get_legend()) is not None:
+                legend.set_frame_on(False)
         figure.savefig(stream, format="svg", bbox_inches="tight", metadata={"Date": None})
     text = stream.getvalue()
     return text[text.index("<svg") :]
