@@ -3,7 +3,7 @@
 
 MISSION ?= earth_mars
 BUILD   ?= build/$(MISSION)
-SEED    ?= 1
+SEED    ?= 2
 FLIGHTS ?= 1000
 PYTHON3 ?= python3
 VENV    ?= .venv
