@@ -1,0 +1,30 @@
+/* Many sails at once, for simulation on a host. Not part of the flight file. */
+#ifndef SAILNET_BATCH_H
+#define SAILNET_BATCH_H
+
+#include <stdint.h>
+
+#include "sailnet_guidance.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * Command `count` states: `states` holds r, u, v of one sail after the other; `cone_angles` [rad],
+ * `times_of_flight` [TU] and `statuses` (sailnet_status) get one entry a sail.
+ */
+void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, sailnet_real *cone_angles,
+                            sailnet_real *times_of_flight, int32_t *statuses);
+
+/* What a caller that loads this as a shared library has to check before it flies. */
+uint32_t sailnet_api_version(void);
+uint32_t sailnet_real_size(void);
+const char *sailnet_mission_digest(void);
+const char *sailnet_networks_digest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
