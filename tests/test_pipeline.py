@@ -118,13 +118,13 @@ def test_a_data_set_of_another_mission_does_not_train(toy: Path) -> None:
 
 def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(toy: Path, tmp_path: Path) -> None:
     readme = tmp_path / "README.md"
-    readme.write_text("before\n<!-- results -->\nold\n<!-- /results -->\nafter\n")
+    readme.write_text("before\n<!-- results -->\nstale figures\n<!-- /results -->\nafter\n")
     arguments = ("--mission", toy / "toy.toml", "--readme", readme)
     _python("-m", "export.ship", toy, tmp_path / "shipped", *arguments)
     text = readme.read_text()
     assert text.startswith("before")
     assert text.endswith("after\n")
-    assert "old" not in text
+    assert "stale figures" not in text
     assert "| 7.01838 | 7.01838 |" in text
     digest = load_network(toy / "networks" / "tau.safetensors").provenance["dataset"]
     assert str(digest) in (tmp_path / "shipped" / "MODEL_CARD.md").read_text()
