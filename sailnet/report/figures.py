@@ -111,7 +111,8 @@ def commands(
             )
         ax.plot(flown.time, np.degrees(flown.cone_angle), color=NETWORK, lw=1.3, label="three networks, in C")
         ax.set(title=title, xlabel="time [TU]", ylabel="cone angle [deg]", ylim=(-1.15 * bound, 1.15 * bound))
-    axes[0].legend(fontsize=8, loc="lower left")
+        ax.set_xlim(-0.1, 1.15 * flown.time[-1])  # a flight that never arrives would squeeze the others
+    axes[0].legend(fontsize=8, loc="upper left", bbox_to_anchor=(0.0, -0.16), ncols=3)
     return figure
 
 
@@ -179,7 +180,7 @@ def campaign(mission: Mission, flights: Flights) -> Figure:
                 label=f"{label} ({mask.sum()})",
             )
         ax.set(xlabel=f"start {name}", ylabel="start v [AU/TU]")
-    left.legend(fontsize=8, loc="upper right")
+    left.legend(fontsize=8, loc="upper left", bbox_to_anchor=(0.0, 1.12), ncols=2)
     bins = np.logspace(-8, 1, 55).tolist()
     for column, (name, colour) in enumerate((("r", NETWORK), ("u", OPTIMUM), ("v", BASELINE))):
         error = np.clip(flights.terminal_error[:, column], 1e-8, 10.0)
