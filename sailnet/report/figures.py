@@ -48,8 +48,8 @@ def to_svg(figure: Figure) -> str:
     """The figure as an <svg> element."""
     stream = StringIO()
     with mpl.rc_context(STYLE):
-        for ax in figure.axes:
-            if (legend := ax.get_legend()) is not None:
+        for legend in (*figure.legends, *(ax.get_legend() for ax in figure.axes)):
+            if legend is not None:
                 legend.set_frame_on(False)
         figure.savefig(stream, format="svg", bbox_inches="tight", metadata={"Date": None})
     text = stream.getvalue()
@@ -112,7 +112,7 @@ def commands(
         ax.plot(flown.time, np.degrees(flown.cone_angle), color=NETWORK, lw=1.3, label="three networks, in C")
         ax.set(title=title, xlabel="time [TU]", ylabel="cone angle [deg]", ylim=(-1.15 * bound, 1.15 * bound))
         ax.set_xlim(-0.1, 1.15 * flown.time[-1])  # a flight that never arrives would squeeze the others
-    axes[0].legend(fontsize=8, loc="upper left", bbox_to_anchor=(0.0, -0.16), ncols=3)
+    figure.legend(*axes[0].get_legend_handles_labels(), fontsize=8, loc="outside lower left", ncols=3)
     return figure
 
 
