@@ -5,10 +5,13 @@ from pathlib import Path
 
 import pytest
 
+from data.generate import compute_shard
+from sailnet.dataset import Block, write_dataset
 from sailnet.expert import Extremal, Nominal, solve, solve_nominal
 from sailnet.mission import Mission, Transfer, load_mission
 from sailnet.networks import GuidanceNetworks, save_network
 from tests.random_networks import random_guidance, random_network, save_guidance
+from tests.small_datasets import NOMINAL, pieces, with_recipe
 
 
 @pytest.fixture(scope="session")
@@ -51,3 +54,21 @@ def exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Expo
     save_network(random_network("alpha"), weights / "alpha.safetensors")
     export(weights, folder, mission, weights / "alpha.safetensors", progress=False)
     return Exported(networks, weights, folder)
+
+
+@pytest.fixture(scope="session")
+def small(mission: Mission) -> Mission:
+    return with_recipe(mission, trajectories=12, samples_per_trajectory=31)
+
+
+@pytest.fixture(scope="session")
+def shard(small: Mission) -> Block:
+    return compute_shard(small, NOMINAL, 0)
+
+
+@pytest.fixture(scope="session")
+def stored(small: Mission, shard: Block, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A data set file; tests damage only copies."""
+    path = tmp_path_factory.mktemp("dataset") / "small.h5"
+    write_dataset(path, small, pieces(shard, 5, 7), {"seed": 1, "made": "here"})
+    return path
