@@ -21,6 +21,14 @@ def preprocess(alpha: ArrayLike, tau: ArrayLike, jump_time: ArrayLike) -> Array:
     return np.where(np.asarray(tau) > np.asarray(jump_time), -np.asarray(alpha), np.asarray(alpha))
 
 
+def cone_angle_size(output: ArrayLike, phi_max: float) -> Array:
+    """|alpha| [rad] as the guidance reads it from a command network: size, within the bound.
+
+    Only the size is used, so that Eq. (23)'s signed target and the single-valued |alpha| are both served.
+    """
+    return np.asarray(np.minimum(np.abs(output), phi_max))
+
+
 def restore(alpha_pre: ArrayLike, lambda_v: ArrayLike) -> Array:
     """The cone angle from its preprocessed value, Eq. (25): its sign is opposite to lambda_v's."""
     size = np.asarray(alpha_pre, float)

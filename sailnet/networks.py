@@ -19,6 +19,7 @@ from scipy.special import expit
 from sailnet.dynamics import Array
 from sailnet.errors import MissionError, NetworkError
 from sailnet.files import write_whole
+from sailnet.jumps import cone_angle_size, restore
 from sailnet.mission import Mission, parse_mission
 
 SCHEMA = "sailnet-network/1"
@@ -199,10 +200,8 @@ class GuidanceNetworks:
         state = np.asarray(states, float)
         tau = self.tau(state)
         inputs = np.column_stack([state, tau])
-        size = np.abs(self.alpha_pre(inputs))
-        phi_max = self.mission.problem.phi_max
-        alpha = np.minimum(size, phi_max) * np.where(self.lambda_v(inputs) > 0.0, -1.0, 1.0)
-        return alpha, tau
+        size = cone_angle_size(self.alpha_pre(inputs), self.mission.problem.phi_max)
+        return restore(size, self.lambda_v(inputs)), tau
 
 
 def load_guidance_networks(folder: Path) -> GuidanceNetworks:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sailnet.dynamics import Array
+from sailnet.jumps import cone_angle_size
 from sailnet.networks import COMMAND_INPUTS, STATE_INPUTS
 
 Columns = Mapping[str, Array]
@@ -14,11 +15,6 @@ Columns = Mapping[str, Array]
 
 def _column(name: str) -> Callable[[Columns], Array]:
     return lambda columns: columns[name]
-
-
-def cone_angle_size(output: Array, phi_max: float) -> Array:
-    """|alpha| [rad] as the guidance reads it from a command network: size, within the bound."""
-    return np.minimum(np.abs(output), phi_max)
 
 
 SIGN_SCALE = 10.0
