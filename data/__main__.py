@@ -12,9 +12,9 @@ from pathlib import Path
 from tqdm import tqdm
 
 from data.generate import generate
+from data.recipes import RECIPES, prepare
 from sailnet.dataset import Block, write_dataset
 from sailnet.errors import SailnetError
-from sailnet.expert import solve_nominal
 from sailnet.mission import load_mission
 from sailnet.propagation import TOLERANCE
 from sailnet.provenance import software
@@ -35,6 +35,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("output", type=Path, help="the HDF5 file to write")
     parser.add_argument("--mission", default="earth_mars", help="mission name or TOML file")
+    parser.add_argument("--recipe", choices=RECIPES, default="box", help="what to fill (%(default)s)")
     parser.add_argument("--trajectories", type=_count, help="instead of the mission's number")
     parser.add_argument(
         "--workers", type=_count, default=os.cpu_count() or 1, help="processes (default: all)"
@@ -48,7 +49,7 @@ def _watched(blocks: Iterator[Block], total: int, quiet: bool) -> Iterator[Block
     with tqdm(total=total, unit="trajectory", desc="data set", disable=hidden, file=sys.stderr) as bar:
         for block in blocks:
             yield block
-            bar.update(len(block.trajectories["flags"]))
+            bar.update(len(block.lengths))
 
 
 def main() -> int:
@@ -57,39 +58,17 @@ def main() -> int:
     started = time.perf_counter()
     try:
         mission = load_mission(options.mission)
-        if options.trajectories is not None:
-            recipe = mission.dataset.model_copy(update={"trajectories": options.trajectories})
-            mission = mission.model_copy(update={"dataset": recipe})
-        nominal = solve_nominal(mission)
-        provenance = {
-            "recipe": "box of arrival costates, Eq. (22)",
-            "tolerance": TOLERANCE,
-            "nominal": {
-                name: {
-                    "time_of_flight": solution.time_of_flight,
-                    "costates": solution.costates.tolist(),
-                    "arrival_costates": solution.arrival_costates.tolist(),
-                }
-                for name, solution in vars(nominal).items()
-                if name != "homotopy"
-            },
-            "homotopy_phi_max": nominal.homotopy.tolist(),
-            **software(),
-        }
-        arrival = nominal.smoothed.arrival_costates
+        prepared = prepare(mission, options.recipe)
+        wanted = options.trajectories or prepared.trajectories
+        provenance = {**prepared.origin, "tolerance": TOLERANCE, **software()}
         with ProcessPoolExecutor(options.workers, mp_context=get_context("spawn")) as pool:
-            blocks = generate(mission, (float(arrival[0]), float(arrival[1])), pool)
-            watched = _watched(blocks, mission.dataset.trajectories, options.quiet)
-            write_dataset(options.output, mission, watched, provenance)
+            blocks = generate(prepared.shard_of, wanted, pool)
+            write_dataset(options.output, mission, _watched(blocks, wanted, options.quiet), provenance)
     except SailnetError as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
     seconds = time.perf_counter() - started
-    recipe = mission.dataset
-    print(
-        f"{options.output}: {recipe.trajectories} trajectories, "
-        f"{recipe.trajectories * recipe.samples_per_trajectory} samples in {seconds:.1f} s"
-    )
+    print(f"{options.output}: {wanted} trajectories in {seconds:.1f} s")
     return 0
 
 

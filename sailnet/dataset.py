@@ -54,12 +54,23 @@ class Block:
     """Whole trajectories on their way into a file.
 
     Attributes:
-        samples: the columns of ``SAMPLES`` but ``trajectory``, each (n, m) for n trajectories.
+        samples: the columns of ``SAMPLES`` but ``trajectory``, one trajectory after the other.
         trajectories: the columns of ``TRAJECTORIES`` but ``first_sample``, each (n,).
+        lengths: (n,) samples of each trajectory.
     """
 
     samples: Mapping[str, Array]
     trajectories: Mapping[str, Array]
+    lengths: NDArray[np.int64]
+
+    def head(self, count: int) -> "Block":
+        """The first ``count`` trajectories."""
+        rows = int(self.lengths[:count].sum())
+        return Block(
+            {name: values[:rows] for name, values in self.samples.items()},
+            {name: values[:count] for name, values in self.trajectories.items()},
+            self.lengths[:count],
+        )
 
 
 def write_dataset(
@@ -91,8 +102,7 @@ def write_dataset(
                     column.resize(start + len(values), axis=0)
                     column[start:] = values
                     digests[key].update(values.tobytes())
-                count, length = next(iter(block.samples.values())).shape
-                trajectories, samples = trajectories + count, samples + count * length
+                trajectories, samples = trajectories + len(block.lengths), samples + int(block.lengths.sum())
             for key, column in columns.items():
                 _put_text(column, sha256=digests[key].hexdigest())
             origin = json.dumps(dict(provenance), sort_keys=True)
@@ -127,12 +137,11 @@ def _create_columns(file: Any) -> dict[str, Any]:
 
 
 def _flatten(block: Block, first_trajectory: int, first_sample: int) -> dict[str, NDArray[Any]]:
-    count, length = next(iter(block.samples.values())).shape
-    rows = np.arange(first_trajectory, first_trajectory + count)
-    values: dict[str, NDArray[Any]] = {f"samples/{k}": v.ravel() for k, v in block.samples.items()}
-    values["samples/trajectory"] = np.repeat(rows, length)
+    rows = np.arange(first_trajectory, first_trajectory + len(block.lengths))
+    values: dict[str, NDArray[Any]] = {f"samples/{k}": v for k, v in block.samples.items()}
+    values["samples/trajectory"] = np.repeat(rows, block.lengths)
     values |= {f"trajectories/{k}": v for k, v in block.trajectories.items()}
-    values["trajectories/first_sample"] = first_sample + length * np.arange(count)
+    values["trajectories/first_sample"] = first_sample + np.cumsum(block.lengths) - block.lengths
     return {
         key: np.ascontiguousarray(value, dtype=INTEGER.get(key.split("/")[1], "<f8"))
         for key, value in values.items()

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import heyoka as hy
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import brentq
+from scipy.optimize.elementwise import bracket_root, find_root
 
 from sailnet.dynamics import Array
 from sailnet.errors import SolveError
@@ -31,30 +31,31 @@ def arrival_gain(transfer: Transfer, costates: Array) -> Array:
     return np.asarray(pressure * (costates[:, 1] * np.cos(alpha) + costates[:, 2] * np.sin(alpha)))
 
 
-def arrival_lambda_v(transfer: Transfer, lambda_u0: float, arrival_sign: float) -> float:
+def arrival_lambda_v(transfer: Transfer, lambda_u0: ArrayLike, arrival_sign: float) -> Array:
     """Solve Eq. (19) for lambda_V0.
 
     Args:
-        lambda_u0: costate of the radial speed at arrival.
+        transfer: the problem.
+        lambda_u0: costates of the radial speed at arrival, any shape.
         arrival_sign: sign of the cone angle at arrival. Eq. (19) is even in lambda_V0, so there is
             a root of each sign; the cone angle has the sign opposite to lambda_V0 (Eq. 24).
 
     Raises:
-        SolveError: no extremal arrives with this lambda_U0.
+        SolveError: no extremal arrives with one of these lambda_U0.
     """
+    given = np.asarray(lambda_u0, float)
 
-    def residual(size: float) -> float:
-        return 1.0 + float(arrival_gain(transfer, np.array([[0.0, lambda_u0, -arrival_sign * size]]))[0])
+    def residual(size: Array, lambda_u: Array) -> Array:
+        lambda_v = -arrival_sign * size
+        rows = np.column_stack([np.zeros(size.size), lambda_u.ravel(), lambda_v.ravel()])
+        return 1.0 + arrival_gain(transfer, rows).reshape(size.shape)
 
-    low, high = 0.0, 1.0
-    while residual(high) > 0.0:
-        low, high = high, 2.0 * high
-        if high > 1e12:
-            raise SolveError(f"Eq. (19) has no root lambda_V0 for lambda_U0 = {lambda_u0:g}")
-    if residual(low) < 0.0:
-        raise SolveError(f"Eq. (19) has no root lambda_V0 for lambda_U0 = {lambda_u0:g}")
-    root = brentq(residual, low, high, xtol=1e-14, rtol=8.9e-16)
-    return -arrival_sign * float(root)
+    bracket = bracket_root(residual, np.zeros(given.shape), np.ones(given.shape), xmin=0.0, args=(given,))
+    root = find_root(residual, bracket.bracket, args=(given,), tolerances={"xrtol": 8.9e-16})
+    if not np.all(root.success):
+        worst = float(given.ravel()[np.argmin(root.success.ravel())])
+        raise SolveError(f"Eq. (19) has no root lambda_V0 for lambda_U0 = {worst:g}")
+    return np.asarray(-arrival_sign * root.x)
 
 
 @dataclass(frozen=True)

@@ -11,13 +11,15 @@ import tomllib
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
-from typing import Annotated, Literal
+from types import NoneType
+from typing import Annotated, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
 
 from sailnet.errors import MissionError
 
 Positive = Annotated[float, Field(gt=0.0)]
+NotNegative = Annotated[float, Field(ge=0.0)]
 Count = Annotated[int, Field(gt=0)]
 
 
@@ -92,8 +94,21 @@ class Region(_Ordered):
     v: Interval
 
 
-class DatasetRecipe(_Ordered):
-    """The box of arrival costates, Eq. (22), and how each extremal is sampled."""
+class DomainRecipe(_Section):
+    """Optimal trajectories from everywhere in the generalisation set, widened by a margin.
+
+    ``margin`` is added on both sides of r, u and v [AU, AU/TU, AU/TU], for states that disturbances
+    lead to; ``spacing`` is the time between samples [TU].
+    """
+
+    margin: Annotated[tuple[NotNegative, NotNegative, NotNegative], Field(strict=False)]
+    trajectories: Count
+    spacing: Positive
+    seed: Annotated[int, Field(ge=0)]
+
+
+class BoxRecipe(_Ordered):
+    """The paper's box of arrival costates, Eq. (22), and how each extremal is sampled."""
 
     lambda_r: Interval
     lambda_u: Interval
@@ -101,10 +116,17 @@ class DatasetRecipe(_Ordered):
     duration: Positive
     max_radius: Positive
     max_jumps: Annotated[int, Field(ge=0)]
-    nominal_exclusion: Annotated[float, Field(ge=0.0)]
+    nominal_exclusion: NotNegative
     trajectories: Count
     samples_per_trajectory: Annotated[int, Field(ge=2)]
     seed: Annotated[int, Field(ge=0)]
+
+
+class Recipes(_Section):
+    """How data sets are made: aimed at a domain, and where there is one the paper's box."""
+
+    domain: DomainRecipe
+    box: BoxRecipe | None = None
 
 
 class TrainingRecipe(_Section):
@@ -130,7 +152,7 @@ class Mission(_Section):
     transfer: Orbits
     flight: FlightRules
     generalisation: Region
-    dataset: DatasetRecipe
+    dataset: Recipes
     training: TrainingRecipe
 
     @property
@@ -213,8 +235,8 @@ def _explain(problem: dict[str, object]) -> str:
         model: type[BaseModel] = Mission
         for part in location[:-1]:
             annotation = model.model_fields[str(part)].annotation
-            assert isinstance(annotation, type)
-            model = annotation
+            options = [option for option in get_args(annotation) or (annotation,) if option is not NoneType]
+            model = options[0]
         known = sorted(field.alias or name for name, field in model.model_fields.items())
         return f"{key}: unknown key; allowed here are {', '.join(known)}"
     if problem["type"] == "missing":

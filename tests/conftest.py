@@ -5,11 +5,12 @@ from pathlib import Path
 
 import pytest
 
-from data.generate import compute_shard
+from data.box import box_shard
 from sailnet.dataset import Block, write_dataset
-from sailnet.expert import Extremal, Nominal, solve, solve_nominal
+from sailnet.expert import Extremal, solve
 from sailnet.mission import Mission, Transfer, load_mission
 from sailnet.networks import GuidanceNetworks, save_network
+from sailnet.nominal import Nominal, solve_nominal
 from tests.random_networks import random_guidance, random_network, save_guidance
 from tests.small_datasets import NOMINAL, pieces, with_recipe
 
@@ -63,7 +64,7 @@ def small(mission: Mission) -> Mission:
 
 @pytest.fixture(scope="session")
 def shard(small: Mission) -> Block:
-    return compute_shard(small, NOMINAL, 0)
+    return box_shard(small, NOMINAL, 0)
 
 
 @pytest.fixture(scope="session")

@@ -5,6 +5,8 @@ from concurrent.futures import Executor, Future
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from sailnet.dataset import (
     SAMPLES,
     TRAJECTORIES,
@@ -30,18 +32,24 @@ class Inline(Executor):
 
 
 def with_recipe(mission: Mission, **changes: object) -> Mission:
-    return mission.model_copy(update={"dataset": mission.dataset.model_copy(update=changes)})
+    """The mission with another recipe for the paper's box."""
+    assert mission.dataset.box is not None
+    recipes = mission.dataset.model_copy(update={"box": mission.dataset.box.model_copy(update=changes)})
+    return mission.model_copy(update={"dataset": recipes})
 
 
 def pieces(shard: Block, *sizes: int) -> Iterator[Block]:
+    first = np.append(0, np.cumsum(shard.lengths))
     start = 0
     for size in sizes:
-        rows = slice(start, start + size)
+        stop = start + size
+        samples = slice(first[start], first[stop])
         yield Block(
-            {name: column[rows] for name, column in shard.samples.items()},
-            {name: column[rows] for name, column in shard.trajectories.items()},
+            {name: column[samples] for name, column in shard.samples.items()},
+            {name: column[start:stop] for name, column in shard.trajectories.items()},
+            shard.lengths[start:stop],
         )
-        start += size
+        start = stop
 
 
 def content(path: Path) -> dict[str, object]:

@@ -9,9 +9,10 @@ import pytest
 
 import sailnet.expert
 from sailnet.errors import SolveError
-from sailnet.expert import Extremal, Nominal, solve, solve_nominal
+from sailnet.expert import Extremal, solve
 from sailnet.extremals import arrival_lambda_v, propagate_extremals
 from sailnet.mission import Mission, Transfer
+from sailnet.nominal import Nominal, solve_nominal
 from sailnet.pontryagin import evaluate_hamiltonian, guidance_law
 from sailnet.shooting import Shots, shoot
 from tests.reference import fly

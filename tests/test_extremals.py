@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from sailnet.errors import SolveError
-from sailnet.expert import Extremal, Nominal
+from sailnet.expert import Extremal
 from sailnet.extremals import Extremals, arrival_gain, arrival_lambda_v, propagate_extremals
 from sailnet.mission import Transfer
+from sailnet.nominal import Nominal
 from sailnet.pontryagin import evaluate_hamiltonian, guidance_law
 from sailnet.propagation import propagator
 from sailnet.shooting import shoot

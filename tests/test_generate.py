@@ -13,7 +13,8 @@ import pytest
 
 import data.__main__
 import data.generate
-from data.generate import CANDIDATES, compute_shard, generate
+from data.box import CANDIDATES, box_shard
+from data.generate import generate
 from sailnet.dataset import (
     JUMP_FLAG,
     NEGATIVE_ARRIVAL_FLAG,
@@ -87,7 +88,7 @@ def test_the_columns_belong_together(small: Mission, shard: Block) -> None:
 
 
 def test_a_negative_arrival_is_the_mirrored_root(small: Mission, shard: Block) -> None:
-    mirrored = compute_shard(with_recipe(small, arrival_cone_angle="negative", max_radius=4.0), NOMINAL, 0)
+    mirrored = box_shard(with_recipe(small, arrival_cone_angle="negative", max_radius=4.0), NOMINAL, 0)
     assert len(mirrored.trajectories["flags"])
     assert (mirrored.trajectories["lambda_v0"] > 0).all()
     assert (mirrored.trajectories["flags"].astype(int) & NEGATIVE_ARRIVAL_FLAG).all()
@@ -98,11 +99,11 @@ def test_a_negative_arrival_is_the_mirrored_root(small: Mission, shard: Block) -
 def test_the_nominal_is_left_out(small: Mission, shard: Block) -> None:
     rows = shard.trajectories
     victim = (float(rows["lambda_r0"][4]), float(rows["lambda_u0"][4]))
-    without = compute_shard(small, victim, 0).trajectories
+    without = box_shard(small, victim, 0).trajectories
     assert victim[0] not in without["lambda_r0"]
     assert len(without["flags"]) == len(rows["flags"]) - 1
     exclusion = with_recipe(small, nominal_exclusion=0.3)
-    wider = compute_shard(exclusion, NOMINAL, 0).trajectories
+    wider = box_shard(exclusion, NOMINAL, 0).trajectories
     distance = np.hypot(wider["lambda_r0"] - NOMINAL[0], wider["lambda_u0"] - NOMINAL[1])
     assert distance.min() > 0.3
     assert len(wider["flags"]) < len(rows["flags"])
@@ -110,23 +111,23 @@ def test_the_nominal_is_left_out(small: Mission, shard: Block) -> None:
 
 def test_at_most_the_recipe_s_number_of_jumps(small: Mission, shard: Block) -> None:
     assert (shard.trajectories["flags"] == JUMP_FLAG).any()
-    none = compute_shard(with_recipe(small, max_jumps=0), NOMINAL, 0)
+    none = box_shard(with_recipe(small, max_jumps=0), NOMINAL, 0)
     assert np.isnan(none.trajectories["jump_time"]).all()
     assert len(none.trajectories["flags"]) == (shard.trajectories["flags"] == 0).sum()
     wide = with_recipe(small, duration=30.0, max_radius=9.0, max_jumps=9)
-    several = compute_shard(wide, NOMINAL, 0)
+    several = box_shard(wide, NOMINAL, 0)
     lv, lu = several.samples["lambda_v"], several.samples["lambda_u"]
     found = ((np.diff(np.sign(lv), axis=1) != 0) & (lu[:, 1:] > 0) & (lu[:, :-1] > 0)).sum(axis=1)
     assert found.max() > 1  # so that the limit had something to exclude
-    limited = compute_shard(with_recipe(small, duration=30.0, max_radius=9.0), NOMINAL, 0)
+    limited = box_shard(with_recipe(small, duration=30.0, max_radius=9.0), NOMINAL, 0)
     assert len(limited.trajectories["flags"]) < len(several.trajectories["flags"])
 
 
 def test_seeds_and_shards_differ(small: Mission, shard: Block) -> None:
-    again = compute_shard(small, NOMINAL, 0)
+    again = box_shard(small, NOMINAL, 0)
     np.testing.assert_array_equal(again.samples["lambda_r"], shard.samples["lambda_r"])
-    next_one = compute_shard(small, NOMINAL, 1).trajectories["lambda_r0"]
-    reseeded = compute_shard(with_recipe(small, seed=1), NOMINAL, 0).trajectories["lambda_r0"]
+    next_one = box_shard(small, NOMINAL, 1).trajectories["lambda_r0"]
+    reseeded = box_shard(with_recipe(small, seed=1), NOMINAL, 0).trajectories["lambda_r0"]
     for other in (next_one, reseeded):
         assert not set(other) & set(shard.trajectories["lambda_r0"])
 

@@ -54,8 +54,10 @@ def test_earth_mars_is_the_paper_s_problem() -> None:
     assert mission.departure_state == (1.0, 0.0, 1.0)
     assert mission.problem.target_state[:2] == (1.524, 0.0)
     assert mission.problem.target_state[2] == pytest.approx(0.810_041_961_26, abs=1e-11)
-    assert mission.dataset.trajectories >= 18_324
-    assert mission.dataset.trajectories * mission.dataset.samples_per_trajectory >= 6_400_000
+    box = mission.dataset.box
+    assert box is not None
+    assert box.trajectories >= 18_324
+    assert box.trajectories * box.samples_per_trajectory >= 6_400_000
 
 
 @pytest.mark.parametrize(
