@@ -1,35 +1,27 @@
 """The expert: the minimum-time extremal from any state, found by backward shooting.
 
-Guesses come from an index of coarse extremals that covers every arrival direction; Newton's method
-finishes them, and among the extremals that reach the state the one with the smallest time wins.
+Guesses come from an index of coarse extremals, refined around the states that are asked for;
+Newton's method finishes them, and of the extremals that reach a state the fastest wins.
 """
 
-import math
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike
-from scipy.spatial import cKDTree
+from numpy.typing import ArrayLike, NDArray
 
 from sailnet.dynamics import Array
 from sailnet.errors import SolveError
 from sailnet.extremals import arrival_gain, propagate_extremals
+from sailnet.index import Guesses, Index, bins_of, build_index
 from sailnet.mission import Transfer
-from sailnet.pontryagin import guidance_law
+from sailnet.pontryagin import evaluate_hamiltonian, guidance_law
 from sailnet.shooting import Shots, shoot
 
 RESIDUAL_GOAL = 1e-9
 """An extremal counts as found when it passes this close to the state (any component)."""
 
-DIRECTIONS = 12_000
-LONGEST = 25.0
-SPACING = 0.1
-RADII = (0.2, 4.5)
-"""The index: arrival directions, time to go [TU] and its sampling, radii [AU] it is kept in."""
-
-ZOOMS, ZOOM_FACTOR, PATCH = 4, 0.5, 400
-"""Refinements of the index around the nearest samples, their shrinkage, and directions in each."""
+SAME = 0.02
+"""Guesses of one extremal from neighbouring prisms differ by less than this in time to go."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +37,8 @@ class Extremal:
         jumps: jumps of the cone angle on the way.
         jump_time: time to go at the jump [TU], NaN without one.
         residual: largest component of the error in the state.
+        rival_time: time of flight [TU] of the next extremal found to reach the same state, NaN where
+            none was. Extremals that take much longer are not looked for.
     """
 
     state: Array
@@ -55,70 +49,94 @@ class Extremal:
     jumps: int
     jump_time: float
     residual: float
+    rival_time: float
 
 
 @dataclass(frozen=True)
-class Index:
-    """Samples of coarse extremals: where they are, and which arrival direction leads there."""
+class Optima:
+    """Minimum-time extremals from many states; the attributes of :class:`Extremal`, one row a state.
 
-    tree: cKDTree
-    directions: Array
-    tau: Array
+    NaN (and 0 jumps) where none was found, see ``found``.
+    """
+
+    state: Array
+    time_of_flight: Array
+    costates: Array
+    arrival_costates: Array
+    cone_angle: Array
+    jumps: NDArray[np.int64]
+    jump_time: Array
+    residual: Array
+    rival_time: Array
+
+    @property
+    def found(self) -> NDArray[np.bool_]:
+        """(n,) which states an extremal was found for."""
+        return np.isfinite(self.time_of_flight)
+
+    def extremal(self, row: int) -> Extremal:
+        """One of them."""
+        arrays = {"state", "costates", "arrival_costates"}
+        values = {name: column[row] for name, column in vars(self).items()}
+        return Extremal(**{name: value if name in arrays else value.item() for name, value in values.items()})
 
 
-@lru_cache(maxsize=8)
-def build_index(transfer: Transfer) -> Index:
-    """Coarse extremals in every arrival direction; kept for the life of the process."""
-    return _propagate_index(transfer, _fibonacci_sphere(DIRECTIONS))
-
-
-def _propagate_index(transfer: Transfer, directions: Array) -> Index:
-    directions = directions[arrival_gain(transfer, directions) < 0.0]
-    grid = np.arange(0.0, LONGEST + SPACING / 2, SPACING)
-    extremals = propagate_extremals(transfer, directions, grid)
-    radius = extremals.states[:, :, 0]
-    inside = (radius > RADII[0]) & (radius < RADII[1])
-    inside = np.logical_and.accumulate(inside, axis=1)
-    rows, columns = np.nonzero(inside)
-    return Index(cKDTree(extremals.states[rows, columns, :3]), directions[rows], grid[columns])
-
-
-def solve(transfer: Transfer, state: ArrayLike, guesses: int = 16) -> Extremal:
+def solve(transfer: Transfer, state: ArrayLike) -> Extremal:
     """The minimum-time extremal from ``state`` = (r, u, v).
 
     Args:
         transfer: the problem.
         state: r [AU], u [AU/TU], v [AU/TU].
-        guesses: how many different coarse extremals are refined.
 
     Raises:
         SolveError: the state is not finite, or no extremal was found that passes through it.
     """
     target = np.asarray(state, float)
-    if target.shape != (3,) or not np.isfinite(target).all() or target[0] <= 0.0:
+    if target.shape != (3,):
+        raise SolveError(f"a state is three numbers (r, u, v), not {target.tolist()}")
+    optima = solve_states(transfer, target[None], rivals=True)
+    if not optima.found[0]:
         raise SolveError(
-            f"the state (r, u, v) must be three finite numbers with r > 0, not {target.tolist()}"
+            f"no extremal found from r = {target[0]:g} AU, u = {target[1]:g}, v = {target[2]:g} AU/TU "
+            f"to a circular orbit of {transfer.target_radius:g} AU"
         )
-    if np.max(np.abs(target - transfer.target_state)) < RESIDUAL_GOAL:
+    return optima.extremal(0)
+
+
+def solve_states(
+    transfer: Transfer,
+    states: ArrayLike,
+    region: tuple[ArrayLike, ArrayLike] | None = None,
+    rivals: bool = False,
+) -> Optima:
+    """The minimum-time extremals from many states.
+
+    Args:
+        transfer: the problem.
+        states: (n, 3) rows r [AU], u, v [AU/TU].
+        region: lowest and highest state of a box to index, kept for the next call. By default only
+            what surrounds the states is indexed, and again for other states.
+        rivals: also look for the second fastest extremal.
+
+    Raises:
+        SolveError: a state is not finite, has r <= 0, or is on the target orbit already.
+    """
+    given = np.asarray(states, float).reshape(-1, 3)
+    bad = ~np.isfinite(given).all(axis=1) | ~(given[:, 0] > 0.0)
+    if bad.any():
+        worst = given[np.argmax(bad)].tolist()
+        raise SolveError(f"the state (r, u, v) must be three finite numbers with r > 0, not {worst}")
+    if (np.abs(given - transfer.target_state).max(axis=1) < RESIDUAL_GOAL).any():
         raise SolveError("the state is on the target orbit already: there is nothing to solve")
-    index = build_index(transfer)
-    spread = math.sqrt(4.0 * math.pi / DIRECTIONS)
-    for _ in range(1 + ZOOMS):
-        _, near = index.tree.query(target, k=40 * guesses)
-        chosen = _distinct(index, near, guesses)
-        targets = np.tile(target, (len(chosen), 1))
-        shots = shoot(transfer, targets, index.directions[chosen], index.tau[chosen])
-        solved = np.flatnonzero(shots.residual <= RESIDUAL_GOAL)
-        if len(solved):
-            return extremal_of(transfer, target, shots, int(solved[np.argmin(shots.tau[solved])]))
-        # Neighbouring extremals part quickly after they pass a pinch: look between them.
-        patches = [_patch(index.directions[i], spread) for i in chosen]
-        index = _propagate_index(transfer, np.concatenate(patches))
-        spread *= ZOOM_FACTOR
-    raise SolveError(
-        f"no extremal found from r = {target[0]:g} AU, u = {target[1]:g}, v = {target[2]:g} AU/TU "
-        f"to a circular orbit of {transfer.target_radius:g} AU within {LONGEST:g} TU"
-    )
+    optima = _nothing(given)
+    for thorough in (False, True):
+        open_ = np.flatnonzero(~optima.found)
+        if not len(open_):
+            break
+        index = _index(transfer, given[open_], None if thorough else region, thorough)
+        guesses = _distinct(index.look_up(_scaled(transfer, given[open_])))
+        _put(optima, open_, _fastest(transfer, given[open_], guesses, rivals))
+    return optima
 
 
 def sample(transfer: Transfer, extremal: Extremal, count: int = 501) -> tuple[Array, Array]:
@@ -134,51 +152,119 @@ def sample(transfer: Transfer, extremal: Extremal, count: int = 501) -> tuple[Ar
     return tau, np.column_stack([states, alpha])
 
 
-def extremal_of(transfer: Transfer, state: Array, shots: Shots, row: int) -> Extremal:
-    """One shot as an extremal, its costates scaled to H = 0 (Eq. 19)."""
-    scale = -1.0 / float(arrival_gain(transfer, shots.directions[row : row + 1])[0])
-    costates = scale * shots.states[row, 3:]
-    return Extremal(
-        state=state,
-        time_of_flight=float(shots.tau[row]),
+def hamiltonian_bound(transfer: Transfer) -> float:
+    """How far H may be from 0 along an extremal: the smoothed law is not quite the minimiser."""
+    return 1e-8 + 100.0 * transfer.delta
+
+
+def extremal_of(transfer: Transfer, state: Array, shots: Shots, row: int) -> Extremal | None:
+    """One shot as an extremal, or None if it does not reach the state."""
+    optima = _optima(transfer, state[None], shots.rows([row]))
+    return optima.extremal(0) if optima.found[0] else None
+
+
+def _scaled(transfer: Transfer, states: ArrayLike) -> Array:
+    """States in units of the target orbit."""
+    size = transfer.target_radius
+    return np.asarray(states, float) * [1.0 / size, np.sqrt(size), np.sqrt(size)]
+
+
+def _index(
+    transfer: Transfer, states: Array, region: tuple[ArrayLike, ArrayLike] | None, thorough: bool
+) -> Index:
+    bins = bins_of(_scaled(transfer, states))
+    if region is not None:
+        low, high = bins_of(_scaled(transfer, np.array(region, float)))
+        box = np.stack(np.meshgrid(*map(np.arange, low, high + 1), indexing="ij"), axis=-1).reshape(-1, 3)
+        bins = np.concatenate([box, bins])
+    wanted = tuple(map(tuple, np.unique(bins, axis=0).tolist()))
+    unit = Transfer(transfer.beta, transfer.phi_max, transfer.delta, 1.0)
+    return build_index(unit, wanted, thorough)
+
+
+def _distinct(guesses: Guesses) -> Guesses:
+    """One guess an extremal: neighbouring prisms that nearly hold a state all point to it."""
+    order = np.lexsort((guesses.outside, guesses.state))
+    kept = [order[:0]]
+    while len(order):
+        begins = np.flatnonzero(np.diff(guesses.state[order], prepend=-1))
+        best = order[begins]
+        kept.append(best)
+        beside = np.repeat(best, np.diff(begins, append=len(order)))
+        turned = np.linalg.norm(guesses.directions[order] - guesses.directions[beside], axis=1)
+        # The farther a state lies from a prism, the less its guess says.
+        apart = turned > (1.0 + 10.0 * guesses.outside[order]) * (
+            guesses.width[order] + guesses.width[beside]
+        )
+        later = np.abs(guesses.tau[order] - guesses.tau[beside]) > SAME + guesses.outside[order]
+        order = order[apart | later]
+    rows = np.concatenate(kept)
+    return Guesses(*(column[rows] for column in vars(guesses).values()))
+
+
+def _fastest(transfer: Transfer, states: Array, guesses: Guesses, rivals: bool) -> Optima:
+    """Refine guesses, fastest first, until none that is left could be faster."""
+    size = transfer.target_radius
+    directions = guesses.directions * [np.sqrt(size), size**2, size**2]
+    tau, margin = guesses.tau * size**1.5, SAME * size**1.5
+    best = _nothing(states)
+    waiting = np.lexsort((tau, guesses.state))
+    while True:
+        limit = (best.rival_time if rivals else best.time_of_flight)[guesses.state[waiting]]
+        waiting = waiting[~(tau[waiting] > limit + margin)]
+        if not len(waiting):
+            return best
+        first = np.diff(guesses.state[waiting], prepend=-1) != 0
+        rows, waiting = waiting[first], waiting[~first]
+        at = guesses.state[rows]
+        _keep_faster(
+            best, at, _optima(transfer, states[at], shoot(transfer, states[at], directions[rows], tau[rows]))
+        )
+
+
+def _keep_faster(best: Optima, at: NDArray[np.intp], found: Optima) -> None:
+    """Replace rows of ``best`` by what is faster; the slower of two different ones is a rival."""
+    old, new = best.time_of_flight[at], found.time_of_flight
+    faster = found.found & ~(new >= old)
+    rival = np.where(np.abs(new - old) < 1e-6, np.nan, np.where(faster, old, new))
+    rival = np.fmin(best.rival_time[at], rival)
+    _put(best, at[faster], found, faster)
+    best.rival_time[at] = rival
+
+
+def _put(best: Optima, at: NDArray[np.intp], found: Optima, chosen: object = ...) -> None:
+    for mine, theirs in zip(vars(best).values(), vars(found).values(), strict=True):
+        mine[at] = theirs[chosen]
+
+
+def _nothing(states: Array) -> Optima:
+    def empty(*width: int) -> Array:
+        return np.full((len(states), *width), np.nan)
+
+    jumps = np.zeros(len(states), int)
+    return Optima(states, empty(), empty(3), empty(3), empty(), jumps, empty(), empty(), empty())
+
+
+def _optima(transfer: Transfer, states: Array, shots: Shots) -> Optima:
+    """Shots as extremals, their costates scaled to H = 0 (Eq. 19); NaN for what is none."""
+    with np.errstate(divide="ignore"):
+        scale = -1.0 / arrival_gain(transfer, shots.directions)[:, None]
+    costates = scale * shots.states[:, 3:]
+    alpha = guidance_law(transfer, costates[:, 1], costates[:, 2])
+    optima = Optima(
+        state=states.copy(),
+        time_of_flight=shots.tau.copy(),
         costates=costates,
-        arrival_costates=scale * shots.directions[row],
-        cone_angle=float(guidance_law(transfer, costates[1], costates[2])),
-        jumps=int(shots.jumps[row]),
-        jump_time=float(shots.jump_times[row]),
-        residual=float(shots.residual[row]),
+        arrival_costates=scale * shots.directions,
+        cone_angle=alpha,
+        jumps=shots.jumps.copy(),
+        jump_time=shots.jump_times.copy(),
+        residual=shots.residual.copy(),
+        rival_time=np.full(len(states), np.nan),
     )
-
-
-def _fibonacci_sphere(count: int) -> Array:
-    """(count, 3) nearly even unit vectors."""
-    i = np.arange(count) + 0.5
-    height = 1.0 - 2.0 * i / count
-    angle = math.pi * (1.0 + math.sqrt(5.0)) * i
-    ring = np.sqrt(1.0 - height**2)
-    return np.column_stack([height, ring * np.cos(angle), ring * np.sin(angle)])
-
-
-def _patch(centre: Array, spread: float) -> Array:
-    """(PATCH, 3) unit vectors that fill a disc of radius 2 ``spread`` about ``centre``."""
-    i = np.arange(PATCH)
-    angle = math.pi * (1.0 + math.sqrt(5.0)) * i
-    radius = 2.0 * spread * np.sqrt(i / PATCH)
-    across = np.linalg.svd(centre[None])[2][1:]
-    vectors = centre + radius[:, None] * (
-        np.cos(angle)[:, None] * across[0] + np.sin(angle)[:, None] * across[1]
+    drift = np.abs(evaluate_hamiltonian(transfer, states, costates, alpha))
+    wrong = ~(
+        (shots.residual <= RESIDUAL_GOAL) & (drift <= hamiltonian_bound(transfer)) & (scale[:, 0] > 0.0)
     )
-    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
-
-
-def _distinct(index: Index, near: Array, count: int) -> list[int]:
-    """The nearest samples that belong to clearly different extremals, nearest first."""
-    chosen: list[int] = []
-    for candidate in near.tolist():
-        turned = index.directions[chosen] @ index.directions[candidate] < math.cos(0.15)
-        later = np.abs(index.tau[chosen] - index.tau[candidate]) > 0.3
-        if np.all(turned | later):
-            chosen.append(candidate)
-            if len(chosen) == count:
-                break
-    return chosen
+    _put(optima, np.flatnonzero(wrong), _nothing(states[wrong]))
+    return optima

@@ -4,7 +4,6 @@ from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-import heyoka as hy
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize.elementwise import bracket_root, find_root
@@ -13,7 +12,7 @@ from sailnet.dynamics import Array
 from sailnet.errors import SolveError
 from sailnet.mission import Transfer
 from sailnet.pontryagin import guidance_law
-from sailnet.propagation import propagator
+from sailnet.propagation import MOST_STEPS, propagator
 
 
 def arrival_gain(transfer: Transfer, costates: Array) -> Array:
@@ -101,7 +100,7 @@ def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike)
         initial[:3] = np.array(transfer.target_state)[:, None]
         initial[3:] = arrivals[lanes].T
         engine.start(transfer, initial)
-        sampled = engine.integrator.propagate_grid(lane_grid)[1]
+        sampled = engine.integrator.propagate_grid(lane_grid, max_steps=MOST_STEPS)[1]
         kept = len(rows)
         states[rows] = sampled[:, :6, :kept].transpose(2, 0, 1)
         jumps[rows] = engine.jumps[:kept]
@@ -109,8 +108,7 @@ def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike)
         unfinished = ~np.isfinite(sampled[-1, 0, :kept])
         states[rows[unfinished]] = np.nan
         # A lane that fails stops the others of its batch on their way: those start again.
-        fell = [outcome[0] == hy.taylor_outcome.err_nf_state for outcome in engine.integrator.propagate_res]
-        stopped = rows[unfinished & ~np.array(fell[:kept])]
+        stopped = rows[unfinished & ~engine.failed()[:kept]]
         if 0 < len(stopped) < kept:
             batches.append(stopped)
     return Extremals(grid, states, jumps, jump_times)

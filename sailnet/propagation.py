@@ -19,6 +19,7 @@ from typing import Any, Literal
 
 import heyoka as hy
 import numpy as np
+from numpy.typing import NDArray
 
 from sailnet.dynamics import Array, Expression, r, u, v
 from sailnet.mission import Transfer
@@ -39,6 +40,9 @@ TOLERANCE = 1e-12
 
 SHARP_DELTA = 1e-4
 """Below this the smoothed corner of Eq. (12) is sharper than a step, which must not span it."""
+
+MOST_STEPS = 5000
+"""A longest flight takes some hundred steps; a fall into the Sun takes ever smaller ones."""
 
 LawKind = Literal["unconstrained", "smooth", "exact"]
 
@@ -88,7 +92,8 @@ class Propagator:
     Args:
         kind: form of the guidance law.
         split_corners: end a step wherever the unconstrained angle meets the bound.
-        variational: also integrate the derivatives with respect to the three initial costates.
+        variational: also integrate two tangents, the derivatives along two directions of the
+            initial costates; the third would only scale them.
     """
 
     def __init__(self, kind: LawKind, split_corners: bool, variational: bool) -> None:
@@ -101,15 +106,14 @@ class Propagator:
             corner = unconstrained_angle() ** 2 - PHI_MAX**2
             events.append(hy.t_event_batch(corner, callback=self._corner))
         if variational:
-            system = hy.var_ode_sys(system, [lambda_r, lambda_u, lambda_v], order=1)
+            # Any two variables serve: the tangents get their own initial values.
+            system = hy.var_ode_sys(system, [lambda_u, lambda_v], order=1)
         self.integrator = hy.taylor_adaptive_batch(
             system,
             np.ones((6, self.lanes)),
             t_events=events,
             tol=TOLERANCE,
-            compact_mode=variational,
         )
-        self._initial_sensitivity = np.array(self.integrator.state[6:])
         self.jumps = np.zeros(self.lanes, int)
         self.jump_times = np.full(self.lanes, np.nan)
 
@@ -117,14 +121,14 @@ class Propagator:
         # heyoka deep-copies its callbacks, which must write into this very object.
         return self
 
-    def start(self, transfer: Transfer, states: Array) -> None:
-        """Begin at tau = 0 from (6, lanes) states and costates."""
+    def start(self, transfer: Transfer, states: Array, tangents: Array | None = None) -> None:
+        """Begin at tau = 0 from (6, lanes) states and costates, and (6, 2, lanes) tangents."""
         ta = self.integrator
         ta.set_time(np.zeros(self.lanes))
         ta.reset_cooldowns()
         ta.state[:6] = states
-        if self.variational:
-            ta.state[6:] = self._initial_sensitivity
+        if tangents is not None:
+            ta.state[6:] = tangents.reshape(12, self.lanes)
         ta.pars[:] = parameters(transfer, states[4], states[5])[: len(ta.pars)]
         self.jumps[:] = 0
         self.jump_times[:] = np.nan
@@ -135,9 +139,14 @@ class Propagator:
         states, pars = self.integrator.state[:6], self.integrator.pars
         return np.asarray(compiled(np.array(states), pars=np.array(pars)))
 
-    def sensitivity(self) -> Array:
-        """(6, 3, lanes) derivatives of states and costates by the initial costates."""
-        return np.array(self.integrator.state[6:]).reshape(6, 3, self.lanes)
+    def tangents(self) -> Array:
+        """(6, 2, lanes) derivatives of states and costates along the two initial tangents."""
+        return np.array(self.integrator.state[6:]).reshape(6, 2, self.lanes)
+
+    def failed(self) -> NDArray[np.bool_]:
+        """(lanes,) which lanes fell into the Sun; they stop the others of the batch on their way."""
+        fell = {hy.taylor_outcome.err_nf_state, hy.taylor_outcome.step_limit}
+        return np.array([outcome[0] in fell for outcome in self.integrator.propagate_res])
 
     def _cross(self, ta: Any, direction: int, lane: int) -> bool:
         jump = ta.state[4, lane] > 0.0
@@ -152,7 +161,7 @@ class Propagator:
         if self.variational:
             # Saltation: the jump happens earlier or later along neighbouring extremals.
             after = self.slopes()[:, lane, None]
-            rows = ta.state[6:, lane].reshape(6, 3)
+            rows = ta.state[6:, lane].reshape(6, 2)
             rows += (after - before) * (rows[5] / before[5])
             ta.state[6:, lane] = rows.ravel()
         return True

@@ -5,15 +5,14 @@ target is a direction on the unit sphere; with the time to go that makes three u
 three components of the state to be met. The condition H = 0 only sets the scale (Eq. 19).
 """
 
+from collections import deque
 from dataclasses import dataclass
 
-import heyoka as hy
 import numpy as np
 
 from sailnet.dynamics import Array
-from sailnet.extremals import arrival_gain
 from sailnet.mission import Transfer
-from sailnet.propagation import propagator
+from sailnet.propagation import MOST_STEPS, propagator
 
 LARGEST_TURN = 0.2
 """Largest Newton step of the arrival direction [rad]."""
@@ -21,8 +20,11 @@ LARGEST_TURN = 0.2
 LARGEST_SHIFT = 0.5
 """Largest Newton step of the time to go [TU]."""
 
+SMALLEST_SCALE = 1e-4
+"""A problem is given up when so small a share of the Newton step brings it no nearer."""
 
-@dataclass(frozen=True)
+
+@dataclass
 class Shots:
     """Where Newton's method ended, one row a problem.
 
@@ -42,6 +44,15 @@ class Shots:
     jumps: Array
     jump_times: Array
 
+    def rows(self, chosen: object) -> "Shots":
+        """A part of the problems."""
+        return Shots(*(column[chosen] for column in vars(self).values()))
+
+    def put(self, chosen: object, shots: "Shots") -> None:
+        """Replace some of the problems."""
+        for mine, theirs in zip(vars(self).values(), vars(shots).values(), strict=True):
+            mine[chosen] = theirs
+
 
 def shoot(
     transfer: Transfer,
@@ -53,6 +64,9 @@ def shoot(
 ) -> Shots:
     """Refine guesses until the backward extremal passes through the target states.
 
+    Every problem takes damped Newton steps of its own; those that are solved or given up leave,
+    so that the lanes of the integrator stay full.
+
     Args:
         transfer: the problem.
         targets: (n, 3) states (r, u, v) to be met.
@@ -62,83 +76,96 @@ def shoot(
         iterations: most Newton steps, rejected ones included.
 
     Returns:
-        The best point found for each problem; look at ``residual``.
+        The best point found for each problem; look at ``residual``, and whether the direction is
+        that of an extremal (:func:`sailnet.extremals.arrival_gain` negative).
     """
-    lanes = propagator(transfer, variational=True).lanes
-    parts = []
-    for start in range(0, len(tau), lanes):
-        rows = np.resize(np.arange(start, min(start + lanes, len(tau))), lanes)
-        shots = _shoot_lanes(transfer, targets[rows], directions[rows], tau[rows], goal, iterations)
-        kept = min(lanes, len(tau) - start)
-        parts.append([column[:kept] for column in vars(shots).values()])
-    return Shots(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
-
-
-def _shoot_lanes(
-    transfer: Transfer, targets: Array, directions: Array, tau: Array, goal: float, iterations: int
-) -> Shots:
     directions = directions / np.linalg.norm(directions, axis=1, keepdims=True)
-    best, jacobian = _fly_back(transfer, targets, directions, tau)
+    best, jacobian = _fly_back(transfer, targets, directions, np.asarray(tau, float))
     step = _newton_step(best, targets, jacobian)
-    scale = np.ones(len(tau))
+    scale = np.ones(len(best.tau))
     for _ in range(iterations):
-        if np.all(best.residual <= goal) or np.all(scale < 1e-4):
+        active = np.flatnonzero((best.residual > goal) & (scale >= SMALLEST_SCALE))
+        if not len(active):
             break
-        move = step * scale[:, None]
-        turned = best.directions + move[:, :3]
+        move = step[active] * scale[active, None]
+        turned = best.directions[active] + move[:, :3]
         turned /= np.linalg.norm(turned, axis=1, keepdims=True)
-        trial, trial_jacobian = _fly_back(transfer, targets, turned, np.maximum(best.tau + move[:, 3], 1e-3))
-        better = trial.residual < best.residual
-        best = Shots(
-            *(
-                np.where(better.reshape(-1, *[1] * (new.ndim - 1)), new, old)
-                for new, old in zip(vars(trial).values(), vars(best).values(), strict=True)
-            )
-        )
-        jacobian = np.where(better[:, None, None], trial_jacobian, jacobian)
-        step = _newton_step(best, targets, jacobian)
-        scale = np.where(better, np.minimum(1.0, 2.0 * scale), scale / 4.0)
+        later = np.maximum(best.tau[active] + move[:, 3], 1e-3)
+        trial, jacobian = _fly_back(transfer, targets[active], turned, later)
+        better = trial.residual < best.residual[active]
+        won = active[better]
+        best.put(won, trial.rows(better))
+        step[won] = _newton_step(trial.rows(better), targets[won], jacobian[better])
+        scale[active] = np.where(better, np.minimum(1.0, 2.0 * scale[active]), scale[active] / 4.0)
     return best
 
 
 def _fly_back(transfer: Transfer, targets: Array, directions: Array, tau: Array) -> tuple[Shots, Array]:
-    """Propagate every lane to its own time; also the (lanes, 3, 4) derivative by costates and tau."""
+    """Propagate every problem to its own time; also its (n, 3, 3) derivative along both tangents and tau."""
     engine = propagator(transfer, variational=True)
-    initial = np.empty((6, engine.lanes))
-    initial[:3] = np.array(transfer.target_state)[:, None]
-    initial[3:] = directions.T
-    engine.start(transfer, initial)
-    engine.integrator.propagate_until(tau.tolist())
-    states = np.array(engine.integrator.state[:6])
-    jacobian = np.empty((engine.lanes, 3, 4))
-    jacobian[:, :, :3] = engine.sensitivity()[:3].transpose(2, 0, 1)
-    jacobian[:, :, 3] = engine.slopes()[:3].T
-    arrived = np.array([o[0] == hy.taylor_outcome.time_limit for o in engine.integrator.propagate_res])
-    allowed = arrived & (arrival_gain(transfer, directions) < 0.0) & np.isfinite(jacobian).all(axis=(1, 2))
-    error = np.max(np.abs(states[:3].T - targets), axis=1)
+    count, lanes = len(tau), engine.lanes
     shots = Shots(
-        directions=directions,
-        tau=tau,
-        states=states.T,
-        residual=np.where(allowed, error, np.inf),
-        jumps=engine.jumps.copy(),
-        jump_times=engine.jump_times.copy(),
+        directions,
+        tau,
+        np.full((count, 6), np.nan),
+        np.full(count, np.inf),
+        np.zeros(count, int),
+        np.full(count, np.nan),
     )
+    jacobian = np.full((count, 3, 3), np.nan)
+    initial = np.zeros((6, lanes))
+    initial[:3] = np.array(transfer.target_state)[:, None]
+    tangents = np.zeros((6, 2, lanes))
+    across = tangent_plane(directions)
+    # Lanes wait for the longest of their batch.
+    order = np.argsort(tau, kind="stable")
+    batches = deque(order[start : start + lanes] for start in range(0, count, lanes))
+    while batches:
+        rows = batches.popleft()
+        kept = len(rows)
+        filled = np.resize(rows, lanes)
+        initial[3:] = directions[filled].T
+        tangents[3:] = across[filled].transpose(1, 2, 0)
+        engine.start(transfer, initial, tangents)
+        engine.integrator.propagate_until(tau[filled].tolist(), max_steps=MOST_STEPS)
+        arrived = np.array(engine.integrator.time[:kept] == tau[rows])
+        stopped = rows[~arrived & ~engine.failed()[:kept]]
+        if 0 < len(stopped) < kept:
+            batches.append(stopped)
+        ended = rows[arrived]
+        shots.states[ended] = np.array(engine.integrator.state[:6]).T[:kept][arrived]
+        shots.jumps[ended], shots.jump_times[ended] = (
+            engine.jumps[:kept][arrived],
+            engine.jump_times[:kept][arrived],
+        )
+        jacobian[ended, :, :2] = engine.tangents()[:3].transpose(2, 0, 1)[:kept][arrived]
+        jacobian[ended, :, 2] = engine.slopes()[:3].T[:kept][arrived]
+    usable = np.isfinite(jacobian).all(axis=(1, 2))
+    error = np.abs(shots.states[:, :3] - targets).max(axis=1)
+    shots.residual[:] = np.where(usable & np.isfinite(error), error, np.inf)
     return shots, jacobian
 
 
 def _newton_step(shots: Shots, targets: Array, jacobian: Array) -> Array:
-    """(lanes, 4) bounded steps of the direction (in its tangent plane) and of tau."""
-    lanes = len(targets)
+    """(n, 4) bounded steps of the direction (in its tangent plane) and of tau."""
+    step = np.zeros((len(targets), 4))
     usable = np.isfinite(shots.residual)
-    system = np.zeros((lanes, 4, 4))
-    system[:, :3] = jacobian
-    system[:, 3, :3] = shots.directions  # the step stays on the sphere
-    system[~usable] = np.eye(4)
-    right = np.zeros((lanes, 4))
-    right[:, :3] = np.where(usable[:, None], targets - shots.states[:, :3], 0.0)
-    step = np.stack([np.linalg.lstsq(a, b, rcond=1e-13)[0] for a, b in zip(system, right, strict=True)])
+    error = targets[usable] - shots.states[usable, :3]
+    # The pseudo-inverse: at a fold, where neighbouring extremals meet, the derivative is singular.
+    inverse = np.linalg.pinv(jacobian[usable], rcond=1e-13)
+    moved = np.einsum("nij,nj->ni", inverse, error)
+    step[usable, :3] = np.einsum("nij,nj->ni", tangent_plane(shots.directions[usable]), moved[:, :2])
+    step[usable, 3] = moved[:, 2]
     turn, shift = np.linalg.norm(step[:, :3], axis=1), np.abs(step[:, 3])
     with np.errstate(divide="ignore"):
         limit = np.minimum(1.0, np.minimum(LARGEST_TURN / turn, LARGEST_SHIFT / shift))
     return np.asarray(step * limit[:, None])
+
+
+def tangent_plane(directions: Array) -> Array:
+    """(n, 3, 2) two orthonormal vectors across each of (n, 3) unit vectors."""
+    # Cross products with the axis that is farthest from the vector.
+    axis = np.eye(3)[np.argmin(np.abs(directions), axis=1)]
+    first = np.cross(directions, axis)
+    first /= np.linalg.norm(first, axis=1, keepdims=True)
+    return np.stack([first, np.cross(directions, first)], axis=2)
