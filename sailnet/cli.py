@@ -36,7 +36,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.json:
         print(json.dumps(result))
     else:
-        print("\n".join(f"{key:24s} {_readable(value)}" for key, value in result.items()))
+        print("\n".join(f"{key:28s} {_readable(value)}" for key, value in result.items()))
     return 0
 
 
@@ -109,7 +109,7 @@ def _parser() -> argparse.ArgumentParser:
         perhaps_state,
         _override_parser(),
         example="sailnet solve 1 0 1; sailnet solve --mission earth_venus; "
-        "sailnet solve --phi-max 45 --beta 0.1 --target-radius 0.9 --smoothing 0",
+        "sailnet solve --phi-max 45 --beta 0.25 --target-radius 0.9 --smoothing 0",
     )
     command(
         "guide",
