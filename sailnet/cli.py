@@ -6,12 +6,16 @@ import math
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Literal
 
 from tqdm import tqdm
 
-from sailnet import __version__
+from sailnet import __version__, tested_range
 from sailnet.errors import SailnetError, SolveError
 from sailnet.mission import load_mission
+
+if TYPE_CHECKING:
+    from sailnet.expert import Extremal
 
 Result = dict[str, object]
 
@@ -32,7 +36,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.json:
         print(json.dumps(result))
     else:
-        print("\n".join(f"{key:24s} {_readable(value)}" for key, value in result.items()))
+        print("\n".join(f"{key:28s} {_readable(value)}" for key, value in result.items()))
     return 0
 
 
@@ -68,10 +72,7 @@ def _parser() -> argparse.ArgumentParser:
     common.add_argument("--mission", default="earth_mars", help="mission name or TOML file (%(default)s)")
     common.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
 
-    state = argparse.ArgumentParser(add_help=False)
-    state.add_argument("r", metavar="R", type=float, help="distance from the Sun [AU]")
-    state.add_argument("u", metavar="U", type=float, help="radial speed [AU/TU]")
-    state.add_argument("v", metavar="V", type=float, help="transverse speed [AU/TU]")
+    state, perhaps_state = _state_parser(), _state_parser("?")
 
     backend = argparse.ArgumentParser(add_help=False)
     backend.add_argument("--backend", choices=("c", "onnx"), default="c", help="what runs the networks")
@@ -101,7 +102,15 @@ def _parser() -> argparse.ArgumentParser:
         made.set_defaults(run=run)
         return made
 
-    command("solve", _solve, "The indirect optimum from a state.", state, example="sailnet solve 1 0 1")
+    command(
+        "solve",
+        _solve,
+        "The indirect optimum from a state; without one, the nominal from the mission's departure orbit.",
+        perhaps_state,
+        _override_parser(),
+        example="sailnet solve 1 0 1; sailnet solve --mission earth_venus; "
+        "sailnet solve --phi-max 45 --beta 0.25 --target-radius 0.9 --smoothing 0",
+    )
     command(
         "guide",
         _guide,
@@ -131,10 +140,56 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _state_parser(nargs: Literal["?"] | None = None) -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("r", metavar="R", type=float, nargs=nargs, help="distance from the Sun [AU]")
+    parser.add_argument("u", metavar="U", type=float, nargs=nargs, help="radial speed [AU/TU]")
+    parser.add_argument("v", metavar="V", type=float, nargs=nargs, help="transverse speed [AU/TU]")
+    return parser
+
+
+def _override_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(add_help=False)
+    group = parser.add_argument_group("instead of the mission's own")
+    for option, metavar, meaning, (low, high) in (
+        ("--phi-max", "DEG", "bound on the cone angle, 90 for none", tested_range.CONE_ANGLE),
+        ("--beta", "X", "normalised characteristic acceleration", tested_range.BETA),
+        ("--target-radius", "AU", "radius of the target orbit", tested_range.TARGET_RADIUS),
+        ("--smoothing", "X", "delta of Eq. (12), 0 for the exact law", tested_range.SMOOTHING),
+    ):
+        help_ = f"{meaning} (tested: {low:g} to {high:g})"
+        group.add_argument(option, type=float, metavar=metavar, help=help_)
+    return parser
+
+
 def _solve(options: argparse.Namespace) -> Result:
     from sailnet.expert import solve
+    from sailnet.nominal import solve_nominal
 
-    extremal = solve(load_mission(options.mission).problem, _state(options))
+    mission = load_mission(options.mission).with_overrides(
+        beta=options.beta,
+        max_cone_angle=options.phi_max,
+        smoothing=options.smoothing,
+        target_radius=options.target_radius,
+    )
+    given = [x is not None for x in (options.r, options.u, options.v)]
+    if any(given) and not all(given):
+        raise SailnetError("give all of R U V, or none of them to start from the mission's departure orbit")
+    state = _state(options) if all(given) else None
+    for remark in tested_range.beyond(mission.problem):
+        print(f"note: {remark}", file=sys.stderr)
+    if state:
+        return _facts(solve(mission.problem, state))
+    nominal = solve_nominal(mission)
+    return {
+        "state": nominal.smoothed.state.tolist(),
+        **_facts(nominal.smoothed),
+        "unconstrained_time_of_flight": nominal.unconstrained.time_of_flight,
+        "constrained_time_of_flight": nominal.constrained.time_of_flight,
+    }
+
+
+def _facts(extremal: "Extremal") -> Result:
     return {
         "time_of_flight": extremal.time_of_flight,
         "cone_angle": extremal.cone_angle,

@@ -51,10 +51,10 @@ class _Section(BaseModel):
 
 
 class Sail(_Section):
-    """The sail: characteristic acceleration and attitude constraint."""
+    """The sail: characteristic acceleration and attitude constraint; 90 degrees mean no constraint."""
 
     beta: Annotated[float, Field(gt=0.0, lt=1.0)]
-    max_cone_angle: Annotated[float, Field(gt=0.0, lt=90.0)]
+    max_cone_angle: Annotated[float, Field(gt=0.0, le=90.0)]
     smoothing: Annotated[float, Field(ge=0.0, le=0.1)]
 
 
@@ -169,6 +169,26 @@ class Mission(_Section):
     def departure_state(self) -> tuple[float, float, float]:
         """(r, u, v) on the departure orbit, Eq. (20)."""
         return (self.transfer.departure_radius, 0.0, 1.0 / math.sqrt(self.transfer.departure_radius))
+
+    def with_overrides(
+        self,
+        *,
+        beta: float | None = None,
+        max_cone_angle: float | None = None,
+        smoothing: float | None = None,
+        target_radius: float | None = None,
+    ) -> "Mission":
+        """The mission with another sail or target; None keeps what it has.
+
+        Raises:
+            MissionError: a value that the mission's file could not have, said in the same words.
+        """
+        content = self.model_dump(by_alias=True, mode="json")
+        sail = {"beta": beta, "max_cone_angle": max_cone_angle, "smoothing": smoothing}
+        content["sail"] |= {key: value for key, value in sail.items() if value is not None}
+        if target_radius is not None:
+            content["transfer"]["target_radius"] = target_radius
+        return parse_mission(content, f"{self.name} with other values")
 
     def to_json(self) -> str:
         """Canonical text of the whole mission, as stored in every artefact."""

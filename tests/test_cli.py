@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +31,34 @@ def test_solve_prints_the_optimum() -> None:
     assert result["costates"] == pytest.approx([-7.23123, -4.31783, -7.73808], abs=1e-4)
     assert result["jumps"] == 0
     assert result["residual"] <= 1e-9
+
+
+def test_solve_takes_another_sail_and_target() -> None:
+    changes = ("--phi-max", "45", "--smoothing", "0")
+    assert _json("solve", "1", "0", "1", *changes)["time_of_flight"] == pytest.approx(7.138440, abs=1e-6)
+    both = ("--beta", "0.4", "--target-radius", "0.723", "--phi-max", "30", "--smoothing", "0")
+    assert _json("solve", "1", "0", "1", *both)["time_of_flight"] == pytest.approx(3.908616, abs=1e-6)
+
+
+def test_solve_without_a_state_prints_the_nominal() -> None:
+    result = _json("solve", "--mission", "earth_venus")
+    assert result["state"] == [1.0, 0.0, 1.0]
+    times = [result[f"{name}time_of_flight"] for name in ("unconstrained_", "constrained_", "")]
+    assert times == pytest.approx([3.521272, 3.528815, 3.528958], abs=1e-6)
+
+
+def test_beyond_the_tested_range_solve_says_so_on_stderr() -> None:
+    done = _run("solve", "1", "0", "1", "--phi-max", "90", "--smoothing", "0", "--beta", "0.45", "--json")
+    assert done.stderr == "note: beta = 0.45 is outside the tested range, 0.05 to 0.4\n"
+    assert json.loads(done.stdout)["residual"] <= 1e-9
+
+
+def test_solve_reads_a_mission_file(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    shipped = (resources.files("sailnet") / "missions" / "earth_mars.toml").read_text("utf-8")
+    path.write_text(shipped.replace('"earth_mars"', '"mine"').replace("60.0", "45.0"))
+    result = _json("solve", "1", "0", "1", "--mission", str(path), "--smoothing", "0")
+    assert result["time_of_flight"] == pytest.approx(7.138440, abs=1e-6)
 
 
 def test_guide_prints_a_command() -> None:
@@ -75,6 +104,13 @@ def test_evaluate_counts_arrivals() -> None:
         (("guide", "-1", "0", "1"), "R > 0"),
         (("fly", "1", "-inf", "1"), "finite"),
         (("solve", "1", "0", "1", "--mission", "earth_pluto"), "earth_mars"),
+        (("solve", "1", "0"), "all of R U V"),
+        (("solve", "1", "0", "1", "--phi-max", "95"), "sail.max_cone_angle = 95.0"),
+        (("solve", "1", "0", "1", "--phi-max", "nan"), "sail.max_cone_angle = nan"),
+        (("solve", "--beta", "-0.1"), "sail.beta = -0.1"),
+        (("solve", "1", "0", "1", "--smoothing", "-1e-3"), "sail.smoothing = -0.001"),
+        (("solve", "1", "0", "1", "--target-radius", "inf"), "transfer.target_radius = inf"),
+        (("solve", "--target-radius", "1"), "on the target orbit already"),
         (("guide", "1", "0", "1", "--networks", "no/such/folder"), "no/such/folder"),
         (("fly", "1", "0", "1", "--beta-bias", "-2"), "bias"),
         (("fly", "1", "0", "1", "--period", "0"), "period"),

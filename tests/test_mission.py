@@ -70,7 +70,7 @@ def test_earth_mars_is_the_paper_s_problem() -> None:
         ("sail.beta", math.inf, "finite"),
         ("sail.beta", -math.inf, "finite"),
         ("sail.max_cone_angle", 0.0, "greater than 0"),
-        ("sail.max_cone_angle", 90.0, "less than 90"),
+        ("sail.max_cone_angle", 90.5, "less than or equal to 90"),
         ("sail.max_cone_angle", -5.0, "greater than 0"),
         ("sail.max_cone_angle", "60", "number"),
         ("sail.max_cone_angle", True, "number"),
