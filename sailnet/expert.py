@@ -129,11 +129,11 @@ def solve_states(
     if (np.abs(given - transfer.target_state).max(axis=1) < RESIDUAL_GOAL).any():
         raise SolveError("the state is on the target orbit already: there is nothing to solve")
     optima = _nothing(given)
-    for thorough in (False, True):
+    for box in (region, None):
         open_ = np.flatnonzero(~optima.found)
         if not len(open_):
             break
-        index = _index(transfer, given[open_], None if thorough else region, thorough)
+        index = _index(transfer, given[open_], box)
         guesses = _distinct(index.look_up(_scaled(transfer, given[open_])))
         _put(optima, open_, _fastest(transfer, given[open_], guesses, rivals))
     return optima
@@ -169,9 +169,7 @@ def _scaled(transfer: Transfer, states: ArrayLike) -> Array:
     return np.asarray(states, float) * [1.0 / size, np.sqrt(size), np.sqrt(size)]
 
 
-def _index(
-    transfer: Transfer, states: Array, region: tuple[ArrayLike, ArrayLike] | None, thorough: bool
-) -> Index:
+def _index(transfer: Transfer, states: Array, region: tuple[ArrayLike, ArrayLike] | None) -> Index:
     bins = bins_of(_scaled(transfer, states))
     if region is not None:
         low, high = bins_of(_scaled(transfer, np.array(region, float)))
@@ -179,7 +177,7 @@ def _index(
         bins = np.concatenate([box, bins])
     wanted = tuple(map(tuple, np.unique(bins, axis=0).tolist()))
     unit = Transfer(transfer.beta, transfer.phi_max, transfer.delta, 1.0)
-    return build_index(unit, wanted, thorough)
+    return build_index(unit, wanted)
 
 
 def _distinct(guesses: Guesses) -> Guesses:

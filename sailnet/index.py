@@ -12,7 +12,7 @@ time to go advances in windows, and a bin whose states are all held by a prism i
 """
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
 import numpy as np
@@ -58,8 +58,9 @@ DEVIATION, THINNEST = 0.002, 0.001
 HOLD = 0.1
 """How far outside a prism a test point may lie for its bin to count as filled."""
 
-RADII = (0.3, 4.5)
-"""Extremals are followed as long as their radius stays within, and they are bound. Widened as needed."""
+INNERMOST, OUTERMOST = 0.6, 4.5
+"""Extremals are followed as long as they are bound and their radius stays above this share of the
+smallest radius among states and target, and below this or 1.5 times the largest."""
 
 Rows = NDArray[np.intp]
 
@@ -145,7 +146,7 @@ class _Prisms:
     highest: Array
 
     @classmethod
-    def of(cls, paths: NDArray[np.float32], corners: Rows, column: Rows) -> "_Prisms":
+    def of(cls, paths: NDArray[np.float32], corners: Rows, start: int, column: Rows) -> "_Prisms":
         now = paths[corners, column[:, None]].astype(float)
         later = paths[corners, column[:, None] + 1].astype(float)
         edges = np.stack([now[:, 1] - now[:, 0], now[:, 2] - now[:, 0], (later - now).mean(axis=1)], axis=2)
@@ -155,15 +156,18 @@ class _Prisms:
         # Not the inverse: near a fold, where neighbouring extremals meet, prisms are thinner than bent.
         transposed = edges.transpose(0, 2, 1)
         inverse = np.linalg.solve(transposed @ edges + THINNEST**2 * np.eye(3), transposed)
-        return cls(corners, column, now[:, 0], edges, inverse, lowest - slack, highest + slack)
+        return cls(corners, start + column, now[:, 0], edges, inverse, lowest - slack, highest + slack)
 
     def weigh(self, rows: Rows, states: Array) -> tuple[Array, Array]:
         """(n, 3) weights of states in prisms, and how far outside they lie."""
         offset = states - self.origin[rows]
         weights = np.einsum("nij,nj->ni", self.inverse[rows], offset)
-        deviation = np.abs(np.einsum("nij,nj->ni", self.edges[rows], weights) - offset).max(axis=1)
-        over = np.maximum(weights[:, 0] + weights[:, 1], weights[:, 2]) - 1.0
-        over = np.maximum(over, -weights.min(axis=1))
+        second, third, time = weights.T
+        over = np.maximum(
+            np.maximum(second + third, time) - 1.0, -np.minimum(np.minimum(second, third), time)
+        )
+        x, y, z = np.abs(np.einsum("nij,nj->ni", self.edges[rows], weights) - offset).T
+        deviation = np.maximum(np.maximum(x, y), z)
         return weights, np.maximum(0.0, np.maximum(over, SLACK / DEVIATION * deviation))
 
 
@@ -183,9 +187,23 @@ class Index:
 
     def look_up(self, states: Array) -> Guesses:
         """Everything that passes through or near (n, 3) states in the bins asked for."""
+        parts = []
+        for start in range(0, len(states), 200):  # as much as stays in the processor's cache
+            part = self._look_up(states[start : start + 200])
+            parts.append(replace(part, state=part.state + start))
+        return Guesses(*(np.concatenate(c) for c in zip(*(vars(p).values() for p in parts), strict=True)))
+
+    def _look_up(self, states: Array) -> Guesses:
         bins = self._grid.flat(states)
         row, number = _enumerate(self._first[bins + 1] - self._first[bins])
         prism = self._listed[self._first[bins][row] + number]
+        # Comparisons first: most prisms that meet a bin do not come near the state.
+        at = states[row]
+        close = np.ones(len(row), bool)
+        for axis in range(3):
+            close &= self._prisms.lowest[prism, axis] <= at[:, axis]
+            close &= self._prisms.highest[prism, axis] >= at[:, axis]
+        row, prism = row[close], prism[close]
         weights, outside = self._prisms.weigh(prism, states[row])
         near = outside <= SLACK
         row, prism, weights = row[near], prism[near], weights[near]
@@ -199,19 +217,16 @@ class Index:
 
 
 @lru_cache(maxsize=32)
-def build_index(
-    transfer: Transfer, wanted: tuple[tuple[int, int, int], ...], thorough: bool = False
-) -> Index:
+def build_index(transfer: Transfer, wanted: tuple[tuple[int, int, int], ...]) -> Index:
     """Refine whatever passes through the bins that are wanted.
 
     Args:
         transfer: the problem with target radius 1.
         wanted: bins of states, see :func:`bins_of`.
-        thorough: go on after a bin is filled, for what may have been missed.
     """
     grid = _Grid(np.array(wanted))
     points = _test_points(grid)
-    radii = (min(RADII[0], 0.6 * BIN * grid.low[0]), max(RADII[1], 1.5 * points[:, :, 0].max()))
+    radii = (INNERMOST * min(1.0, BIN * grid.low[0]), max(OUTERMOST, 1.5 * points[:, :, 0].max()))
     directions, leaves = _base()
     paths = np.empty((0, 1, 3), np.float32)
     held = np.zeros(points.shape[:2], bool)
@@ -221,24 +236,24 @@ def build_index(
     for start in range(0, round(HORIZONS[-1] / SPACING), WINDOW):
         if not active.any() or len(directions) > MOST:
             break
-        if start + WINDOW >= paths.shape[1]:
+        paths = paths[:, WINDOW:]
+        if paths.shape[1] <= WINDOW:
             horizon = next(horizons)
-            paths = _paths(transfer, directions, horizon, radii)
-        filled = active & held.all(axis=1).reshape(grid.shape) & (not thorough)
+            paths = _paths(transfer, directions, horizon, start, radii)
+        filled = active & held.all(axis=1).reshape(grid.shape)
         kept = []
-        window = slice(start, start + WINDOW + 1)
         for halving in range(HALVINGS + 1):
-            near, edges = _near(grid, active, paths[:, window], directions, leaves)
+            near, edges = _near(grid, active, paths[:, : WINDOW + 1], directions, leaves)
             fine = (edges.max(axis=1) <= PRISM) | (halving == HALVINGS) | (len(directions) > MOST)
             kept.append(leaves[fine])
             which, column = np.nonzero(near & fine[:, None])
-            found.append(_Prisms.of(paths, leaves[which], start + column))
+            found.append(_Prisms.of(paths, leaves[which], start, column))
             _hold(grid, points, held, found[-1])
             if fine.all():
                 break
             born = len(directions)
             directions, leaves = _halve(directions, leaves[~fine], np.argmax(edges[~fine], axis=1))
-            paths = np.concatenate([paths, _paths(transfer, directions[born:], horizon, radii)])
+            paths = np.concatenate([paths, _paths(transfer, directions[born:], horizon, start, radii)])
         leaves = np.concatenate(kept)
         active = active & ~filled
     return Index(grid, directions, found)
@@ -304,18 +319,19 @@ def _halve(directions: Array, triangles: Rows, opposite: Rows) -> tuple[Array, R
 
 
 def _paths(
-    transfer: Transfer, directions: Array, horizon: float, radii: tuple[float, float]
+    transfer: Transfer, directions: Array, horizon: float, start: int, radii: tuple[float, float]
 ) -> NDArray[np.float32]:
-    """(n, columns, 3) states along the extremals; NaN once out of bounds."""
-    grid = np.arange(0.0, horizon + SPACING / 2, SPACING)
-    paths = np.full((len(directions), len(grid), 3), np.nan, np.float32)
+    """(n, columns, 3) states along the extremals from sample ``start`` on; NaN once out of bounds."""
+    grid = SPACING * np.arange(round(horizon / SPACING) + 1)
+    paths = np.full((len(directions), len(grid) - start, 3), np.nan, np.float32)
     allowed = np.flatnonzero(arrival_gain(transfer, directions) < 0.0)
-    states = propagate_extremals(transfer, directions[allowed], grid).states[:, :, :3]
-    r, u, v = np.moveaxis(states, 2, 0)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        bound = (r > radii[0]) & (r < radii[1]) & (v > 0.0) & ((u**2 + v**2) / 2.0 < 1.0 / r)
-    states[~np.logical_and.accumulate(bound, axis=1)] = np.nan
-    paths[allowed] = states
+    for rows in np.array_split(allowed, 1 + len(allowed) // 256):
+        states = propagate_extremals(transfer, directions[rows], grid).states[:, :, :3]
+        r, u, v = np.moveaxis(states, 2, 0)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            bound = (r > radii[0]) & (r < radii[1]) & (v > 0.0) & ((u**2 + v**2) / 2.0 < 1.0 / r)
+        states[~np.logical_and.accumulate(bound, axis=1)] = np.nan
+        paths[rows] = states[:, start:]
     return paths
 
 

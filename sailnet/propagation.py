@@ -92,11 +92,12 @@ class Propagator:
     Args:
         kind: form of the guidance law.
         split_corners: end a step wherever the unconstrained angle meets the bound.
+        tolerance: local error.
         variational: also integrate two tangents, the derivatives along two directions of the
             initial costates; the third would only scale them.
     """
 
-    def __init__(self, kind: LawKind, split_corners: bool, variational: bool) -> None:
+    def __init__(self, kind: LawKind, split_corners: bool, variational: bool, tolerance: float) -> None:
         self.kind: LawKind = kind
         self.lanes = int(hy.recommended_simd_size())
         self.variational = variational
@@ -112,7 +113,7 @@ class Propagator:
             system,
             np.ones((6, self.lanes)),
             t_events=events,
-            tol=TOLERANCE,
+            tol=tolerance,
         )
         self.jumps = np.zeros(self.lanes, int)
         self.jump_times = np.full(self.lanes, np.nan)
@@ -176,14 +177,14 @@ class Propagator:
 class _Compiled(threading.local):
     # A propagator holds the trajectory it is on, so threads must not share one.
     def __init__(self) -> None:
-        self.build: Callable[[LawKind, bool, bool], Propagator] = cache(Propagator)
+        self.build: Callable[[LawKind, bool, bool, float], Propagator] = cache(Propagator)
 
 
 _compiled = _Compiled()
 
 
-def propagator(transfer: Transfer, variational: bool = False) -> Propagator:
-    """The compiled propagator for a problem; compiled once per form of the law and thread."""
+def propagator(transfer: Transfer, variational: bool = False, tolerance: float = TOLERANCE) -> Propagator:
+    """The compiled propagator for a problem; compiled once per form of the law, tolerance and thread."""
     kind = law_kind(transfer)
     split = kind == "exact" or (kind == "smooth" and transfer.delta < SHARP_DELTA)
-    return _compiled.build(kind, split, variational)
+    return _compiled.build(kind, split, variational, tolerance)

@@ -12,7 +12,16 @@ import numpy as np
 
 from sailnet.dynamics import Array
 from sailnet.mission import Transfer
-from sailnet.propagation import MOST_STEPS, propagator
+from sailnet.propagation import MOST_STEPS, Propagator, propagator
+
+ROUGH, ROUGH_GOAL = 1e-7, 1e-4
+"""Tolerance of the derivatives and of the first steps, which cost a third so, and where those end."""
+
+STALE = 0.1
+"""Derivatives are renewed when a step leaves more than this share of the residual."""
+
+PROMISING = 0.05
+"""Residual below which a problem that got stuck, at a pinch for instance, is given accurate derivatives."""
 
 LARGEST_TURN = 0.2
 """Largest Newton step of the arrival direction [rad]."""
@@ -80,7 +89,33 @@ def shoot(
         that of an extremal (:func:`sailnet.extremals.arrival_gain` negative).
     """
     directions = directions / np.linalg.norm(directions, axis=1, keepdims=True)
-    best, jacobian = _fly_back(transfer, targets, directions, np.asarray(tau, float))
+    rough, fine = propagator(transfer, variational=True, tolerance=ROUGH), propagator(transfer)
+    guess, jacobian = _fly_back(rough, transfer, targets, directions, np.asarray(tau, float))
+    near = _refine(rough, rough, transfer, targets, guess, jacobian, ROUGH_GOAL, iterations)
+    best, _ = _fly_back(fine, transfer, targets, near.directions, near.tau)
+    best = _refine(fine, rough, transfer, targets, best, jacobian, goal, iterations)
+    hard = np.flatnonzero((best.residual > goal) & (best.residual < PROMISING))
+    if len(hard):
+        fine = propagator(transfer, variational=True)
+        start, jacobian = _fly_back(fine, transfer, targets[hard], best.directions[hard], best.tau[hard])
+        best.put(hard, _refine(fine, fine, transfer, targets[hard], start, jacobian, goal, iterations))
+    return best
+
+
+def _refine(
+    engine: Propagator,
+    variational: Propagator,
+    transfer: Transfer,
+    targets: Array,
+    best: Shots,
+    jacobian: Array,
+    goal: float,
+    iterations: int,
+) -> Shots:
+    """Damped Newton steps; residuals from one propagator, derivatives (kept in place) from another.
+
+    Without derivatives of its own, a propagator goes on with the last ones for as long as they serve.
+    """
     step = _newton_step(best, targets, jacobian)
     scale = np.ones(len(best.tau))
     for _ in range(iterations):
@@ -91,18 +126,26 @@ def shoot(
         turned = best.directions[active] + move[:, :3]
         turned /= np.linalg.norm(turned, axis=1, keepdims=True)
         later = np.maximum(best.tau[active] + move[:, 3], 1e-3)
-        trial, jacobian = _fly_back(transfer, targets[active], turned, later)
-        better = trial.residual < best.residual[active]
+        trial, derivative = _fly_back(engine, transfer, targets[active], turned, later)
+        old = best.residual[active]
+        better = trial.residual < old
         won = active[better]
         best.put(won, trial.rows(better))
-        step[won] = _newton_step(trial.rows(better), targets[won], jacobian[better])
         scale[active] = np.where(better, np.minimum(1.0, 2.0 * scale[active]), scale[active] / 4.0)
+        if engine.variational:
+            jacobian[won] = derivative[better]
+        else:
+            stale = active[(trial.residual > STALE * old) & (best.residual[active] > goal)]
+            at = best.rows(stale)
+            jacobian[stale] = _fly_back(variational, transfer, targets[stale], at.directions, at.tau)[1]
+        step[active] = _newton_step(best.rows(active), targets[active], jacobian[active])
     return best
 
 
-def _fly_back(transfer: Transfer, targets: Array, directions: Array, tau: Array) -> tuple[Shots, Array]:
-    """Propagate every problem to its own time; also its (n, 3, 3) derivative along both tangents and tau."""
-    engine = propagator(transfer, variational=True)
+def _fly_back(
+    engine: Propagator, transfer: Transfer, targets: Array, directions: Array, tau: Array
+) -> tuple[Shots, Array]:
+    """Propagate every problem to its own time; also (n, 3, 3) derivatives along both tangents and tau."""
     count, lanes = len(tau), engine.lanes
     shots = Shots(
         directions,
@@ -126,7 +169,7 @@ def _fly_back(transfer: Transfer, targets: Array, directions: Array, tau: Array)
         filled = np.resize(rows, lanes)
         initial[3:] = directions[filled].T
         tangents[3:] = across[filled].transpose(1, 2, 0)
-        engine.start(transfer, initial, tangents)
+        engine.start(transfer, initial, tangents if engine.variational else None)
         engine.integrator.propagate_until(tau[filled].tolist(), max_steps=MOST_STEPS)
         arrived = np.array(engine.integrator.time[:kept] == tau[rows])
         stopped = rows[~arrived & ~engine.failed()[:kept]]
@@ -138,9 +181,10 @@ def _fly_back(transfer: Transfer, targets: Array, directions: Array, tau: Array)
             engine.jumps[:kept][arrived],
             engine.jump_times[:kept][arrived],
         )
-        jacobian[ended, :, :2] = engine.tangents()[:3].transpose(2, 0, 1)[:kept][arrived]
-        jacobian[ended, :, 2] = engine.slopes()[:3].T[:kept][arrived]
-    usable = np.isfinite(jacobian).all(axis=(1, 2))
+        if engine.variational:
+            jacobian[ended, :, :2] = engine.tangents()[:3].transpose(2, 0, 1)[:kept][arrived]
+            jacobian[ended, :, 2] = engine.slopes()[:3].T[:kept][arrived]
+    usable = np.isfinite(jacobian).all(axis=(1, 2)) | (not engine.variational)
     error = np.abs(shots.states[:, :3] - targets).max(axis=1)
     shots.residual[:] = np.where(usable & np.isfinite(error), error, np.inf)
     return shots, jacobian
@@ -149,7 +193,7 @@ def _fly_back(transfer: Transfer, targets: Array, directions: Array, tau: Array)
 def _newton_step(shots: Shots, targets: Array, jacobian: Array) -> Array:
     """(n, 4) bounded steps of the direction (in its tangent plane) and of tau."""
     step = np.zeros((len(targets), 4))
-    usable = np.isfinite(shots.residual)
+    usable = np.isfinite(shots.residual) & np.isfinite(jacobian).all(axis=(1, 2))
     error = targets[usable] - shots.states[usable, :3]
     # The pseudo-inverse: at a fold, where neighbouring extremals meet, the derivative is singular.
     inverse = np.linalg.pinv(jacobian[usable], rcond=1e-13)
