@@ -194,10 +194,10 @@ from pathlib import Path
 from sailnet.dataset import SAMPLES, TRAJECTORIES, Block, write_dataset
 from sailnet.mission import load_mission
 def blocks():
-    samples = {name: np.zeros((100, 351)) for name in SAMPLES if name != "trajectory"}
+    samples = {name: np.zeros(100 * 351) for name in SAMPLES if name != "trajectory"}
     rows = {name: np.zeros(100) for name in TRAJECTORIES if name != "first_sample"}
     while True:
-        yield Block(samples, rows)
+        yield Block(samples, rows, np.full(100, 351))
         print("one more", flush=True)
 write_dataset(Path(sys.argv[1]), load_mission("earth_mars"), blocks(), {})
 """
