@@ -57,8 +57,7 @@ def test_every_column_says_what_it_is_in_which_unit(stored: Path) -> None:
                 assert meaning
                 assert column.dtype == np.dtype(INTEGER.get(name, "<f8"))
                 assert column.chunks
-                assert column.compression == "gzip"
-                assert column.fletcher32
+                assert column.compression is None  # plain rows, for the sake of speed
                 assert len(column.attrs["sha256"]) == 64
         assert json.loads(file.attrs["mission"])["name"] == "earth_mars"
         assert file.attrs["samples"] == 12 * 31

@@ -24,6 +24,7 @@ from sailnet.dataset import (
     write_dataset,
 )
 from sailnet.errors import DatasetError, SolveError
+from sailnet.executors import Workers
 from sailnet.jumps import restore
 from sailnet.mission import Mission
 from sailnet.pontryagin import guidance_law
@@ -31,6 +32,10 @@ from tests.reference import fly
 from tests.small_datasets import NOMINAL, Inline, with_recipe
 
 ROOT = Path(__file__).parent.parent
+
+
+def _only(executor: Executor, ahead: int = 4) -> Workers:
+    return Workers(lambda: executor, ahead)
 
 
 def test_the_executor_leaves_no_trace(mission: Mission, tmp_path: Path) -> None:
@@ -42,7 +47,7 @@ def test_the_executor_leaves_no_trace(mission: Mission, tmp_path: Path) -> None:
     for i, executor in enumerate(executors):
         path = tmp_path / f"{i}.h5"
         with executor:
-            write_dataset(path, wanted, generate(shard_of, 700, executor), {})
+            write_dataset(path, wanted, generate(shard_of, 700, _only(executor)), {})
         with open_dataset(path, wanted) as found:
             found.verify()
             assert found.trajectories == 700
@@ -138,29 +143,26 @@ def test_seeds_and_shards_differ(small: Mission, shard: Block) -> None:
         assert not set(other) & set(shard.trajectories["lambda_r0"])
 
 
-def test_work_is_asked_for_as_it_is_needed(small: Mission, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(data.generate, "AHEAD", 3)
+def test_work_is_asked_for_as_it_is_needed(small: Mission) -> None:
     executor = Inline()
-    blocks = generate(partial(box_shard, small, NOMINAL), 10**6, executor)
+    blocks = generate(partial(box_shard, small, NOMINAL), 10**6, _only(executor, ahead=3))
     next(blocks)
-    assert executor.submitted <= data.generate.AHEAD
+    assert executor.submitted <= 3
     next(blocks)
-    assert executor.submitted <= data.generate.AHEAD + 1
+    assert executor.submitted <= 4
 
 
 def test_a_recipe_that_admits_nothing_ends(small: Mission, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(data.generate, "FUTILE", 2)
-    monkeypatch.setattr(data.generate, "AHEAD", 1)
     futile = with_recipe(small, max_radius=1.53)
     with pytest.raises(DatasetError, match="no trajectory in 2 shards in a row: widen the recipe"):
-        list(generate(partial(box_shard, futile, NOMINAL), 5, Inline()))
+        list(generate(partial(box_shard, futile, NOMINAL), 5, _only(Inline(), 1)))
     rootless = with_recipe(small, lambda_u=(-30.0, -20.0))
     with pytest.raises(SolveError, match="no root"):
-        list(generate(partial(box_shard, rootless, NOMINAL), 5, Inline()))
+        list(generate(partial(box_shard, rootless, NOMINAL), 5, _only(Inline(), 1)))
 
 
 def command(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> int:
-    monkeypatch.setattr(data.generate, "AHEAD", 1)
     monkeypatch.setattr(sys, "argv", ["data", *arguments])
     return data.__main__.main()
 
@@ -182,7 +184,7 @@ def test_the_command_makes_a_data_set(
     assert str(ROOT) not in json.dumps(found.provenance)
     serial = tmp_path / "serial.h5"
     shard_of = partial(box_shard, mission, NOMINAL)
-    write_dataset(serial, mission, generate(shard_of, 20, Inline()), {})
+    write_dataset(serial, mission, generate(shard_of, 20, _only(Inline())), {})
     with open_dataset(serial) as expected:
         assert found.digest == expected.digest  # one worker process or none
 
