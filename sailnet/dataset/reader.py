@@ -55,11 +55,12 @@ class Dataset:
         """Read whole columns of ``TRAJECTORIES``."""
         return self._read("trajectories", names, 0, self.trajectories)
 
-    def verify(self, watch: Callable[[int], object] | None = None) -> None:
+    def verify(self, see: Callable[[str, int, NDArray[Any]], object] | None = None) -> None:
         """Read everything and compare it with the stored SHA-256 checksums.
 
         Args:
-            watch: called with the number of values read since the last call, if given.
+            see: called, if given, with all that is read: the column as ``samples/r``, the first row,
+                and the values from there on.
 
         Raises:
             DatasetError: naming the first column that does not match.
@@ -72,8 +73,8 @@ class Dataset:
                     stop = min(start + VERIFY_ROWS, sizes[group])
                     part = self._read(group, [name], start, stop)[name]
                     content.update(np.ascontiguousarray(part, dtype=column_type(name)).data)
-                    if watch:
-                        watch(stop - start)
+                    if see:
+                        see(f"{group}/{name}", start, part)
                 if content.hexdigest() != get_text(self._file[group][name], "sha256"):
                     raise DatasetError(f"{self._path} is damaged: {group}/{name} does not match its checksum")
 
