@@ -28,12 +28,13 @@ $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/s
 	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }
 	$(PYTHON3) -m venv $(VENV)
-	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[train,report,dev]'
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[train,report,cluster,dev]'
 	@touch $@
 
+# A run that was killed goes on where it was; RESTART=1 throws away what it left.
 dataset: $(BUILD)/dataset.h5
-$(BUILD)/dataset.h5: $(mission) $(physics) sailnet/dataset.py sailnet/jumps.py $(wildcard data/*.py) | $(READY)
-	$(PYTHON) -m data $@ --mission $(MISSION)
+$(BUILD)/dataset.h5: $(mission) $(physics) sailnet/jumps.py $(wildcard sailnet/dataset/*.py data/*.py) | $(READY)
+	$(PYTHON) -m data $@ --mission $(MISSION) $(if $(RESTART),--restart)
 
 # --resume: a run that was killed goes on, and networks that are finished are kept.
 train: $(networks)/trained

@@ -5,19 +5,22 @@ import os
 import sys
 import time
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
 from pathlib import Path
 
 from tqdm import tqdm
 
 from data.generate import generate
+from data.parts import Parts, claim
 from data.recipes import RECIPES, prepare
 from sailnet.dataset import Block, write_dataset
 from sailnet.errors import SailnetError
-from sailnet.mission import load_mission
+from sailnet.executors import workers
+from sailnet.mission import Mission, load_mission
 from sailnet.propagation import TOLERANCE
-from sailnet.provenance import software
+from sailnet.provenance import environment, software
+
+PACKAGES = ("data",)
+"""Whose source the samples depend on, beside sailnet's."""
 
 
 def _count(text: str) -> int:
@@ -40,6 +43,10 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--workers", type=_count, default=os.cpu_count() or 1, help="processes (default: all)"
     )
+    parser.add_argument(
+        "--scheduler", metavar="ADDRESS", help="of Dask, e.g. tcp://host:8786, whose workers work"
+    )
+    parser.add_argument("--restart", action="store_true", help="throw away what an interrupted run left")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser
 
@@ -52,24 +59,38 @@ def _watched(blocks: Iterator[Block], total: int, quiet: bool) -> Iterator[Block
             bar.update(len(block.lengths))
 
 
-def main() -> int:
-    """Run the command; returns the exit status."""
-    options = _parser().parse_args()
+def _run(options: argparse.Namespace, mission: Mission, parts: Parts) -> None:
     started = time.perf_counter()
-    try:
-        mission = load_mission(options.mission)
+    with workers(options.workers, options.scheduler, PACKAGES) as pool:
         prepared = prepare(mission, options.recipe)
         wanted = options.trajectories or prepared.trajectories
         provenance = {**prepared.origin, "tolerance": TOLERANCE, **software()}
-        with ProcessPoolExecutor(options.workers, mp_context=get_context("spawn")) as pool:
-            blocks = generate(prepared.shard_of, wanted, pool)
-            write_dataset(options.output, mission, _watched(blocks, wanted, options.quiet), provenance)
-    except SailnetError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 1
+        blocks = _watched(generate(prepared.shard_of, wanted, pool, parts), wanted, options.quiet)
+        write_dataset(options.output, mission, blocks, provenance, parts.folder)
     seconds = time.perf_counter() - started
     print(f"{options.output}: {wanted} trajectories in {seconds:.1f} s")
-    return 0
+
+
+def main() -> int:
+    """Run the command; returns the exit status: 0, 1 when it cannot be done, 130 after Ctrl-C."""
+    options = _parser().parse_args()
+    parts: Parts | None = None
+    try:
+        mission = load_mission(options.mission)
+        made_of = {"mission": mission.digest("generalisation", "dataset"), "recipe": options.recipe}
+        with claim(options.output, made_of | environment(PACKAGES), options.restart) as parts:
+            _run(options, mission, parts)
+    except SailnetError as error:
+        print(f"error: {error}", file=sys.stderr)
+        status = 1
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        status = 130
+    else:
+        return 0
+    if parts and (kept := len(parts.finished())):
+        print(f"{kept} finished shards wait in {parts.folder}: the same command goes on", file=sys.stderr)
+    return status
 
 
 if __name__ == "__main__":

@@ -11,6 +11,10 @@ from sailnet.mission import Transfer
 from sailnet.pontryagin import guidance_law
 
 STATES = ("r", "u", "v", "lambda_r", "lambda_u", "lambda_v")
+COLUMNS = (*STATES, "tau", "alpha", "alpha_pre")
+
+AT_ONCE = 64
+"""Trajectories worked on at once: few enough to stay in the processor's cache."""
 
 
 def block_of(
@@ -29,22 +33,24 @@ def block_of(
         kept: (n,) which of them.
         lengths: (n,) how many samples of each.
     """
-    costates, lengths = costates[kept], lengths[kept]
-    within = np.arange(len(extremals.tau)) < lengths[:, None]
-    states = extremals.states[kept][within]
-    tau = np.broadcast_to(extremals.tau, within.shape)[within]
-    alpha = guidance_law(transfer, states[:, 4], states[:, 5])
-    jump_time = extremals.jump_times[kept]
+    rows = np.flatnonzero(kept)
+    costates, lengths = costates[rows], lengths[rows]
+    first = np.append(0, np.cumsum(lengths))
     # A jump that lies beyond the last sample is none of this trajectory's.
-    end = extremals.tau[lengths - 1]
-    jump_time = np.where(jump_time <= end, jump_time, np.nan)
+    jump_time = extremals.jump_times[rows]
+    jump_time = np.where(jump_time <= extremals.tau[lengths - 1], jump_time, np.nan)
+    columns = np.empty((len(COLUMNS), first[-1]))
+    for start in range(0, len(rows), AT_ONCE):
+        some = slice(start, start + AT_ONCE)
+        samples = slice(first[start], first[min(start + AT_ONCE, len(rows))])
+        within = np.arange(len(extremals.tau)) < lengths[some, None]
+        columns[:6, samples] = extremals.states[rows[some]][within].T
+        tau = np.broadcast_to(extremals.tau, within.shape)[within]
+        alpha = guidance_law(transfer, *columns[4:6, samples])
+        columns[6, samples], columns[7, samples] = tau, alpha
+        columns[8, samples] = preprocess(alpha, tau, np.repeat(jump_time[some], lengths[some]))
     return Block(
-        {
-            **{name: states[:, i] for i, name in enumerate(STATES)},
-            "tau": tau,
-            "alpha": alpha,
-            "alpha_pre": preprocess(alpha, tau, np.repeat(jump_time, lengths)),
-        },
+        dict(zip(COLUMNS, columns, strict=True)),
         {
             "lambda_r0": costates[:, 0],
             "lambda_u0": costates[:, 1],

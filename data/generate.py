@@ -1,56 +1,75 @@
 """Generation of trajectories, shard by shard, by whoever does the work.
 
 A shard depends on the mission and its own number alone, so the content of the file does not depend
-on the executor, the number of workers or the order they finish in.
+on the workers, their number or the order they finish in, nor on what an earlier run had finished.
 """
 
-from collections import deque
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, Future
+from functools import partial
 from itertools import count
 
+from data.parts import Parts
 from sailnet.dataset import Block
 from sailnet.errors import DatasetError
-
-AHEAD = 8
-"""Shards under way at once: bounds the memory."""
+from sailnet.executors import Workers
 
 FUTILE = 64
 """Shards in a row without a single trajectory after which the recipe is given up."""
 
+ShardOf = Callable[[int], Block]
 
-def generate(shard_of: Callable[[int], Block], trajectories: int, executor: Executor) -> Iterator[Block]:
+
+def generate(
+    shard_of: ShardOf, trajectories: int, workers: Workers, parts: Parts | None = None
+) -> Iterator[Block]:
     """Yield blocks in shard order until there are as many trajectories as wanted.
 
     Args:
-        shard_of: computes one shard from its number; must be picklable if the executor crosses processes.
+        shard_of: computes one shard from its number; must be picklable if workers are processes.
         trajectories: how many are wanted.
-        executor: where shards are computed.
+        workers: who computes shards.
+        parts: where finished shards are kept and found again.
 
     Raises:
-        DatasetError: the recipe admits no extremal.
+        DatasetError: the recipe admits no extremal, or a shard cannot be stored.
         SolveError: whatever ``shard_of`` raises.
     """
     missing, futile = trajectories, 0
-    shards = count()
-    under_way: deque[Future[Block]] = deque()
-    try:
-        while missing > 0:
-            while len(under_way) < AHEAD:
-                under_way.append(executor.submit(shard_of, next(shards)))
-            block = under_way.popleft().result()
-            if not len(block.lengths):
-                futile += 1
-                if futile == FUTILE:
-                    raise DatasetError(
-                        f"no trajectory in {FUTILE} shards in a row: "
-                        "widen the recipe in the mission's [dataset] section"
-                    )
-                continue
-            futile = 0
-            block = block.head(missing)
-            missing -= len(block.lengths)
-            yield block
-    finally:
-        for future in under_way:
-            future.cancel()
+    blocks = workers.map(shard_of, count()) if parts is None else _stored(shard_of, workers, parts)
+    for block in blocks:
+        if not len(block.lengths):
+            futile += 1
+            if futile == FUTILE:
+                raise DatasetError(
+                    f"no trajectory in {FUTILE} shards in a row: "
+                    "widen the recipe in the mission's [dataset] section"
+                )
+            continue
+        futile = 0
+        wanted = block.head(missing)
+        missing -= len(wanted.lengths)
+        yield wanted
+        if not missing:
+            return
+
+
+def _stored(shard_of: ShardOf, workers: Workers, parts: Parts) -> Iterator[Block]:
+    finished = parts.finished()
+    remaining = (number for number in count() if number not in finished)
+    # Workers of this machine write their shards themselves, which spares the way through a pipe.
+    make = partial(_make, shard_of, parts) if workers.share_files else shard_of
+    made = workers.map(make, remaining)
+    for number in count():
+        if number not in finished:
+            block = next(made)
+            if block is not None and workers.share_files is False:
+                parts.store(number, block)
+        loaded = parts.load(number)
+        if loaded is None:  # damaged
+            loaded = shard_of(number)
+            parts.store(number, loaded)
+        yield loaded
+
+
+def _make(shard_of: ShardOf, parts: Parts, number: int) -> None:
+    parts.store(number, shard_of(number))

@@ -35,6 +35,7 @@ GOAL: Mapping[str, float] = {"float64": 1e-12, "float32": 1e-6}
 def states_of_dataset(path: Path, count: int, seed: int) -> Array:
     """(count, 3) samples drawn evenly from a data set."""
     with open_dataset(path) as data:
+        data.verify()
         rows = np.sort(np.random.default_rng(seed).choice(data.samples, count))
         columns = data.read(["r", "u", "v"], 0, data.samples)
         return np.column_stack([columns[name][rows] for name in ("r", "u", "v")])

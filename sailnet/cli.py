@@ -137,6 +137,13 @@ def _parser() -> argparse.ArgumentParser:
         example="sailnet evaluate --flights 1000 --beta-noise 0.15",
     )
     evaluate.add_argument("--flights", type=int, default=100, metavar="N", help="how many (%(default)s)")
+
+    about = "Verify a data set (checksums, ranges, optimality) and summarise it."
+    example = "example: sailnet info build/earth_mars/dataset.h5"
+    info = commands.add_parser("info", help=about, description=about, epilog=example)
+    info.add_argument("file", metavar="FILE", type=Path, help="the HDF5 file")
+    info.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
+    info.set_defaults(run=_info)
     return parser
 
 
@@ -261,6 +268,14 @@ def _evaluate(options: argparse.Namespace) -> Result:
         "error_quantiles": campaign.error_quantiles(),
         "attitude_violations": campaign.attitude_violations(mission.problem.phi_max),
     }
+
+
+def _info(options: argparse.Namespace) -> Result:
+    from sailnet.inspection import inspect_dataset
+
+    # Shown where it takes longer than two seconds.
+    with tqdm(desc="verify", unit="value", unit_scale=True, delay=2.0, file=sys.stderr, disable=None) as bar:
+        return inspect_dataset(options.file, bar)
 
 
 def _state(options: argparse.Namespace) -> tuple[float, float, float]:

@@ -6,19 +6,28 @@ from collections.abc import Callable
 from pathlib import Path
 
 
-def write_whole(path: Path, write: Callable[[Path], object]) -> None:
-    """Let ``write`` fill a temporary file in the same folder, then rename it to ``path``.
+def write_whole(
+    path: Path, write: Callable[[Path], object], scratch: Path | None = None, *, durable: bool = True
+) -> None:
+    """Let ``write`` fill a temporary file, then rename it to ``path``.
 
     If ``write`` raises, or the process is killed, what was at ``path`` before is still there.
+
+    Args:
+        path: where the whole file appears.
+        write: fills the file whose path it is given.
+        scratch: folder of the temporary file, on the same file system; that of ``path`` by default.
+        durable: wait until the disk has it. Without, a power cut may leave garbage at ``path``.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
+    handle, name = tempfile.mkstemp(dir=scratch or path.parent, prefix=f".{path.name}.", suffix=".part")
     os.close(handle)
     beside = Path(name)
     try:
         write(beside)
-        with beside.open("rb+") as stored:
-            os.fsync(stored.fileno())
+        if durable:
+            with beside.open("rb+") as stored:
+                os.fsync(stored.fileno())
         beside.chmod(0o644)
         beside.replace(path)
     finally:

@@ -1,7 +1,11 @@
 """A data set small enough to make in a moment, and what tests do with it."""
 
+import os
+import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future
+from functools import partial
+from itertools import count, islice
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +16,15 @@ from sailnet.dataset import (
     TRAJECTORIES,
     Block,
     open_dataset,
+    write_dataset,
 )
+from sailnet.executors import Workers
 from sailnet.mission import Mission
 
 NOMINAL = (-21.5117, 8.5435)
+
+INVENTED = 50
+"""Trajectories of an invented shard."""
 
 
 class Inline(Executor):
@@ -36,6 +45,34 @@ def with_recipe(mission: Mission, **changes: object) -> Mission:
     assert mission.dataset.box is not None
     recipes = mission.dataset.model_copy(update={"box": mission.dataset.box.model_copy(update=changes)})
     return mission.model_copy(update={"dataset": recipes})
+
+
+def invented_shard(seconds: float, number: int) -> Block:
+    """A shard of trajectories of several lengths that takes the time it is told to take.
+
+    Its number is appended to the file that the variable SHARD_LOG names, if it is set.
+    """
+    time.sleep(seconds)
+    if log := os.environ.get("SHARD_LOG"):
+        with Path(log).open("a") as file:
+            file.write(f"{number}\n")
+    rng = np.random.default_rng([7, number])
+    lengths = rng.integers(2, 40, INVENTED)
+    names = ("lambda_r0", "lambda_u0", "lambda_v0", "jump_time", "flags")
+    rows = {name: rng.integers(0, 4, INVENTED).astype(float) for name in names}
+    samples = {name: rng.normal(size=lengths.sum()) for name in SAMPLES if name != "trajectory"}
+    return Block(samples, rows, lengths)
+
+
+def undisturbed(mission: Mission, path: Path, trajectories: int) -> str:
+    """The digest of a data set of invented shards made in one go."""
+    shards = Workers(Inline, 2).map(partial(invented_shard, 0.0), count())
+    blocks = islice(shards, -(-trajectories // INVENTED))
+    joined = list(blocks)
+    joined[-1] = joined[-1].head(trajectories - INVENTED * (len(joined) - 1))
+    write_dataset(path, mission, iter(joined), {})
+    with open_dataset(path) as found:
+        return found.digest
 
 
 def pieces(shard: Block, *sizes: int) -> Iterator[Block]:

@@ -34,7 +34,7 @@ def test_what_was_written_is_read(small: Mission, shard: Block, stored: Path) ->
         assert found.first_sample.tolist() == list(range(0, 12 * 31 + 1, 31))
         columns = found.read(list(SAMPLES), 0, found.samples)
         for name, values in shard.samples.items():
-            np.testing.assert_array_equal(columns[name], values[:12].ravel())
+            np.testing.assert_array_equal(columns[name], values[: 12 * 31])
         np.testing.assert_array_equal(columns["trajectory"], np.repeat(np.arange(12), 31))
         rows = found.read_trajectories(list(TRAJECTORIES))
         for name, values in shard.trajectories.items():
@@ -57,8 +57,7 @@ def test_every_column_says_what_it_is_in_which_unit(stored: Path) -> None:
                 assert meaning
                 assert column.dtype == np.dtype(INTEGER.get(name, "<f8"))
                 assert column.chunks
-                assert column.compression == "gzip"
-                assert column.fletcher32
+                assert column.compression is None  # plain rows, for the sake of speed
                 assert len(column.attrs["sha256"]) == 64
         assert json.loads(file.attrs["mission"])["name"] == "earth_mars"
         assert file.attrs["samples"] == 12 * 31
@@ -90,9 +89,9 @@ def test_the_block_size_leaves_no_trace(small: Mission, shard: Block, stored: Pa
 
 def test_the_digest_knows_the_content(small: Mission, shard: Block, stored: Path, tmp_path: Path) -> None:
     samples = {name: np.array(column) for name, column in shard.samples.items()}
-    samples["u"][3, 7] = np.nextafter(samples["u"][3, 7], 1.0)
+    samples["u"][100] = np.nextafter(samples["u"][100], 1.0)
     other = tmp_path / "other.h5"
-    write_dataset(other, small, pieces(Block(samples, shard.trajectories), 12), {})
+    write_dataset(other, small, pieces(dataclasses.replace(shard, samples=samples), 12), {})
     with open_dataset(other) as found, open_dataset(stored) as expected:
         assert found.digest != expected.digest
 

@@ -42,22 +42,28 @@ def test_a_flipped_bit_is_refused_or_harmless(stored: Path, tmp_path: Path) -> N
     expected = content(stored)
     path = tmp_path / "flipped.h5"
     rng = random.Random(5)
-    # Half anywhere (headers for the most part), half in the columns' chunks.
+    # Some in the columns, some in everything else; a chunk's unused rest is nobody's content.
     with h5py.File(stored) as file:
-        chunks = [
-            file[group][name].id.get_chunk_info(0)
+        columns = [
+            file[group][name]
             for group, schema in (("samples", SAMPLES), ("trajectories", TRAJECTORIES))
             for name in schema
         ]
-    inside = [rng.choice(chunks) for _ in range(150)]
-    positions = [chunk.byte_offset + rng.randrange(chunk.size) for chunk in inside]
-    refused = 0
-    for position in positions:
-        refused += _flipped(raw, position, rng.randrange(8), path, expected)
-    assert refused == len(positions)  # every bit of a column counts
-    for _ in range(250):
-        refused += _flipped(raw, rng.randrange(len(raw)), rng.randrange(8), path, expected)
-    assert refused > len(positions) + 50
+        chunks = [(c.id.get_chunk_info(0).byte_offset, c.id.get_chunk_info(0).size) for c in columns]
+        inside = [
+            offset + rng.randrange(len(column) * column.dtype.itemsize)
+            for column, (offset, _) in rng.choices(list(zip(columns, chunks, strict=True)), k=150)
+        ]
+    for position in inside:
+        assert _flipped(raw, position, rng.randrange(8), path, expected)  # every bit of a column counts
+    elsewhere = set(range(len(raw)))
+    for offset, size in chunks:
+        elsewhere -= set(range(offset, offset + size))
+    refused = sum(
+        _flipped(raw, position, rng.randrange(8), path, expected)
+        for position in rng.sample(sorted(elsewhere), 250)
+    )
+    assert refused > 50
 
 
 def _flipped(raw: bytes, position: int, bit: int, path: Path, expected: dict[str, object]) -> bool:
@@ -194,10 +200,10 @@ from pathlib import Path
 from sailnet.dataset import SAMPLES, TRAJECTORIES, Block, write_dataset
 from sailnet.mission import load_mission
 def blocks():
-    samples = {name: np.zeros((100, 351)) for name in SAMPLES if name != "trajectory"}
+    samples = {name: np.zeros(100 * 351) for name in SAMPLES if name != "trajectory"}
     rows = {name: np.zeros(100) for name in TRAJECTORIES if name != "first_sample"}
     while True:
-        yield Block(samples, rows)
+        yield Block(samples, rows, np.full(100, 351))
         print("one more", flush=True)
 write_dataset(Path(sys.argv[1]), load_mission("earth_mars"), blocks(), {})
 """

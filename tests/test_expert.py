@@ -46,7 +46,7 @@ def test_states_along_an_extremal_take_at_most_its_time(problem: Transfer) -> No
     rng = np.random.default_rng(11)
     for _ in range(4):
         lu = rng.uniform(5, 11)
-        costates = [rng.uniform(-23, -20), lu, arrival_lambda_v(problem, lu, 1.0)]
+        costates = [rng.uniform(-23, -20), lu, float(arrival_lambda_v(problem, lu, 1.0))]
         tau = np.array([0.0, *rng.uniform(0.3, 9.0, 2)])
         tau.sort()
         states = propagate_extremals(problem, costates, tau).states[0]

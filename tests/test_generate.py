@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -23,6 +24,7 @@ from sailnet.dataset import (
     write_dataset,
 )
 from sailnet.errors import DatasetError, SolveError
+from sailnet.executors import Workers
 from sailnet.jumps import restore
 from sailnet.mission import Mission
 from sailnet.pontryagin import guidance_law
@@ -32,15 +34,20 @@ from tests.small_datasets import NOMINAL, Inline, with_recipe
 ROOT = Path(__file__).parent.parent
 
 
+def _only(executor: Executor, ahead: int = 4) -> Workers:
+    return Workers(lambda: executor, ahead)
+
+
 def test_the_executor_leaves_no_trace(mission: Mission, tmp_path: Path) -> None:
-    wanted = with_recipe(mission, trajectories=700, samples_per_trajectory=21)
+    wanted = with_recipe(mission, samples_per_trajectory=21)
+    shard_of = partial(box_shard, wanted, NOMINAL)
     processes = ProcessPoolExecutor(2, get_context("spawn"))
     executors: list[Executor] = [Inline(), ThreadPoolExecutor(4), processes]
     digests = []
     for i, executor in enumerate(executors):
         path = tmp_path / f"{i}.h5"
         with executor:
-            write_dataset(path, wanted, generate(wanted, NOMINAL, executor), {})
+            write_dataset(path, wanted, generate(shard_of, 700, _only(executor)), {})
         with open_dataset(path, wanted) as found:
             found.verify()
             assert found.trajectories == 700
@@ -49,8 +56,10 @@ def test_the_executor_leaves_no_trace(mission: Mission, tmp_path: Path) -> None:
 
 
 def test_a_shard_follows_the_recipe(small: Mission, shard: Block) -> None:
-    recipe = small.dataset
+    recipe = small.dataset.box
+    assert recipe is not None
     rows = shard.trajectories
+    first = np.cumsum(shard.lengths) - shard.lengths
     assert 0 < len(rows["flags"]) < CANDIDATES
     assert shard.samples["r"].max() <= recipe.max_radius
     assert shard.samples["r"].max() > 1.55  # the bound is reached, so it was what excluded the others
@@ -59,17 +68,19 @@ def test_a_shard_follows_the_recipe(small: Mission, shard: Block) -> None:
         assert rows[name].max() <= high
         assert np.ptp(rows[name]) > 0.9 * (high - low)
     assert (rows["lambda_v0"] < 0).all()
-    tau = shard.samples["tau"]
-    np.testing.assert_allclose(tau, np.broadcast_to(np.linspace(0, 10, 31), tau.shape), atol=1e-14)
+    assert (shard.lengths == 31).all()
+    grid = np.tile(np.linspace(0, 10, 31), len(first))
+    np.testing.assert_allclose(shard.samples["tau"], grid, atol=1e-14)
     for name, value in zip("ruv", small.problem.target_state, strict=True):
-        np.testing.assert_allclose(shard.samples[name][:, 0], value, atol=1e-15)
+        np.testing.assert_allclose(shard.samples[name][first], value, atol=1e-15)
     jumps = np.isfinite(rows["jump_time"])
     assert 0 < jumps.sum() < len(jumps)
     np.testing.assert_array_equal(rows["flags"], JUMP_FLAG * jumps)
 
 
 def test_the_columns_belong_together(small: Mission, shard: Block) -> None:
-    s, at = shard.samples, shard.trajectories["jump_time"][:, None]
+    s = {name: column.reshape(-1, 31) for name, column in shard.samples.items()}
+    at = shard.trajectories["jump_time"][:, None]
     law = guidance_law(small.problem, s["lambda_u"], s["lambda_v"])
     np.testing.assert_array_equal(s["alpha"], law)
     before = np.isfinite(at) & (s["tau"] > at)
@@ -92,8 +103,8 @@ def test_a_negative_arrival_is_the_mirrored_root(small: Mission, shard: Block) -
     assert len(mirrored.trajectories["flags"])
     assert (mirrored.trajectories["lambda_v0"] > 0).all()
     assert (mirrored.trajectories["flags"].astype(int) & NEGATIVE_ARRIVAL_FLAG).all()
-    assert (mirrored.samples["alpha"][:, 0] < 0).all()
-    assert (shard.samples["alpha"][:, 0] > 0).all()
+    assert (mirrored.samples["alpha"][::31] < 0).all()
+    assert (shard.samples["alpha"][::31] > 0).all()
 
 
 def test_the_nominal_is_left_out(small: Mission, shard: Block) -> None:
@@ -116,7 +127,7 @@ def test_at_most_the_recipe_s_number_of_jumps(small: Mission, shard: Block) -> N
     assert len(none.trajectories["flags"]) == (shard.trajectories["flags"] == 0).sum()
     wide = with_recipe(small, duration=30.0, max_radius=9.0, max_jumps=9)
     several = box_shard(wide, NOMINAL, 0)
-    lv, lu = several.samples["lambda_v"], several.samples["lambda_u"]
+    lv, lu = (several.samples[name].reshape(-1, 31) for name in ("lambda_v", "lambda_u"))
     found = ((np.diff(np.sign(lv), axis=1) != 0) & (lu[:, 1:] > 0) & (lu[:, :-1] > 0)).sum(axis=1)
     assert found.max() > 1  # so that the limit had something to exclude
     limited = box_shard(with_recipe(small, duration=30.0, max_radius=9.0), NOMINAL, 0)
@@ -132,28 +143,26 @@ def test_seeds_and_shards_differ(small: Mission, shard: Block) -> None:
         assert not set(other) & set(shard.trajectories["lambda_r0"])
 
 
-def test_work_is_asked_for_as_it_is_needed(small: Mission, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(data.generate, "AHEAD", 3)
+def test_work_is_asked_for_as_it_is_needed(small: Mission) -> None:
     executor = Inline()
-    blocks = generate(with_recipe(small, trajectories=10**6), NOMINAL, executor)
+    blocks = generate(partial(box_shard, small, NOMINAL), 10**6, _only(executor, ahead=3))
     next(blocks)
-    assert executor.submitted <= data.generate.AHEAD
+    assert executor.submitted <= 3
     next(blocks)
-    assert executor.submitted <= data.generate.AHEAD + 1
+    assert executor.submitted <= 4
 
 
 def test_a_recipe_that_admits_nothing_ends(small: Mission, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(data.generate, "FUTILE", 2)
-    monkeypatch.setattr(data.generate, "AHEAD", 1)
     futile = with_recipe(small, max_radius=1.53)
-    with pytest.raises(DatasetError, match="none of 1024 extremals meets mission 'earth_mars'"):
-        list(generate(futile, NOMINAL, Inline()))
+    with pytest.raises(DatasetError, match="no trajectory in 2 shards in a row: widen the recipe"):
+        list(generate(partial(box_shard, futile, NOMINAL), 5, _only(Inline(), 1)))
+    rootless = with_recipe(small, lambda_u=(-30.0, -20.0))
     with pytest.raises(SolveError, match="no root"):
-        list(generate(with_recipe(small, lambda_u=(-30.0, -20.0)), NOMINAL, Inline()))
+        list(generate(partial(box_shard, rootless, NOMINAL), 5, _only(Inline(), 1)))
 
 
 def command(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> int:
-    monkeypatch.setattr(data.generate, "AHEAD", 1)
     monkeypatch.setattr(sys, "argv", ["data", *arguments])
     return data.__main__.main()
 
@@ -163,19 +172,19 @@ def test_the_command_makes_a_data_set(
 ) -> None:
     path = tmp_path / "made.h5"
     assert command(monkeypatch, str(path), "--trajectories", "20", "--workers", "1", "--quiet") == 0
-    assert "20 trajectories, 7020 samples" in capsys.readouterr().out
+    assert "20 trajectories" in capsys.readouterr().out
     with open_dataset(path, mission) as found:
         found.verify()
         assert found.trajectories == 20
-        assert found.mission.dataset.trajectories == 20
+        assert found.mission == mission
         nominal = found.provenance["nominal"]
         assert isinstance(nominal, dict)
         assert nominal["smoothed"]["time_of_flight"] == pytest.approx(7.018384, abs=1e-5)
         assert {"sailnet", "revision", "heyoka", "tolerance", "machine", "date"} <= set(found.provenance)
     assert str(ROOT) not in json.dumps(found.provenance)
     serial = tmp_path / "serial.h5"
-    wanted = with_recipe(mission, trajectories=20)
-    write_dataset(serial, wanted, generate(wanted, NOMINAL, Inline()), {})
+    shard_of = partial(box_shard, mission, NOMINAL)
+    write_dataset(serial, mission, generate(shard_of, 20, _only(Inline())), {})
     with open_dataset(serial) as expected:
         assert found.digest == expected.digest  # one worker process or none
 

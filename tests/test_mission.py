@@ -80,13 +80,13 @@ def test_earth_mars_is_the_paper_s_problem() -> None:
         ("name", "Earth Mars", "pattern"),
         ("transfer.target_radius", 0.0, "greater than 0"),
         ("flight.period", -0.005, "greater than 0"),
-        ("dataset.lambda_r", [-20.0, -23.0], "lower bound"),
-        ("dataset.lambda_u", [5.0, 5.0], "lower bound"),
+        ("dataset.box.lambda_r", [-20.0, -23.0], "lower bound"),
+        ("dataset.box.lambda_u", [5.0, 5.0], "lower bound"),
         ("generalisation.v", [1.2, 0.8], "lower bound"),
-        ("dataset.arrival_cone_angle", "up", "'positive' or 'negative'"),
-        ("dataset.trajectories", 0, "greater than 0"),
-        ("dataset.trajectories", 1.5, "integer"),
-        ("dataset.samples_per_trajectory", 1, "greater than or equal to 2"),
+        ("dataset.box.arrival_cone_angle", "up", "'positive' or 'negative'"),
+        ("dataset.box.trajectories", 0, "greater than 0"),
+        ("dataset.box.trajectories", 1.5, "integer"),
+        ("dataset.box.samples_per_trajectory", 1, "greater than or equal to 2"),
         ("training.hidden", [], "at least 1"),
     ],
 )
@@ -101,8 +101,8 @@ def test_a_value_out_of_range_is_named_with_what_is_allowed(key: str, value: obj
 
 @pytest.mark.parametrize("value", [[math.nan, 1.0], [-23.0, math.inf]])
 def test_an_interval_must_be_finite(value: list[float]) -> None:
-    with pytest.raises(MissionError, match=r"dataset\.lambda_r\.\d = (nan|inf): .*finite"):
-        parse_mission(changed("dataset.lambda_r", value), "the file")
+    with pytest.raises(MissionError, match=r"dataset\.box\.lambda_r\.\d = (nan|inf): .*finite"):
+        parse_mission(changed("dataset.box.lambda_r", value), "the file")
 
 
 @pytest.mark.parametrize(
@@ -115,7 +115,9 @@ def test_an_unknown_key_is_named_with_the_known_ones(key: str, neighbour: str) -
     assert neighbour in str(caught.value)
 
 
-@pytest.mark.parametrize("key", ["schema", "name", "sail", "sail.beta", "dataset.seed", "training.hidden"])
+@pytest.mark.parametrize(
+    "key", ["schema", "name", "sail", "sail.beta", "dataset.box.seed", "training.hidden"]
+)
 def test_a_missing_key_is_named(key: str) -> None:
     with pytest.raises(MissionError, match=f"{key}: this key is missing"):
         parse_mission(without(key), "the file")
@@ -169,7 +171,7 @@ def test_the_digest_knows_the_problem(key: str, value: object) -> None:
 
 @pytest.mark.parametrize(
     ("key", "value"),
-    [("training.epochs", 3), ("dataset.seed", 1), ("flight.period", 0.01), ("title", "x")],
+    [("training.epochs", 3), ("dataset.box.seed", 1), ("flight.period", 0.01), ("title", "x")],
 )
 def test_the_digest_ignores_what_does_not_change_the_problem(key: str, value: object) -> None:
     other = parse_mission(changed(key, value), "x")
@@ -177,7 +179,7 @@ def test_the_digest_ignores_what_does_not_change_the_problem(key: str, value: ob
 
 
 def test_the_digest_knows_the_sections_it_is_asked_for() -> None:
-    other = parse_mission(changed("dataset.seed", 1), "x")
+    other = parse_mission(changed("dataset.box.seed", 1), "x")
     mission = load_mission("earth_mars")
     assert other.digest("dataset") != mission.digest("dataset")
     assert other.digest("training") == mission.digest("training")

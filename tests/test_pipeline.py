@@ -42,7 +42,7 @@ def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     text = text.replace('name = "earth_mars"', 'name = "toy"')
     for key, value in TOY.items():
         text, replaced = re.subn(rf"(?m)^{key} = [^#\n]*", f"{key} = {value} ", text)
-        assert replaced == 1, key
+        assert replaced, key
     mission = build / "toy.toml"
     mission.write_text(text)
     _python("-m", "data", build / "dataset.h5", "--mission", mission, "--quiet")

@@ -62,8 +62,13 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
     }
     zeros = np.zeros(TRAJECTORIES)
     names = ("lambda_r0", "lambda_u0", "lambda_v0", "jump_time", "flags")
+    block = Block(
+        {name: np.ravel(column) for name, column in samples.items()},
+        dict.fromkeys(names, zeros),
+        np.full(TRAJECTORIES, LENGTH),
+    )
     path = tmp_path_factory.mktemp("data") / "dataset.h5"
-    write_dataset(path, _mission(), iter([Block(samples, dict.fromkeys(names, zeros))]), {})
+    write_dataset(path, _mission(), iter([block]), {})
     return path
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.dataset import CHUNK, Dataset
+from sailnet.dataset import Dataset
 from sailnet.dynamics import Array
 from sailnet.errors import DatasetError
 from training.targets import Target
@@ -14,7 +14,7 @@ from training.targets import Target
 PARTS = ("train", "validation", "test")
 SHARES = (0.70, 0.15, 0.15)
 
-ROWS_READ = 16 * CHUNK
+ROWS_READ = 1 << 20
 """Rows of the data set held at once."""
 
 

@@ -156,6 +156,7 @@ def train_network(
             network = load_network(finished)
             if network.provenance.get("run") == run_digest:
                 return network
+        data.verify()
         samples = load_samples(data, target, recipe.seed, recipe.train_samples, recipe.validation_samples)
     run = problems(samples, recipe.hidden, device)
     progress = (

@@ -1,0 +1,33 @@
+"""Whole trajectories on their way into a file."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sailnet.dynamics import Array
+
+
+@dataclass(frozen=True)
+class Block:
+    """Whole trajectories on their way into a file.
+
+    Attributes:
+        samples: the columns of ``SAMPLES`` but ``trajectory``, one trajectory after the other.
+        trajectories: the columns of ``TRAJECTORIES`` but ``first_sample``, each (n,).
+        lengths: (n,) samples of each trajectory.
+    """
+
+    samples: Mapping[str, Array]
+    trajectories: Mapping[str, Array]
+    lengths: NDArray[np.int64]
+
+    def head(self, count: int) -> "Block":
+        """The first ``count`` trajectories."""
+        rows = int(self.lengths[:count].sum())
+        return Block(
+            {name: values[:rows] for name, values in self.samples.items()},
+            {name: values[:count] for name, values in self.trajectories.items()},
+            self.lengths[:count],
+        )

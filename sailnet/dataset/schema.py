@@ -1,0 +1,67 @@
+"""Names, units and types of what a data set holds, and its checksum."""
+
+import hashlib
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+SCHEMA = "sailnet-dataset/1"
+
+SAMPLES: Mapping[str, tuple[str, str]] = {
+    "r": ("AU", "distance from the Sun"),
+    "u": ("AU/TU", "radial speed"),
+    "v": ("AU/TU", "transverse speed"),
+    "tau": ("TU", "optimal time of flight to the target orbit"),
+    "lambda_r": ("TU/AU", "costate of r"),
+    "lambda_u": ("TU^2/AU", "costate of u"),
+    "lambda_v": ("TU^2/AU", "costate of v"),
+    "alpha": ("rad", "optimal cone angle, Eq. (12)"),
+    "alpha_pre": ("rad", "preprocessed cone angle, Eq. (23)"),
+    "trajectory": ("1", "row of /trajectories this sample belongs to"),
+}
+TRAJECTORIES: Mapping[str, tuple[str, str]] = {
+    "lambda_r0": ("TU/AU", "costate of r at arrival"),
+    "lambda_u0": ("TU^2/AU", "costate of u at arrival"),
+    "lambda_v0": ("TU^2/AU", "costate of v at arrival"),
+    "jump_time": ("TU", "time of flight left at the jump of the cone angle; NaN without a jump"),
+    "flags": ("1", "bit 0: the cone angle jumps; bit 1: the cone angle at arrival is negative"),
+    "first_sample": ("1", "row of /samples where the trajectory begins, at arrival (tau = 0)"),
+}
+GROUPS = {"samples": SAMPLES, "trajectories": TRAJECTORIES}
+INTEGER = {"trajectory": "<i4", "flags": "<u1", "first_sample": "<i8"}
+JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG = 1, 2
+
+
+def column_type(name: str) -> np.dtype[Any]:
+    """How a column is stored."""
+    return np.dtype(INTEGER.get(name, "<f8"))
+
+
+def put_text(place: Any, **attributes: str) -> None:
+    """Set text attributes of an HDF5 object."""
+    # Of fixed length: HDF5 keeps other texts in a heap without a checksum. JSON escapes to ASCII.
+    for name, text in attributes.items():
+        place.attrs[name] = np.bytes_(text.encode("ascii"))
+
+
+def get_text(place: Any, name: str) -> str:
+    """A text attribute of an HDF5 object."""
+    return bytes.decode(place.attrs[name], "ascii")
+
+
+def text_digest(text: str) -> str:
+    """SHA-256 of a text."""
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def content_digest(file: Any) -> str:
+    """The same for the same samples of the same mission, whenever and wherever they were made."""
+    content = hashlib.sha256()
+    for name in ("schema", "mission"):
+        content.update(get_text(file, name).encode())
+    for group, schema in GROUPS.items():
+        for name in schema:
+            column = file[group][name]
+            content.update(f"{group}/{name}{column.shape}{get_text(column, 'sha256')}".encode())
+    return content.hexdigest()

@@ -1,0 +1,48 @@
+"""``python -m data`` with invented shards, and killed at a given moment of its end if KILL_AT says so."""
+
+import os
+import signal
+import sys
+from functools import partial
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+import data.__main__
+from data.recipes import Prepared
+from tests.small_datasets import invented_shard
+
+
+def _prepared(*_: object) -> Prepared:
+    seconds = float(os.environ.get("SHARD_SECONDS", "0.02"))
+    return Prepared(partial(invented_shard, seconds), 1000, {"recipe": "invented"})
+
+
+def _die(*_: object, **__: object) -> Any:
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def _half_removed(folder: Path, **_: object) -> None:
+    for path in sorted(folder.glob("*.safetensors"))[::2]:
+        path.unlink()
+    _die()
+
+
+_rename = Path.replace
+
+
+def _not_renamed(path: Path, target: Path) -> Path:
+    return _die() if target == Path(sys.argv[1]) else _rename(path, target)
+
+
+MOMENTS = {
+    "header": ("sailnet.dataset.writer.content_digest", _die),
+    "rename": ("pathlib.Path.replace", _not_renamed),
+    "removal": ("shutil.rmtree", _half_removed),
+}
+
+if __name__ == "__main__":
+    patch("data.__main__.prepare", _prepared).start()
+    if moment := os.environ.get("KILL_AT"):
+        patch(*MOMENTS[moment]).start()
+    sys.exit(data.__main__.main())
