@@ -38,7 +38,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("output", type=Path, help="the HDF5 file to write")
     parser.add_argument("--mission", default="earth_mars", help="mission name or TOML file")
-    parser.add_argument("--recipe", choices=RECIPES, default="box", help="what to fill (%(default)s)")
+    parser.add_argument("--recipe", choices=RECIPES, default=RECIPES[0], help="(default: %(default)s)")
     parser.add_argument("--trajectories", type=_count, help="instead of the mission's number")
     parser.add_argument(
         "--workers", type=_count, default=os.cpu_count() or 1, help="processes (default: all)"

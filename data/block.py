@@ -5,50 +5,42 @@ from numpy.typing import NDArray
 
 from sailnet.dataset import JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG, Block
 from sailnet.dynamics import Array
-from sailnet.extremals import Extremals
 from sailnet.jumps import preprocess
 from sailnet.mission import Transfer
 from sailnet.pontryagin import guidance_law
 
-STATES = ("r", "u", "v", "lambda_r", "lambda_u", "lambda_v")
-COLUMNS = (*STATES, "tau", "alpha", "alpha_pre")
+COLUMNS = ("r", "u", "v", "lambda_r", "lambda_u", "lambda_v", "tau", "alpha", "alpha_pre")
 
-AT_ONCE = 64
-"""Trajectories worked on at once: few enough to stay in the processor's cache."""
+AT_ONCE = 20_000
+"""Samples worked on at once: few enough to stay in the processor's cache."""
 
 
 def block_of(
     transfer: Transfer,
     costates: Array,
-    extremals: Extremals,
-    kept: NDArray[np.bool_],
+    tau: Array,
+    states: Array,
+    jump_time: Array,
     lengths: NDArray[np.int64],
 ) -> Block:
-    """The first ``lengths`` samples of the extremals that are ``kept``.
+    """Assemble the columns of n trajectories with m samples in all.
 
     Args:
         transfer: the problem.
         costates: (n, 3) arrival costates.
-        extremals: n extremals on one grid of time to go.
-        kept: (n,) which of them.
-        lengths: (n,) how many samples of each.
+        tau: (m,) time to go, one trajectory after the other.
+        states: (m, 6) states and costates there.
+        jump_time: (n,) time to go at the jump, NaN without one.
+        lengths: (n,) samples of each trajectory.
     """
-    rows = np.flatnonzero(kept)
-    costates, lengths = costates[rows], lengths[rows]
-    first = np.append(0, np.cumsum(lengths))
-    # A jump that lies beyond the last sample is none of this trajectory's.
-    jump_time = extremals.jump_times[rows]
-    jump_time = np.where(jump_time <= extremals.tau[lengths - 1], jump_time, np.nan)
-    columns = np.empty((len(COLUMNS), first[-1]))
-    for start in range(0, len(rows), AT_ONCE):
-        some = slice(start, start + AT_ONCE)
-        samples = slice(first[start], first[min(start + AT_ONCE, len(rows))])
-        within = np.arange(len(extremals.tau)) < lengths[some, None]
-        columns[:6, samples] = extremals.states[rows[some]][within].T
-        tau = np.broadcast_to(extremals.tau, within.shape)[within]
-        alpha = guidance_law(transfer, *columns[4:6, samples])
-        columns[6, samples], columns[7, samples] = tau, alpha
-        columns[8, samples] = preprocess(alpha, tau, np.repeat(jump_time[some], lengths[some]))
+    columns = np.empty((len(COLUMNS), len(tau)))
+    jump = np.repeat(jump_time, lengths)
+    for start in range(0, len(tau), AT_ONCE):
+        rows = slice(start, start + AT_ONCE)
+        columns[:6, rows] = states[rows].T
+        alpha = guidance_law(transfer, *columns[4:6, rows])
+        columns[6, rows], columns[7, rows] = tau[rows], alpha
+        columns[8, rows] = preprocess(alpha, tau[rows], jump[rows])
     return Block(
         dict(zip(COLUMNS, columns, strict=True)),
         {

@@ -49,4 +49,7 @@ def box_shard(mission: Mission, nominal: tuple[float, float], shard: int) -> Blo
         inside = extremals.states[:, :, 0].max(axis=1) <= recipe.max_radius
     finite = np.isfinite(extremals.states[:, -1]).all(axis=1)
     kept = finite & inside & ~near_nominal & (extremals.jumps <= recipe.max_jumps)
-    return block_of(problem, costates, extremals, kept, np.full(CANDIDATES, len(tau)))
+    states = extremals.states[kept].reshape(-1, 6)
+    times = np.tile(tau, kept.sum())
+    lengths = np.full(kept.sum(), len(tau))
+    return block_of(problem, costates[kept], times, states, extremals.jump_times[kept], lengths)

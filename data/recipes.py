@@ -5,11 +5,12 @@ from dataclasses import dataclass
 from functools import partial
 
 from data.box import box_recipe, box_shard
+from data.domain import domain, domain_shard
 from sailnet.dataset import Block
 from sailnet.mission import Mission
 from sailnet.nominal import solve_nominal
 
-RECIPES = ("box",)
+RECIPES = ("domain", "box")
 
 
 @dataclass(frozen=True)
@@ -34,6 +35,14 @@ def prepare(mission: Mission, recipe: str) -> Prepared:
         DatasetError: the mission lacks this recipe.
         SolveError: the nominal transfer could not be solved.
     """
+    if recipe == "domain":
+        low, high = domain(mission)
+        origin = {
+            "recipe": "fastest extremals from a domain",
+            "lowest": low.tolist(),
+            "highest": high.tolist(),
+        }
+        return Prepared(partial(domain_shard, mission), mission.dataset.domain.trajectories, origin)
     box = box_recipe(mission)
     nominal = solve_nominal(mission)
     arrival = nominal.smoothed.arrival_costates

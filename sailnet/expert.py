@@ -93,7 +93,9 @@ def solve(transfer: Transfer, state: ArrayLike) -> Extremal:
     """
     target = np.asarray(state, float)
     if target.shape != (3,):
-        raise SolveError(f"a state is three numbers (r, u, v), not {target.tolist()}")
+        raise SolveError(
+            f"the state (r, u, v) must be three finite numbers with r > 0, not {target.tolist()}"
+        )
     optima = solve_states(transfer, target[None], rivals=True)
     if not optima.found[0]:
         raise SolveError(
@@ -114,12 +116,12 @@ def solve_states(
     Args:
         transfer: the problem.
         states: (n, 3) rows r [AU], u, v [AU/TU].
-        region: lowest and highest state of a box to index, kept for the next call. By default only
-            what surrounds the states is indexed, and again for other states.
+        region: lowest and highest state of a box to index at once, for this and later calls. By
+            default what surrounds the states is indexed, and what was not found once more alone.
         rivals: also look for the second fastest extremal.
 
     Raises:
-        SolveError: a state is not finite, has r <= 0, or is on the target orbit already.
+        SolveError: a state is not finite, has r <= 0, lies outside the region or on the target orbit.
     """
     given = np.asarray(states, float).reshape(-1, 3)
     bad = ~np.isfinite(given).all(axis=1) | ~(given[:, 0] > 0.0)
@@ -129,11 +131,11 @@ def solve_states(
     if (np.abs(given - transfer.target_state).max(axis=1) < RESIDUAL_GOAL).any():
         raise SolveError("the state is on the target orbit already: there is nothing to solve")
     optima = _nothing(given)
-    for box in (region, None):
+    for _ in range(2 if region is None else 1):
         open_ = np.flatnonzero(~optima.found)
         if not len(open_):
             break
-        index = _index(transfer, given[open_], box)
+        index = _index(transfer, given[open_], region)
         guesses = _distinct(index.look_up(_scaled(transfer, given[open_])))
         _put(optima, open_, _fastest(transfer, given[open_], guesses, rivals))
     return optima
@@ -166,15 +168,16 @@ def extremal_of(transfer: Transfer, state: Array, shots: Shots, row: int) -> Ext
 def _scaled(transfer: Transfer, states: ArrayLike) -> Array:
     """States in units of the target orbit."""
     size = transfer.target_radius
-    return np.asarray(states, float) * [1.0 / size, np.sqrt(size), np.sqrt(size)]
+    return np.asarray(np.asarray(states, float) * [1.0 / size, np.sqrt(size), np.sqrt(size)])
 
 
 def _index(transfer: Transfer, states: Array, region: tuple[ArrayLike, ArrayLike] | None) -> Index:
     bins = bins_of(_scaled(transfer, states))
     if region is not None:
         low, high = bins_of(_scaled(transfer, np.array(region, float)))
-        box = np.stack(np.meshgrid(*map(np.arange, low, high + 1), indexing="ij"), axis=-1).reshape(-1, 3)
-        bins = np.concatenate([box, bins])
+        if (bins < low).any() or (bins > high).any():
+            raise SolveError("a state lies outside the region that was to be indexed")
+        bins = np.stack(np.meshgrid(*map(np.arange, low, high + 1), indexing="ij"), axis=-1).reshape(-1, 3)
     wanted = tuple(map(tuple, np.unique(bins, axis=0).tolist()))
     unit = Transfer(transfer.beta, transfer.phi_max, transfer.delta, 1.0)
     return build_index(unit, wanted)
@@ -255,7 +258,7 @@ def _optima(transfer: Transfer, states: Array, shots: Shots) -> Optima:
         costates=costates,
         arrival_costates=scale * shots.directions,
         cone_angle=alpha,
-        jumps=shots.jumps.copy(),
+        jumps=shots.jumps.astype(int),
         jump_time=shots.jump_times.copy(),
         residual=shots.residual.copy(),
         rival_time=np.full(len(states), np.nan),

@@ -59,10 +59,10 @@ def arrival_lambda_v(transfer: Transfer, lambda_u0: ArrayLike, arrival_sign: flo
 
 @dataclass(frozen=True)
 class Extremals:
-    """A set of extremals sampled on one grid of time to go.
+    """A set of extremals sampled in time to go.
 
     Attributes:
-        tau: (m,) time to go [TU], from 0 at arrival.
+        tau: (n, m) time to go [TU], from 0 at arrival.
         states: (n, m, 6) r, u, v [AU, AU/TU] and lambda_r, lambda_u, lambda_v. NaN after a failure.
         jumps: (n,) number of jumps of the cone angle.
         jump_times: (n,) time to go at the last jump found, NaN where there is none.
@@ -80,18 +80,18 @@ def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike)
     Args:
         transfer: the problem.
         costates: (n, 3) arrival costates (lambda_R0, lambda_U0, lambda_V0).
-        tau: (m,) increasing grid of time to go [TU], beginning at 0.
+        tau: (m,) increasing grid of time to go [TU], beginning at 0; or (n, m), one a row.
 
     Returns:
         One extremal per row; a row that could not be propagated (a fall into the Sun) holds NaN.
     """
     arrivals = np.asarray(costates, float).reshape(-1, 3)
     grid = np.asarray(tau, float)
-    states = np.full((len(arrivals), len(grid), 6), np.nan)
+    grid = np.broadcast_to(grid, (len(arrivals), grid.shape[-1]))
+    states = np.full((*grid.shape, 6), np.nan)
     jumps = np.zeros(len(arrivals), int)
     jump_times = np.full(len(arrivals), np.nan)
     engine = propagator(transfer)
-    lane_grid = np.repeat(grid[:, None], engine.lanes, axis=1)
     batches = deque(_batches(len(arrivals), engine.lanes))
     while batches:
         rows = batches.popleft()
@@ -100,7 +100,7 @@ def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike)
         initial[:3] = np.array(transfer.target_state)[:, None]
         initial[3:] = arrivals[lanes].T
         engine.start(transfer, initial)
-        sampled = engine.integrator.propagate_grid(lane_grid, max_steps=MOST_STEPS)[1]
+        sampled = engine.integrator.propagate_grid(grid[lanes].T.copy(), max_steps=MOST_STEPS)[1]
         kept = len(rows)
         states[rows] = sampled[:, :6, :kept].transpose(2, 0, 1)
         jumps[rows] = engine.jumps[:kept]

@@ -40,7 +40,7 @@ PRISM = 0.1
 QUARTERINGS, HALVINGS = 4, 40
 """Of the icosahedron everywhere, and of its triangles at most in one window."""
 
-MOST = 40_000
+MOST = 60_000
 """Directions at which the search ends: what is left to find is a needle in a haystack."""
 
 BULGE = 0.3
@@ -96,7 +96,7 @@ class _Grid:
     def flat(self, states: Array) -> Rows:
         """The number of each state's bin, clipped into the box."""
         at = np.clip(np.floor(states / BIN).astype(int) - self.low, 0, np.array(self.shape) - 1)
-        return np.ravel_multi_index(tuple(at.T), self.shape)
+        return np.asarray(np.ravel_multi_index(tuple(at.T), self.shape))
 
     def span(self, lowest: Array, highest: Array) -> tuple[Rows, Rows]:
         """First bin and last bin + 1 along each axis that boxes (..., 3) meet; empty for NaN."""
@@ -293,8 +293,8 @@ def _near(
         lowest, highest = np.fmin(lowest[:, :-1], lowest[:, 1:]), np.fmax(highest[:, :-1], highest[:, 1:])
         margin = BULGE * np.max(highest - lowest, axis=2, keepdims=True)
         met = _meets(active, *grid.span(lowest - margin, highest + margin))
-        whole = np.isfinite(corners).all(axis=(1, 3))
-        whole = whole[:, :-1] & whole[:, 1:]
+        exists: NDArray[np.bool_] = np.asarray(np.isfinite(corners).all(axis=(1, 3)))
+        whole = exists[:, :-1] & exists[:, 1:]
         near[part] = met & whole
         edges = np.linalg.norm(corners[:, [2, 0, 1]] - corners[:, [1, 2, 0]], axis=3)[:, :, :-1]
         edges[~np.broadcast_to(near[part][:, None], edges.shape)] = 0.0

@@ -96,13 +96,13 @@ def _follow(family: Callable[[float], Transfer], start: Extremal) -> tuple[list[
         transfer = family(share)
         shots = shoot(transfer, start.state[None], guess[None, :3], guess[3:], iterations=15)
         deviation = abs(shots.tau[0] - guess[3])
-        if shots.residual[0] > RESIDUAL_GOAL or deviation > LARGEST_DEVIATION * guess[3]:
+        reached = extremal_of(transfer, start.state, shots, 0)
+        if reached is None or deviation > LARGEST_DEVIATION * guess[3]:
             step /= 2.0
             if step < SMALLEST_STEP:
                 return shares, None
             continue
-        extremal = extremal_of(transfer, start.state, shots, 0)
-        previous, point = point, _unknowns(extremal)
+        extremal, previous, point = reached, point, _unknowns(reached)
         shares.append(share)
         step *= 2.0
     return shares, extremal
