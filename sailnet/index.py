@@ -293,7 +293,7 @@ def _near(
         lowest, highest = np.fmin(lowest[:, :-1], lowest[:, 1:]), np.fmax(highest[:, :-1], highest[:, 1:])
         margin = BULGE * np.max(highest - lowest, axis=2, keepdims=True)
         met = _meets(active, *grid.span(lowest - margin, highest + margin))
-        exists: NDArray[np.bool_] = np.asarray(np.isfinite(corners).all(axis=(1, 3)))
+        exists = np.isfinite(corners.sum(axis=(1, 3)))
         whole = exists[:, :-1] & exists[:, 1:]
         near[part] = met & whole
         edges = np.linalg.norm(corners[:, [2, 0, 1]] - corners[:, [1, 2, 0]], axis=3)[:, :, :-1]

@@ -117,6 +117,12 @@ class Propagator:
         )
         self.jumps = np.zeros(self.lanes, int)
         self.jump_times = np.full(self.lanes, np.nan)
+        # Views of the integrator's own memory: asking for them in a callback costs as much as the rest.
+        self._state, self._pars, self._time = (
+            self.integrator.state,
+            self.integrator.pars,
+            self.integrator.time,
+        )
 
     def __deepcopy__(self, memo: object) -> "Propagator":
         # heyoka deep-copies its callbacks, which must write into this very object.
@@ -127,18 +133,17 @@ class Propagator:
         ta = self.integrator
         ta.set_time(np.zeros(self.lanes))
         ta.reset_cooldowns()
-        ta.state[:6] = states
+        self._state[:6] = states
         if tangents is not None:
-            ta.state[6:] = tangents.reshape(12, self.lanes)
-        ta.pars[:] = parameters(transfer, states[4], states[5])[: len(ta.pars)]
+            self._state[6:] = tangents.reshape(12, self.lanes)
+        self._pars[:] = parameters(transfer, states[4], states[5])[: len(self._pars)]
         self.jumps[:] = 0
         self.jump_times[:] = np.nan
 
     def slopes(self) -> Array:
         """(6, lanes) derivatives by time to go at the current point, on the current branch."""
         compiled = _compiled_slopes(self.kind)
-        states, pars = self.integrator.state[:6], self.integrator.pars
-        return np.asarray(compiled(np.array(states), pars=np.array(pars)))
+        return np.asarray(compiled(np.array(self._state[:6]), pars=np.array(self._pars)))
 
     def tangents(self) -> Array:
         """(6, 2, lanes) derivatives of states and costates along the two initial tangents."""
@@ -150,27 +155,28 @@ class Propagator:
         return np.array([outcome[0] in fell for outcome in self.integrator.propagate_res])
 
     def _cross(self, ta: Any, direction: int, lane: int) -> bool:
-        jump = ta.state[4, lane] > 0.0
+        jump = self._state[4, lane] > 0.0
         if jump and self.variational:
             before = self.slopes()[:, lane, None]
-        ta.pars[3, lane] = -ta.pars[3, lane]
+        self._pars[3, lane] = -self._pars[3, lane]
         if not jump:
             return True
-        ta.pars[4:, lane] *= -1.0
+        if self.kind == "exact":
+            self._pars[4, lane] = -self._pars[4, lane]
         self.jumps[lane] += 1
-        self.jump_times[lane] = ta.time[lane]
+        self.jump_times[lane] = self._time[lane]
         if self.variational:
             # Saltation: the jump happens earlier or later along neighbouring extremals.
             after = self.slopes()[:, lane, None]
-            rows = ta.state[6:, lane].reshape(6, 2)
+            rows = self._state[6:, lane].reshape(6, 2)
             rows += (after - before) * (rows[5] / before[5])
-            ta.state[6:, lane] = rows.ravel()
+            self._state[6:, lane] = rows.ravel()
         return True
 
     def _corner(self, ta: Any, direction: int, lane: int) -> bool:
         # The smooth law needs the step to end here, and has no mode to switch.
         if self.kind == "exact":
-            ta.pars[4, lane] = 0.0 if ta.pars[4, lane] else ta.pars[3, lane]
+            self._pars[4, lane] = 0.0 if self._pars[4, lane] else self._pars[3, lane]
         return True
 
 

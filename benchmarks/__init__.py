@@ -1,0 +1,1 @@
+"""Measurements beside peers, in one run; nothing here passes or fails by the clock."""
