@@ -34,7 +34,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m data",
         description="Generate optimal trajectories of a mission into an HDF5 data set.",
-        epilog="example: python -m data build/earth_mars/dataset.h5 --mission earth_mars",
+        epilog="example: python -m data build/earth_mars/domain.h5 --mission earth_mars",
     )
     parser.add_argument("output", type=Path, help="the HDF5 file to write")
     parser.add_argument("--mission", default="earth_mars", help="mission name or TOML file")

@@ -96,7 +96,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         prog="python -m data.coverage",
         description="How near the optimal trajectories from random starts pass to the samples of a data set.",
-        epilog="example: python -m data.coverage build/earth_mars/dataset.h5 --starts 1000 --seed 3",
+        epilog="example: python -m data.coverage build/earth_mars/domain.h5 --starts 1000 --seed 3",
     )
     parser.add_argument("dataset", type=Path, help="the HDF5 file")
     parser.add_argument("--starts", type=int, default=1000, help="how many (%(default)s)")

@@ -93,7 +93,7 @@ def main() -> int:
         prog="python -m export.agreement",
         description=__doc__,
         epilog="example: python -m export.agreement build/earth_mars/networks build/earth_mars/export "
-        "--dataset build/earth_mars/dataset.h5",
+        "--dataset build/earth_mars/box.h5",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("networks", type=Path, help="folder of the weights")

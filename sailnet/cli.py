@@ -139,7 +139,7 @@ def _parser() -> argparse.ArgumentParser:
     evaluate.add_argument("--flights", type=int, default=100, metavar="N", help="how many (%(default)s)")
 
     about = "Verify a data set (checksums, ranges, optimality) and summarise it."
-    example = "example: sailnet info build/earth_mars/dataset.h5"
+    example = "example: sailnet info build/earth_mars/domain.h5"
     info = commands.add_parser("info", help=about, description=about, epilog=example)
     info.add_argument("file", metavar="FILE", type=Path, help="the HDF5 file")
     info.add_argument("--json", action="store_true", help="print one JSON object and nothing else")

@@ -12,9 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 from sailnet.dynamics import Array
 from sailnet.errors import SolveError
 from sailnet.extremals import arrival_gain, propagate_extremals
-from sailnet.index import Guesses, Index, bins_of, build_index
+from sailnet.index import Guesses, Index, build_index
 from sailnet.mission import Transfer
-from sailnet.pontryagin import evaluate_hamiltonian, guidance_law
+from sailnet.pontryagin import evaluate_hamiltonian, guidance_law, hamiltonian_bound
+from sailnet.prisms import bins_of
 from sailnet.shooting import Shots, shoot
 
 RESIDUAL_GOAL = 1e-9
@@ -154,11 +155,6 @@ def sample(transfer: Transfer, extremal: Extremal, count: int = 501) -> tuple[Ar
     return tau, np.column_stack([states, alpha])
 
 
-def hamiltonian_bound(transfer: Transfer) -> float:
-    """How far H may be from 0 along an extremal: the smoothed law is not quite the minimiser."""
-    return 1e-8 + 100.0 * transfer.delta
-
-
 def extremal_of(transfer: Transfer, state: Array, shots: Shots, row: int) -> Extremal | None:
     """One shot as an extremal, or None if it does not reach the state."""
     optima = _optima(transfer, state[None], shots.rows([row]))
@@ -264,8 +260,9 @@ def _optima(transfer: Transfer, states: Array, shots: Shots) -> Optima:
         rival_time=np.full(len(states), np.nan),
     )
     drift = np.abs(evaluate_hamiltonian(transfer, states, costates, alpha))
-    wrong = ~(
-        (shots.residual <= RESIDUAL_GOAL) & (drift <= hamiltonian_bound(transfer)) & (scale[:, 0] > 0.0)
-    )
-    _put(optima, np.flatnonzero(wrong), _nothing(states[wrong]))
+    # Both ends stand for the whole: an order of magnitude is left to what lies between.
+    ends = np.stack([np.broadcast_to(transfer.target_state, states.shape), states], axis=1)
+    bound = 10.0 * hamiltonian_bound(transfer, ends, np.stack([optima.arrival_costates, costates], axis=1))
+    reached = (shots.residual <= RESIDUAL_GOAL) & (drift <= bound) & (scale[:, 0] > 0.0)
+    _put(optima, np.flatnonzero(~reached), _nothing(states[~reached]))
     return optima

@@ -8,10 +8,8 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 from sailnet.dataset import JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG, SAMPLES, TRAJECTORIES, Dataset, open_dataset
-from sailnet.dynamics import Array
 from sailnet.errors import DatasetError
-from sailnet.mission import Transfer
-from sailnet.pontryagin import evaluate_hamiltonian, guidance_law
+from sailnet.pontryagin import evaluate_hamiltonian, guidance_law, hamiltonian_bound
 
 ORIGIN = ("recipe", "tolerance", "sailnet", "revision", "heyoka", "numpy", "date")
 """What a data set must say about its origin."""
@@ -158,19 +156,3 @@ def _hamiltonian(path: Path, data: Dataset) -> float:
             )
         largest = max(largest, float(size))
     return largest
-
-
-def hamiltonian_bound(transfer: Transfer, states: Array, costates: Array) -> float:
-    """How large |H| may get along an extremal of the smoothed law, with H = 0 at arrival.
-
-    The smoothed law misses the minimiser by an angle of the order of delta, so H drifts in
-    proportion to delta and to the sail's largest possible share of H, beta |(lambda_u, lambda_v)| / r^2.
-    The factor was at most 5 over random extremals of 20 TU to the orbits of Mars, Venus and Mercury with
-    beta from 0.05 to 0.4 and delta from 1e-5 to 1e-2; twice that is allowed.
-
-    Args:
-        transfer: the problem.
-        states, costates: (m, 3) along one trajectory.
-    """
-    share = transfer.beta * np.hypot(costates[:, 1], costates[:, 2]) / states[:, 0] ** 2
-    return float(10.0 * transfer.delta * share.max() + ROUNDING * (1.0 + share.max()))

@@ -15,9 +15,9 @@ from sailnet.cli import main
 from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.errors import DatasetError
 from sailnet.extremals import arrival_gain, propagate_extremals
-from sailnet.inspection import ORIGIN, hamiltonian_bound, inspect_dataset
+from sailnet.inspection import ORIGIN, inspect_dataset
 from sailnet.mission import Mission, Transfer
-from sailnet.pontryagin import evaluate_hamiltonian, guidance_law
+from sailnet.pontryagin import evaluate_hamiltonian, guidance_law, hamiltonian_bound
 from tests.reference import Array
 from tests.small_datasets import pieces
 

@@ -45,14 +45,25 @@ def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
         assert replaced, key
     mission = build / "toy.toml"
     mission.write_text(text)
-    _python("-m", "data", build / "dataset.h5", "--mission", mission, "--quiet")
-    _python("-m", "training", build / "dataset.h5", build / "networks", "--quiet")
+    _python("-m", "data", build / "box.h5", "--mission", mission, "--recipe", "box", "--quiet")
+    _python("-m", "training", build / "box.h5", build / "networks", "--quiet")
     baseline = build / "networks" / "alpha.safetensors"
     _python(
         "-m", "export", build / "networks", build / "export", "--mission", mission, "--baseline", baseline
     )
-    arguments = ("--mission", mission, "--build", build, "--output", build / "report", "--flights", "40")
-    _python("-m", "sailnet.report", *arguments)
+    arguments = (
+        "--mission",
+        mission,
+        "--build",
+        build,
+        "--dataset",
+        build / "box.h5",
+        "--output",
+        build / "report",
+        "--flights",
+        "40",
+    )
+    _python("-m", "sailnet.report", *arguments, "--output", build / "report")
     return build
 
 
@@ -104,7 +115,7 @@ def test_a_data_set_of_another_mission_does_not_train(toy: Path) -> None:
     arguments = (
         "-m",
         "training",
-        toy / "dataset.h5",
+        toy / "box.h5",
         toy / "elsewhere",
         "--mission",
         "earth_mars",

@@ -17,7 +17,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m training",
         description="Train guidance networks on a data set, by Levenberg-Marquardt.",
-        epilog="examples: python -m training build/earth_mars/dataset.h5 build/earth_mars/networks\n"
+        epilog="examples: python -m training build/earth_mars/box.h5 build/earth_mars/networks\n"
         "          python -m training dataset.h5 out --network tau --network lambda_v --epochs 100\n"
         "          python -m training dataset.h5 out --resume",
         formatter_class=argparse.RawDescriptionHelpFormatter,

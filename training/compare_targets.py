@@ -66,7 +66,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         prog="python -m training.compare_targets",
         description=__doc__,
-        epilog="example: python -m training.compare_targets build/earth_mars/dataset.h5 --epochs 200",
+        epilog="example: python -m training.compare_targets build/earth_mars/box.h5 --epochs 200",
     )
     parser.add_argument("dataset", type=Path)
     parser.add_argument("--epochs", type=int, default=200)

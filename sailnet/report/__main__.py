@@ -29,12 +29,12 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m sailnet.report",
         description="Fly Section 5 of the paper with the exported networks and write the report.",
-        epilog="example: python -m sailnet.report --build build/earth_mars --output build/earth_mars/report",
+        epilog="example: python -m sailnet.report --build build/earth_mars --dataset build/earth_mars/box.h5 "
+        "--output build/earth_mars/report",
     )
     parser.add_argument("--mission", default="earth_mars", help="mission name or TOML file (%(default)s)")
-    parser.add_argument(
-        "--build", type=Path, required=True, help="folder with dataset.h5, networks/ and export/"
-    )
+    parser.add_argument("--build", type=Path, required=True, help="folder with networks/ and export/")
+    parser.add_argument("--dataset", type=Path, required=True, help="what the networks learned from")
     parser.add_argument("--output", type=Path, required=True, help="folder for index.html and report.json")
     parser.add_argument(
         "--flights", type=int, default=1000, help="flights of the larger campaign (%(default)s)"
@@ -143,7 +143,7 @@ def _run(options: argparse.Namespace) -> None:
     with tqdm(total=3, desc="report", file=sys.stderr, disable=None) as bar:
         section5 = fly_section5(mission, guidance, baseline, options.seed, options.flights)
         bar.update()
-        with open_dataset(options.build / "dataset.h5", mission) as data:
+        with open_dataset(options.dataset, mission) as data:
             rows = [
                 *comparison.problem_rows(data),
                 *comparison.error_rows(networks),

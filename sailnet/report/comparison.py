@@ -25,7 +25,7 @@ def _triple(values: Iterable[float]) -> str:
 
 def problem_rows(data: Dataset) -> list[Row]:
     """Flight times of Section 4.1.1 and the size of the data set."""
-    nominal = data.provenance["nominal"]
+    nominal = data.provenance.get("nominal", {})  # of the paper's recipe alone
     assert isinstance(nominal, dict)
     titles = {
         "unconstrained": "unconstrained",
@@ -39,6 +39,7 @@ def problem_rows(data: Dataset) -> list[Row]:
             f"{nominal[key]['time_of_flight']:.5f}",
         )
         for key, title in titles.items()
+        if key in nominal
     ]
     rows.append(Row("optimal trajectories", f"{paper.TRAJECTORIES:,}", f"{data.trajectories:,}"))
     rows.append(Row("samples", f"{paper.SAMPLES:,}", f"{data.samples:,}"))
