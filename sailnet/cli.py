@@ -203,6 +203,7 @@ def _facts(extremal: "Extremal") -> Result:
         "costates": extremal.costates.tolist(),
         "jumps": extremal.jumps,
         "residual": extremal.residual,
+        "next_time_of_flight": None if math.isnan(extremal.rival_time) else extremal.rival_time,
     }
 
 
