@@ -90,7 +90,7 @@ def shoot(
     """
     directions = directions / np.linalg.norm(directions, axis=1, keepdims=True)
     rough, fine = propagator(transfer, variational=True, tolerance=ROUGH), propagator(transfer)
-    guess, jacobian = _fly_back(rough, transfer, targets, directions, np.asarray(tau, float))
+    guess, jacobian = _fly_back(rough, transfer, targets, directions, tau)
     near = _refine(rough, rough, transfer, targets, guess, jacobian, ROUGH_GOAL, iterations)
     best, _ = _fly_back(fine, transfer, targets, near.directions, near.tau)
     best = _refine(fine, rough, transfer, targets, best, jacobian, goal, iterations)
@@ -148,8 +148,8 @@ def _fly_back(
     """Propagate every problem to its own time; also (n, 3, 3) derivatives along both tangents and tau."""
     count, lanes = len(tau), engine.lanes
     shots = Shots(
-        directions,
-        tau,
+        directions.copy(),
+        np.array(tau, float),
         np.full((count, 6), np.nan),
         np.full(count, np.inf),
         np.zeros(count, int),
