@@ -92,11 +92,17 @@ class _Grid:
         self.shape = tuple((bins.max(axis=0) - self.low + 1).tolist())
         self.wanted = np.zeros(self.shape, bool)
         self.wanted[tuple((bins - self.low).T)] = True
+        self.places = np.argwhere(self.wanted)
+        # How many bins are wanted before each one of the box: what is wanted may be a tiny part of it.
+        self._before = np.append(0, self.wanted.ravel().cumsum())
 
-    def flat(self, states: Array) -> Rows:
-        """The number of each state's bin, clipped into the box."""
-        at = np.clip(np.floor(states / BIN).astype(int) - self.low, 0, np.array(self.shape) - 1)
-        return np.asarray(np.ravel_multi_index(tuple(at.T), self.shape))
+    def __len__(self) -> int:
+        return len(self.places)
+
+    def numbers(self, states: Array) -> Rows:
+        """The number of each state's bin among those wanted; it must be one of them."""
+        at = np.floor(states / BIN).astype(int) - self.low
+        return np.asarray(self._before[np.ravel_multi_index(tuple(at.T), self.shape)])
 
     def span(self, lowest: Array, highest: Array) -> tuple[Rows, Rows]:
         """First bin and last bin + 1 along each axis that boxes (..., 3) meet; empty for NaN."""
@@ -105,15 +111,16 @@ class _Grid:
         return np.clip(start, 0, self.shape).astype(int), np.clip(stop, 0, self.shape).astype(int)
 
     def listing(self, lowest: Array, highest: Array) -> tuple[Rows, Rows]:
-        """All pairs (box, wanted bin) that meet."""
+        """All pairs (box, number of a wanted bin) that meet."""
         start, stop = self.span(lowest, highest)
         extent = np.maximum(stop - start, 0)
-        box, number = _enumerate(extent.prod(axis=1))
-        _, second, third = extent[box].T
-        step = np.column_stack([number // (second * third), number // third % second, number % third])
-        bins = np.ravel_multi_index(tuple((start[box] + step).T), self.shape)
-        kept = self.wanted.ravel()[bins]
-        return box[kept], bins[kept]
+        box, number = _enumerate(extent.prod(axis=1) // np.maximum(extent[:, 2], 1))
+        # Along the last axis what is wanted has consecutive numbers.
+        along = np.column_stack([number // extent[box, 1], number % extent[box, 1], 0 * number])
+        first = np.ravel_multi_index(tuple((start[box] + along).T), self.shape)
+        before = self._before[first]
+        row, number = _enumerate(self._before[first + extent[box, 2]] - before)
+        return box[row], before[row] + number
 
 
 def _meets(mask: NDArray[np.bool_], start: Rows, stop: Rows) -> NDArray[np.bool_]:
@@ -180,7 +187,7 @@ class Index:
         self._grid, self._directions = grid, directions
         prism, bins = grid.listing(self._prisms.lowest, self._prisms.highest)
         self._listed = prism[np.argsort(bins, kind="stable")]
-        self._first = np.append(0, np.cumsum(np.bincount(bins, minlength=grid.wanted.size)))
+        self._first = np.append(0, np.cumsum(np.bincount(bins, minlength=len(grid))))
 
     def __len__(self) -> int:
         return len(self._prisms.column)
@@ -194,7 +201,7 @@ class Index:
         return Guesses(*(np.concatenate(c) for c in zip(*(vars(p).values() for p in parts), strict=True)))
 
     def _look_up(self, states: Array) -> Guesses:
-        bins = self._grid.flat(states)
+        bins = self._grid.numbers(states)
         row, number = _enumerate(self._first[bins + 1] - self._first[bins])
         prism = self._listed[self._first[bins][row] + number]
         # Comparisons first: most prisms that meet a bin do not come near the state.
@@ -230,7 +237,7 @@ def build_index(transfer: Transfer, wanted: tuple[tuple[int, int, int], ...]) ->
     directions, leaves = _base()
     paths = np.empty((0, 1, 3), np.float32)
     held = np.zeros(points.shape[:2], bool)
-    active = grid.wanted
+    active = grid.wanted.copy()
     found: list[_Prisms] = []
     horizons = iter(HORIZONS)
     for start in range(0, round(HORIZONS[-1] / SPACING), WINDOW):
@@ -240,7 +247,7 @@ def build_index(transfer: Transfer, wanted: tuple[tuple[int, int, int], ...]) ->
         if paths.shape[1] <= WINDOW:
             horizon = next(horizons)
             paths = _paths(transfer, directions, horizon, start, radii)
-        filled = active & held.all(axis=1).reshape(grid.shape)
+        filled = grid.places[held.all(axis=1)]
         kept = []
         for halving in range(HALVINGS + 1):
             near, edges = _near(grid, active, paths[:, : WINDOW + 1], directions, leaves)
@@ -255,15 +262,14 @@ def build_index(transfer: Transfer, wanted: tuple[tuple[int, int, int], ...]) ->
             directions, leaves = _halve(directions, leaves[~fine], np.argmax(edges[~fine], axis=1))
             paths = np.concatenate([paths, _paths(transfer, directions[born:], horizon, start, radii)])
         leaves = np.concatenate(kept)
-        active = active & ~filled
+        active[tuple(filled.T)] = False
     return Index(grid, directions, found)
 
 
 def _test_points(grid: _Grid) -> Array:
-    """(bins, 9, 3) corners and centre of every bin in the box."""
-    bins = np.array(list(np.ndindex(*grid.shape))) + grid.low
+    """(bins, 9, 3) corners and centre of every wanted bin."""
     offsets = np.array([*itertools.product((0.0, 1.0), repeat=3), (0.5, 0.5, 0.5)])
-    return np.asarray((bins[:, None] + offsets) * BIN)
+    return np.asarray(((grid.places + grid.low)[:, None] + offsets) * BIN)
 
 
 def _hold(grid: _Grid, points: Array, held: NDArray[np.bool_], prisms: _Prisms) -> None:
