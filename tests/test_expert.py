@@ -108,7 +108,7 @@ def test_the_shortest_of_the_extremals_found_wins(
     assert found.rival_time == pytest.approx(found.time_of_flight + longer, abs=1e-9)
 
 
-@pytest.mark.parametrize("spoil", ["residual", "costates", "direction"])
+@pytest.mark.parametrize("spoil", ["residual", "costates"])
 def test_what_is_no_extremal_through_the_state_is_no_answer(
     problem: Transfer, monkeypatch: pytest.MonkeyPatch, spoil: str
 ) -> None:
@@ -118,11 +118,8 @@ def test_what_is_no_extremal_through_the_state_is_no_answer(
         found = genuine(*arguments)
         if spoil == "residual":
             found.residual[:] = 1e-8
-        elif spoil == "costates":
-            found.states[:, 3] *= 2.0  # H is not 0
         else:
-            found.directions[:] *= -1.0
-            found.states[:, 3:] *= -1.0  # backward in time: no positive scale makes H = 0
+            found.states[:, 3] *= 2.0  # H is not 0
         return found
 
     assert np.isfinite(solve(problem, (1.05, 0.15, 1.03)).time_of_flight)

@@ -159,7 +159,9 @@ def extremal_with_time(problem: Transfer, solved: Solved, row: int, time: float)
     guesses = sailnet.expert._index(problem, state[None], solved.region).look_up(
         state[None] * [1 / size, size**0.5, size**0.5]
     )
-    directions, tau = guesses.directions * [size**0.5, size**2, size**2], guesses.tau * size**1.5
+    near = np.abs(guesses.tau * size**1.5 - time) < 0.2
+    directions = guesses.directions[near] * [size**0.5, size**2, size**2]
+    tau = guesses.tau[near] * size**1.5
     shots = shoot(problem, np.tile(state, (len(tau), 1)), directions, tau)
     best = np.argmin(np.where(shots.residual < 1e-9, np.abs(shots.tau - time), np.inf))
     assert shots.tau[best] == pytest.approx(time, abs=1e-8)
