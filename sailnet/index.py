@@ -22,7 +22,7 @@ from sailnet.directions import Rows, halve, icosphere
 from sailnet.dynamics import Array
 from sailnet.extremals import arrival_gain, propagate_extremals
 from sailnet.mission import Transfer
-from sailnet.prisms import BIN, SLACK, Grid, Prisms, enumerate_rows, meets
+from sailnet.prisms import BIN, SLACK, Grid, Prisms, enumerate_rows, meets, sums_of
 
 SPACING = 0.05
 """Time between samples of a coarse extremal."""
@@ -84,7 +84,7 @@ class Index:
         self._grid, self._directions = grid, directions
         prism, bins = grid.listing(self._prisms.lowest, self._prisms.highest)
         self._listed = prism[np.argsort(bins, kind="stable")]
-        self._first = np.append(0, np.cumsum(np.bincount(bins, minlength=grid.wanted.size)))
+        self._first = np.append(0, np.cumsum(np.bincount(bins, minlength=len(grid))))
 
     def __len__(self) -> int:
         return len(self._prisms.column)
@@ -98,7 +98,7 @@ class Index:
         return Guesses(*(np.concatenate(c) for c in zip(*(vars(p).values() for p in parts), strict=True)))
 
     def _look_up(self, states: Array) -> Guesses:
-        bins = self._grid.flat(states)
+        bins = self._grid.numbers(states)
         row, number = enumerate_rows(self._first[bins + 1] - self._first[bins])
         prism = self._listed[self._first[bins][row] + number]
         # Comparisons first: most prisms that meet a bin do not come near the state.
@@ -134,7 +134,7 @@ def build_index(transfer: Transfer, wanted: tuple[tuple[int, int, int], ...]) ->
     directions, leaves = icosphere()
     paths = np.empty((0, 1, 3), np.float32)
     held = np.zeros(points.shape[:2], bool)
-    active = grid.wanted
+    active = grid.wanted.copy()
     found: list[Prisms] = []
     horizons = iter(HORIZONS)
     for start in range(0, round(HORIZONS[-1] / SPACING), WINDOW):
@@ -144,10 +144,10 @@ def build_index(transfer: Transfer, wanted: tuple[tuple[int, int, int], ...]) ->
         if paths.shape[1] <= WINDOW:
             horizon = next(horizons)
             paths = _paths(transfer, directions, horizon, start, radii)
-        filled = active & held.all(axis=1).reshape(grid.shape)
-        kept = []
+        filled = grid.places[held.all(axis=1)]
+        sums, kept = sums_of(active), []
         for halving in range(HALVINGS + 1):
-            near, edges = _near(grid, active, paths[:, : WINDOW + 1], directions, leaves)
+            near, edges = _near(grid, sums, paths[:, : WINDOW + 1], directions, leaves)
             fine = (edges.max(axis=1) <= PRISM) | (halving == HALVINGS) | (len(directions) > MOST)
             kept.append(leaves[fine])
             which, column = np.nonzero(near & fine[:, None])
@@ -159,15 +159,14 @@ def build_index(transfer: Transfer, wanted: tuple[tuple[int, int, int], ...]) ->
             directions, leaves = halve(directions, leaves[~fine], np.argmax(edges[~fine], axis=1))
             paths = np.concatenate([paths, _paths(transfer, directions[born:], horizon, start, radii)])
         leaves = np.concatenate(kept)
-        active = active & ~filled
+        active[tuple(filled.T)] = False
     return Index(grid, directions, found)
 
 
 def _test_points(grid: Grid) -> Array:
-    """(bins, 9, 3) corners and centre of every bin in the box."""
-    bins = np.array(list(np.ndindex(*grid.shape))) + grid.low
+    """(bins, 9, 3) corners and centre of every wanted bin."""
     offsets = np.array([*itertools.product((0.0, 1.0), repeat=3), (0.5, 0.5, 0.5)])
-    return np.asarray((bins[:, None] + offsets) * BIN)
+    return np.asarray(((grid.places + grid.low)[:, None] + offsets) * BIN)
 
 
 def _hold(grid: Grid, points: Array, held: NDArray[np.bool_], prisms: Prisms) -> None:
@@ -180,9 +179,9 @@ def _hold(grid: Grid, points: Array, held: NDArray[np.bool_], prisms: Prisms) ->
 
 
 def _near(
-    grid: Grid, active: NDArray[np.bool_], paths: NDArray[np.float32], directions: Array, triangles: Rows
+    grid: Grid, sums: Rows, paths: NDArray[np.float32], directions: Array, triangles: Rows
 ) -> tuple[NDArray[np.bool_], Array]:
-    """Which prisms may meet an active bin, and how long their edges get there.
+    """Which prisms may meet one of the bins with these sums, and how long their edges get there.
 
     Returns:
         (triangles, columns) whether all three extremals exist and a bin may be met; and
@@ -196,7 +195,7 @@ def _near(
         lowest, highest = np.fmin.reduce(corners, axis=1), np.fmax.reduce(corners, axis=1)
         lowest, highest = np.fmin(lowest[:, :-1], lowest[:, 1:]), np.fmax(highest[:, :-1], highest[:, 1:])
         margin = BULGE * np.max(highest - lowest, axis=2, keepdims=True)
-        met = meets(active, *grid.span(lowest - margin, highest + margin))
+        met = meets(sums, *grid.span(lowest - margin, highest + margin))
         exists = np.isfinite(corners.sum(axis=(1, 3)))
         whole = exists[:, :-1] & exists[:, 1:]
         near[part] = met & whole

@@ -32,11 +32,17 @@ class Grid:
         self.shape = tuple((bins.max(axis=0) - self.low + 1).tolist())
         self.wanted = np.zeros(self.shape, bool)
         self.wanted[tuple((bins - self.low).T)] = True
+        self.places = np.argwhere(self.wanted)
+        # How many bins are wanted before each one of the box: what is wanted may be a tiny part of it.
+        self._before = np.append(0, self.wanted.ravel().cumsum())
 
-    def flat(self, states: Array) -> Rows:
-        """The number of each state's bin, clipped into the box."""
-        at = np.clip(np.floor(states / BIN).astype(int) - self.low, 0, np.array(self.shape) - 1)
-        return np.asarray(np.ravel_multi_index(tuple(at.T), self.shape))
+    def __len__(self) -> int:
+        return len(self.places)
+
+    def numbers(self, states: Array) -> Rows:
+        """The number of each state's bin among those wanted; it must be one of them."""
+        at = np.floor(states / BIN).astype(int) - self.low
+        return np.asarray(self._before[np.ravel_multi_index(tuple(at.T), self.shape)])
 
     def span(self, lowest: Array, highest: Array) -> tuple[Rows, Rows]:
         """First bin and last bin + 1 along each axis that boxes (..., 3) meet; empty for NaN."""
@@ -45,21 +51,27 @@ class Grid:
         return np.clip(start, 0, self.shape).astype(int), np.clip(stop, 0, self.shape).astype(int)
 
     def listing(self, lowest: Array, highest: Array) -> tuple[Rows, Rows]:
-        """All pairs (box, wanted bin) that meet."""
+        """All pairs (box, number of a wanted bin) that meet."""
         start, stop = self.span(lowest, highest)
         extent = np.maximum(stop - start, 0)
-        box, number = enumerate_rows(extent.prod(axis=1))
-        _, second, third = extent[box].T
-        step = np.column_stack([number // (second * third), number // third % second, number % third])
-        bins = np.ravel_multi_index(tuple((start[box] + step).T), self.shape)
-        kept = self.wanted.ravel()[bins]
-        return box[kept], bins[kept]
+        box, number = enumerate_rows(extent.prod(axis=1) // np.maximum(extent[:, 2], 1))
+        # Along the last axis what is wanted has consecutive numbers.
+        along = np.column_stack([number // extent[box, 1], number % extent[box, 1], 0 * number])
+        first = np.ravel_multi_index(tuple((start[box] + along).T), self.shape)
+        before = self._before[first]
+        row, number = enumerate_rows(self._before[first + extent[box, 2]] - before)
+        return box[row], before[row] + number
 
 
-def meets(mask: NDArray[np.bool_], start: Rows, stop: Rows) -> NDArray[np.bool_]:
-    """Whether boxes of bins hold any bin of the mask, by its sums over all boxes from the origin."""
+def sums_of(mask: NDArray[np.bool_]) -> Rows:
+    """How many bins of the mask lie in each box of bins from the origin."""
     sums = np.zeros([n + 1 for n in mask.shape], int)
     sums[1:, 1:, 1:] = mask.cumsum(0).cumsum(1).cumsum(2)
+    return sums
+
+
+def meets(sums: Rows, start: Rows, stop: Rows) -> NDArray[np.bool_]:
+    """Whether boxes of bins hold any bin of the mask with these sums."""
     total = 0
     for corner in itertools.product((False, True), repeat=3):
         at = np.where(corner, stop, start)

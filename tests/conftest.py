@@ -3,15 +3,17 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from data.box import box_shard
 from sailnet.dataset import Block, write_dataset
-from sailnet.expert import Extremal, solve
+from sailnet.expert import Extremal, Optima, solve, solve_states
 from sailnet.mission import Mission, Transfer, load_mission
 from sailnet.networks import GuidanceNetworks, save_network
 from sailnet.nominal import Nominal, solve_nominal
 from tests.random_networks import random_guidance, random_network, save_guidance
+from tests.reference import Array
 from tests.small_datasets import NOMINAL, pieces, with_recipe
 
 
@@ -34,6 +36,24 @@ def nominal(mission: Mission) -> Nominal:
 def jumping(problem: Transfer) -> Extremal:
     """Case 2 of the paper: its cone angle jumps once."""
     return solve(problem, (1.05, 0.15, 1.03))
+
+
+@dataclass(frozen=True)
+class Solved:
+    """Random states of the generalisation set, the box that was indexed for them, and their optima."""
+
+    region: tuple[Array, Array]
+    states: Array
+    optima: Optima
+
+
+@pytest.fixture(scope="session")
+def solved(mission: Mission) -> Solved:
+    """The one index of the whole generalisation set, which takes ten seconds or so."""
+    box = mission.generalisation
+    low, high = np.array([box.r, box.u, box.v]).T
+    states = np.random.default_rng(20261121).uniform(low, high, (1000, 3))
+    return Solved((low, high), states, solve_states(mission.problem, states, (low, high), rivals=True))
 
 
 @dataclass(frozen=True)

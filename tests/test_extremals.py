@@ -208,29 +208,75 @@ def test_a_failure_is_nan_and_stays_in_its_row(problem: Transfer, nominal: Nomin
     assert np.isfinite(found.states[[0, 2]]).all()
 
 
+def test_every_row_may_have_a_grid_of_its_own(problem: Transfer) -> None:
+    costates = np.array([arrival(problem, np.array([-20.8, lu, -45.0]))[3:] for lu in np.linspace(5, 11, 11)])
+    ends = np.linspace(4.0, 9.0, 11)
+    grids = ends[:, None] * np.linspace(0.0, 1.0, 6) ** 2
+    found = propagate_extremals(problem, costates, grids)
+    np.testing.assert_array_equal(found.tau, grids)
+    assert found.states.shape == (11, 6, 6)
+    for row in (0, 4, 10):
+        reference = fly(problem, arrival(problem, costates[row]), grids[row])
+        error = np.abs(found.states[row] - reference.states) / np.maximum(1.0, np.abs(reference.states))
+        assert np.max(error) < 1e-7
+    # A jump later than a row's last time is not that row's.
+    assert set(found.jumps) == {0, 1}
+    assert (found.jump_times[found.jumps == 1] <= ends[found.jumps == 1]).all()
+
+
+def test_one_grid_for_all_rows(problem: Transfer) -> None:
+    costates = np.array([arrival(problem, np.array([-20.8, lu, -45.0]))[3:] for lu in (6.0, 7.0, 8.0)])
+    grid = np.linspace(0.0, 8.0, 5)
+    shared = propagate_extremals(problem, costates, grid)
+    np.testing.assert_array_equal(shared.tau, np.tile(grid, (3, 1)))
+    own = propagate_extremals(problem, costates, np.tile(grid, (3, 1)))
+    np.testing.assert_array_equal(own.states, shared.states)
+
+
+def test_a_fall_into_the_sun_ends_and_spoils_no_neighbour() -> None:
+    """Direction 281 hangs without a limit to the number of steps, and others share its batch."""
+    weak = Transfer(beta=0.1, phi_max=math.radians(60.0), delta=0.0, target_radius=1.524)
+    directions = np.random.default_rng(4).normal(size=(400, 3))
+    directions = directions[arrival_gain(weak, directions) < 0.0]
+    tau = np.linspace(0.0, 25.0, 251)
+    found = propagate_extremals(weak, directions, tau)
+    fell = np.isnan(found.states[:, -1, 0])
+    assert np.isnan(found.states[fell]).all()
+    assert np.isfinite(found.states[~fell]).all()
+    assert fell[281]
+    assert 2 <= fell.sum() < 0.1 * len(fell)
+    on_its_way = propagate_extremals(weak, directions[281], [0.0, 23.9]).states[0, 1]
+    assert 0.0 < on_its_way[0] < 0.05
+    beside = [278, 279, 280, 282, 283, 284, 285, 286]
+    assert not fell[beside].any()
+    alone = propagate_extremals(weak, directions[beside], tau)
+    np.testing.assert_allclose(found.states[beside], alone.states, rtol=1e-7, atol=1e-7)
+
+
 @pytest.mark.parametrize("kind", ["smooth", "sharp", "exact", "unconstrained"])
 @pytest.mark.parametrize("duration", [4.0, 6.15517])
-def test_the_sensitivity_is_the_derivative_across_the_jump_too(
+def test_the_tangents_are_derivatives_across_the_jump_too(
     problem: Transfer, kind: str, duration: float
 ) -> None:
     transfer = law_of(problem, kind)
     start = arrival(transfer, np.array([-20.81666, 7.31994, -45.17494]))
     engine = propagator(transfer, variational=True)
-    engine.start(transfer, np.tile(start[:, None], engine.lanes))
-    engine.integrator.propagate_until([duration] * engine.lanes)
-    found = engine.sensitivity()[:, :, 0]
+    along = np.random.default_rng(5).normal(size=(3, 2))
+    tangents = np.zeros((6, 2, engine.lanes))
+    tangents[3:] = along[:, :, None]
+    for _ in range(2):  # twice: nothing of the last flight may be left
+        engine.start(transfer, np.tile(start[:, None], engine.lanes), tangents)
+        np.testing.assert_array_equal(engine.tangents(), tangents)
+        engine.integrator.propagate_until([duration] * engine.lanes)
+        found = engine.tangents()
     assert engine.jumps[0] == (1 if duration > 5.4 else 0)
     step = 2e-5
-    expected = np.empty((6, 3))
-    for i in range(3):
-        ends = []
-        for sign in (1.0, -1.0):
-            moved = start[3:].copy()
-            moved[i] += sign * step
-            ends.append(propagate_extremals(transfer, moved, [0.0, duration]).states[0, 1])
-        expected[:, i] = (ends[0] - ends[1]) / (2 * step)
+    moved = np.concatenate([start[3:] + step * along.T, start[3:] - step * along.T])
+    ends = propagate_extremals(transfer, moved, [0.0, duration]).states[:, 1]
+    expected = (ends[:2] - ends[2:]).T / (2 * step)
     scale = np.abs(expected).max(axis=1, keepdims=True)
-    np.testing.assert_allclose(found / scale, expected / scale, rtol=0, atol=2e-5)
+    for lane in range(engine.lanes):
+        np.testing.assert_allclose(found[:, :, lane] / scale, expected / scale, rtol=0, atol=2e-5)
 
 
 def test_the_slopes_are_the_derivative_by_time_to_go(problem: Transfer, jumping: Extremal) -> None:
