@@ -239,7 +239,7 @@ def _nothing(states: Array) -> Optima:
         return np.full((len(states), *width), np.nan)
 
     jumps = np.zeros(len(states), int)
-    return Optima(states, empty(), empty(3), empty(3), empty(), jumps, empty(), empty(), empty())
+    return Optima(states.copy(), empty(), empty(3), empty(3), empty(), jumps, empty(), empty(), empty())
 
 
 def _optima(transfer: Transfer, states: Array, shots: Shots) -> Optima:

@@ -26,7 +26,10 @@ def _json(*arguments: str) -> dict[str, Any]:
 
 def test_solve_prints_the_optimum() -> None:
     result = _json("solve", "1", "0", "1")
-    assert set(result) == {"time_of_flight", "cone_angle", "costates", "jumps", "residual"}
+    assert set(result) == {
+        "time_of_flight", "cone_angle", "costates", "jumps", "residual", "next_time_of_flight",
+    }  # fmt: skip
+    assert result["next_time_of_flight"] is None
     assert result["time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
     assert result["costates"] == pytest.approx([-7.23123, -4.31783, -7.73808], abs=1e-4)
     assert result["jumps"] == 0

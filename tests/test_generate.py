@@ -171,7 +171,8 @@ def test_the_command_makes_a_data_set(
     mission: Mission, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "made.h5"
-    assert command(monkeypatch, str(path), "--trajectories", "20", "--workers", "1", "--quiet") == 0
+    box = ("--recipe", "box", "--trajectories", "20", "--workers", "1", "--quiet")
+    assert command(monkeypatch, str(path), *box) == 0
     assert "20 trajectories" in capsys.readouterr().out
     with open_dataset(path, mission) as found:
         found.verify()
