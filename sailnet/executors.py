@@ -131,7 +131,8 @@ def processes(count: int) -> Iterator[Workers]:
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
             pool = ProcessPoolExecutor(count, get_context("spawn"), initializer=_follow_parent)
-            pool.submit(os.getpid)  # processes start with the first task
+            for _ in range(count):  # a process starts with a task for which none is idle
+                pool.submit(os.getpid)
         finally:
             signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
         return pool
