@@ -2,10 +2,13 @@
 
 import argparse
 import os
+import signal
 import sys
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from threading import Event
 
 from tqdm import tqdm
 
@@ -51,10 +54,29 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _watched(blocks: Iterator[Block], total: int, quiet: bool) -> Iterator[Block]:
+@contextmanager
+def _asked_to_stop() -> Iterator[Event]:
+    """Set at Ctrl-C, which may come where Python loses the exception; a second one raises it."""
+    asked = Event()
+
+    def handle(*_: object) -> None:
+        if asked.is_set():
+            raise KeyboardInterrupt
+        asked.set()
+
+    previous = signal.signal(signal.SIGINT, handle)
+    try:
+        yield asked
+    finally:
+        signal.signal(signal.SIGINT, previous)
+
+
+def _watched(blocks: Iterator[Block], total: int, quiet: bool, asked: Event) -> Iterator[Block]:
     hidden = True if quiet else None  # None: hidden unless stderr is a terminal
     with tqdm(total=total, unit="trajectory", desc="data set", disable=hidden, file=sys.stderr) as bar:
         for block in blocks:
+            if asked.is_set():
+                raise KeyboardInterrupt
             yield block
             bar.update(len(block.lengths))
 
@@ -65,8 +87,9 @@ def _run(options: argparse.Namespace, mission: Mission, parts: Parts) -> None:
         prepared = prepare(mission, options.recipe)
         wanted = options.trajectories or prepared.trajectories
         provenance = {**prepared.origin, "tolerance": TOLERANCE, **software()}
-        blocks = _watched(generate(prepared.shard_of, wanted, pool, parts), wanted, options.quiet)
-        write_dataset(options.output, mission, blocks, provenance, parts.folder)
+        with _asked_to_stop() as asked:
+            blocks = _watched(generate(prepared.shard_of, wanted, pool, parts), wanted, options.quiet, asked)
+            write_dataset(options.output, mission, blocks, provenance, parts.folder)
     seconds = time.perf_counter() - started
     print(f"{options.output}: {wanted} trajectories in {seconds:.1f} s")
 

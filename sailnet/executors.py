@@ -14,7 +14,7 @@ from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future,
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
-from multiprocessing import get_context, parent_process
+from multiprocessing import get_context, parent_process, resource_tracker
 from typing import Any, Generic, TypeVar
 
 from sailnet.errors import SailnetError
@@ -128,6 +128,8 @@ def processes(count: int) -> Iterator[Workers]:
 
     def start() -> Executor:
         # Ctrl-C is this process's business: workers end what they are at. They inherit the mask.
+        # The tracker comes first: whoever starts it has the signal unmasked on the way.
+        resource_tracker.ensure_running()
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
             pool = ProcessPoolExecutor(count, get_context("spawn"), initializer=_follow_parent)
