@@ -16,14 +16,13 @@ def measure(mission: Mission, states: int, peers: int, seed: int) -> dict[str, f
     fsolve is given a start near the solution, (1e-3 in the arrival direction, 0.01 TU in time to go),
     which the expert has to find for itself.
     """
-    problem, region = mission.problem, mission.generalisation
-    box = tuple(np.array([region.r, region.u, region.v]).T)
+    problem, box = mission.problem, mission.generalisation.corners
     starts = random_starts(mission, states, seed)
     started = time.perf_counter()
-    solve_states(problem, starts[:1], region=(box[0], box[1]))
+    solve_states(problem, starts[:1], region=box)
     cold = time.perf_counter() - started
     started = time.perf_counter()
-    optima = solve_states(problem, starts, region=(box[0], box[1]))
+    optima = solve_states(problem, starts, region=box)
     warm = time.perf_counter() - started
     started = time.perf_counter()
     solve(problem, starts[0])

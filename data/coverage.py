@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from tqdm import tqdm
 
+from data.flights import sample_evenly
 from sailnet.dataset import Dataset, open_dataset
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.expert import solve_states
-from sailnet.extremals import propagate_extremals
 from sailnet.mission import Mission
 from sailnet.montecarlo import random_starts, wilson_interval
 
@@ -31,7 +31,6 @@ ROWS = 2_000_000
 
 DISTANCES = (0.005, 0.01, 0.02, 0.05)
 """For which the share is reported; the largest of the differences in r [AU], u and v [AU/TU]."""
-
 
 LIMIT = 0.2
 """Samples farther away than this are not searched for."""
@@ -67,14 +66,9 @@ def _optimal_points(mission: Mission, starts: Array) -> tuple[NDArray[np.intp], 
     """Points of the optimal trajectories, and which start each belongs to."""
     optima = solve_states(mission.problem, starts)
     found = np.flatnonzero(optima.found)
-    rows, points = [np.empty(0, int)], [np.empty((0, 3))]
-    for row in found[np.argsort(optima.time_of_flight[found])]:
-        count = int(np.ceil(optima.time_of_flight[row] / SPACING)) + 1
-        tau = np.linspace(0.0, optima.time_of_flight[row], count)
-        states = propagate_extremals(mission.problem, optima.arrival_costates[row], tau).states
-        points.append(states[0, :, :3])
-        rows.append(np.full(count, row))
-    return np.concatenate(rows), np.concatenate(points)
+    duration, costates = optima.time_of_flight[found], optima.arrival_costates[found]
+    flights = sample_evenly(mission.problem, costates, duration, SPACING)
+    return np.repeat(found, flights.lengths), flights.states[:, :3]
 
 
 def summary(farthest: Array) -> dict[str, object]:

@@ -31,23 +31,23 @@ def icosphere() -> tuple[Array, Rows]:
 
 def quarter(directions: Array, triangles: Rows) -> tuple[Array, Rows]:
     """Four triangles for each; returns all directions and the new triangles."""
-    edges = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
-    edges, inverse = np.unique(edges, axis=0, return_inverse=True)
-    middle = directions[edges[:, 0]] + directions[edges[:, 1]]
-    middle /= np.linalg.norm(middle, axis=1, keepdims=True)
-    ab, bc, ca = (len(directions) + inverse.reshape(-1, 3)).T
+    directions, middle = _with_midpoints(directions, triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2))
+    ab, bc, ca = middle.reshape(-1, 3).T
     a, b, c = triangles.T
     parts = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
-    quarters = np.concatenate([np.column_stack(part) for part in parts])
-    return np.concatenate([directions, middle]), quarters
+    return directions, np.concatenate([np.column_stack(part) for part in parts])
 
 
 def halve(directions: Array, triangles: Rows, opposite: Rows) -> tuple[Array, Rows]:
     """Halve each triangle across the edge opposite to a corner; returns all directions and the halves."""
     corner, a, b = np.take_along_axis(triangles, (opposite[:, None] + np.arange(3)) % 3, axis=1).T
-    edges, inverse = np.unique(np.sort(np.column_stack([a, b]), axis=1), axis=0, return_inverse=True)
-    middle = directions[edges[:, 0]] + directions[edges[:, 1]]
+    directions, m = _with_midpoints(directions, np.column_stack([a, b]))
+    return directions, np.concatenate([np.column_stack([corner, a, m]), np.column_stack([corner, m, b])])
+
+
+def _with_midpoints(directions: Array, edges: Rows) -> tuple[Array, Rows]:
+    """The directions with the middle of every edge appended once, and (n,) which of them is each edge's."""
+    unique, inverse = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True)
+    middle = directions[unique[:, 0]] + directions[unique[:, 1]]
     middle /= np.linalg.norm(middle, axis=1, keepdims=True)
-    m = len(directions) + inverse.ravel()
-    halves = np.concatenate([np.column_stack([corner, a, m]), np.column_stack([corner, m, b])])
-    return np.concatenate([directions, middle]), halves
+    return np.concatenate([directions, middle]), len(directions) + inverse.ravel()

@@ -14,6 +14,8 @@ from pathlib import Path
 from types import NoneType
 from typing import Annotated, Literal, get_args
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
 
 from sailnet.errors import MissionError
@@ -92,6 +94,12 @@ class Region(_Ordered):
     r: Interval
     u: Interval
     v: Interval
+
+    @property
+    def corners(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """(3,) the lowest and the highest state."""
+        low, high = np.array([self.r, self.u, self.v]).T
+        return low, high
 
 
 class DomainRecipe(_Section):

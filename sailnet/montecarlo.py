@@ -53,8 +53,7 @@ class Campaign:
 
 def random_starts(mission: Mission, count: int, seed: int, first: int = 0) -> Array:
     """(count, 3) uniform states of the generalisation set (Section 5.3); start i depends on (seed, i)."""
-    region = mission.generalisation
-    low, high = np.array([region.r, region.u, region.v]).T
+    low, high = mission.generalisation.corners
     starts = [np.random.default_rng([seed, first + i, 1]).uniform(low, high) for i in range(count)]
     return np.array(starts).reshape(count, 3)
 

@@ -41,7 +41,7 @@ class Grid:
 
     def numbers(self, states: Array) -> Rows:
         """The number of each state's bin among those wanted; it must be one of them."""
-        at = np.floor(states / BIN).astype(int) - self.low
+        at = bins_of(states) - self.low
         return np.asarray(self._before[np.ravel_multi_index(tuple(at.T), self.shape)])
 
     def span(self, lowest: Array, highest: Array) -> tuple[Rows, Rows]:

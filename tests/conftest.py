@@ -50,8 +50,7 @@ class Solved:
 @pytest.fixture(scope="session")
 def solved(mission: Mission) -> Solved:
     """The one index of the whole generalisation set, which takes ten seconds or so."""
-    box = mission.generalisation
-    low, high = np.array([box.r, box.u, box.v]).T
+    low, high = mission.generalisation.corners
     states = np.random.default_rng(20261121).uniform(low, high, (1000, 3))
     return Solved((low, high), states, solve_states(mission.problem, states, (low, high), rivals=True))
 

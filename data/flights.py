@@ -1,0 +1,56 @@
+"""Optimal flights sampled evenly, each from arrival to its own start."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sailnet.dynamics import Array
+from sailnet.extremals import propagate_extremals
+from sailnet.mission import Transfer
+
+TOGETHER = 64
+"""Extremals propagated at once: as long as the longest of them."""
+
+
+@dataclass(frozen=True)
+class Flights:
+    """Samples of n flights, one flight after the other, m in all.
+
+    Attributes:
+        lengths: (n,) samples of each.
+        tau: (m,) time to go [TU], from 0 at arrival.
+        states: (m, 6) states and costates.
+        jump_times: (n,) time to go at the last jump found, which may lie beyond the start; NaN without one.
+    """
+
+    lengths: NDArray[np.int64]
+    tau: Array
+    states: Array
+    jump_times: Array
+
+
+def sample_evenly(transfer: Transfer, costates: Array, duration: Array, spacing: float) -> Flights:
+    """Sample extremals at most ``spacing`` [TU] apart.
+
+    Args:
+        transfer: the problem.
+        costates: (n, 3) arrival costates.
+        duration: (n,) time to go at the start of each [TU].
+        spacing: largest time between samples [TU].
+    """
+    lengths = np.ceil(duration / spacing).astype(int) + 1
+    first = np.cumsum(lengths) - lengths
+    tau, states = np.empty(lengths.sum()), np.empty((lengths.sum(), 6))
+    jump_times = np.empty(len(lengths))
+    order = np.argsort(duration, kind="stable")
+    for rows in np.array_split(order, 1 + len(order) // TOGETHER):
+        # Each ends at its own start, so each has its own spacing, and the shorter go on beyond.
+        count = lengths[rows].max(initial=0)
+        step = duration[rows] / (lengths[rows] - 1)
+        extremals = propagate_extremals(transfer, costates[rows], step[:, None] * np.arange(count))
+        kept = np.arange(count) < lengths[rows, None]
+        place = (first[rows, None] + np.arange(count))[kept]
+        tau[place], states[place] = extremals.tau[kept], extremals.states[kept]
+        jump_times[rows] = extremals.jump_times
+    return Flights(lengths, tau, states, jump_times)
