@@ -15,8 +15,8 @@ from tqdm import tqdm
 from data.generate import generate
 from data.parts import Parts, claim
 from data.recipes import RECIPES, prepare
-from sailnet.dataset import Block, write_dataset
-from sailnet.errors import SailnetError
+from sailnet.dataset import Block, open_dataset, write_dataset
+from sailnet.errors import DatasetError, SailnetError
 from sailnet.executors import workers
 from sailnet.mission import Mission, load_mission
 from sailnet.propagation import TOLERANCE
@@ -85,13 +85,21 @@ def _run(options: argparse.Namespace, mission: Mission, parts: Parts) -> None:
     started = time.perf_counter()
     with workers(options.workers, options.scheduler, PACKAGES) as pool:
         prepared = prepare(mission, options.recipe)
+        if prepared.shards is not None and options.trajectories:
+            raise DatasetError(
+                f"the size of recipe {options.recipe!r} is set in the mission's [dataset.{options.recipe}], "
+                "not by --trajectories"
+            )
         wanted = options.trajectories or prepared.trajectories
         provenance = {**prepared.origin, "tolerance": TOLERANCE, **software()}
         with _asked_to_stop() as asked:
-            blocks = _watched(generate(prepared.shard_of, wanted, pool, parts), wanted, options.quiet, asked)
+            made = generate(prepared.shard_of, wanted, pool, parts, prepared.shards)
+            blocks = _watched(made, wanted, options.quiet, asked)
             write_dataset(options.output, mission, blocks, provenance, parts.folder)
     seconds = time.perf_counter() - started
-    print(f"{options.output}: {wanted} trajectories in {seconds:.1f} s")
+    with open_dataset(options.output) as data:
+        made_trajectories = data.trajectories
+    print(f"{options.output}: {made_trajectories} trajectories in {seconds:.1f} s")
 
 
 def main() -> int:

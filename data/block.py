@@ -9,7 +9,7 @@ from sailnet.jumps import preprocess
 from sailnet.mission import Transfer
 from sailnet.pontryagin import guidance_law
 
-COLUMNS = ("r", "u", "v", "lambda_r", "lambda_u", "lambda_v", "tau", "alpha", "alpha_pre")
+COLUMNS = ("r", "u", "v", "lambda_r", "lambda_u", "lambda_v", "tau", "alpha", "alpha_pre", "beta")
 
 AT_ONCE = 20_000
 """Samples worked on at once: few enough to stay in the processor's cache."""
@@ -41,6 +41,7 @@ def block_of(
         alpha = guidance_law(transfer, *columns[4:6, rows])
         columns[6, rows], columns[7, rows] = tau[rows], alpha
         columns[8, rows] = preprocess(alpha, tau[rows], jump[rows])
+    columns[9] = transfer.beta
     return Block(
         dict(zip(COLUMNS, columns, strict=True)),
         {

@@ -13,17 +13,16 @@ from data.flights import sample_evenly
 from sailnet.dataset import Block
 from sailnet.dynamics import Array
 from sailnet.expert import solve_states
-from sailnet.mission import Mission
+from sailnet.mission import Mission, Transfer
 
 STARTS = 512
 """Starts of one shard."""
 
 
-def domain(mission: Mission) -> tuple[Array, Array]:
-    """Lowest and highest state of the generalisation set, widened by the recipe's margin."""
+def widened(mission: Mission, margin: tuple[float, float, float]) -> tuple[Array, Array]:
+    """Lowest and highest state of the generalisation set, widened by a recipe's margin."""
     low, high = mission.generalisation.corners
-    margin = np.array(mission.dataset.domain.margin)
-    return low - margin, high + margin
+    return low - np.array(margin), high + np.array(margin)
 
 
 def domain_shard(mission: Mission, shard: int) -> Block:
@@ -34,13 +33,18 @@ def domain_shard(mission: Mission, shard: int) -> Block:
         shard: number of the shard; with the recipe's seed it fixes the starts.
     """
     recipe, problem = mission.dataset.domain, mission.problem
-    low, high = domain(mission)
+    low, high = widened(mission, recipe.margin)
     sequence = Sobol(3, rng=np.random.default_rng(recipe.seed))
     if shard:
         sequence.fast_forward(shard * STARTS)
     starts = low + (high - low) * sequence.random(STARTS)
     optima = solve_states(problem, starts, region=(low, high))
     duration, costates = optima.time_of_flight[optima.found], optima.arrival_costates[optima.found]
-    flights = sample_evenly(problem, costates, duration, recipe.spacing)
+    return flights_block(problem, costates, duration, recipe.spacing)
+
+
+def flights_block(transfer: Transfer, costates: Array, duration: Array, spacing: float) -> Block:
+    """Extremals from given arrival costates, each sampled evenly for its own duration [TU]."""
+    flights = sample_evenly(transfer, costates, duration, spacing)
     jump_time = np.where(flights.jump_times <= duration, flights.jump_times, np.nan)
-    return block_of(problem, costates, flights.tau, flights.states, jump_time, flights.lengths)
+    return block_of(transfer, costates, flights.tau, flights.states, jump_time, flights.lengths)

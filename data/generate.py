@@ -4,9 +4,9 @@ A shard depends on the mission and its own number alone, so the content of the f
 on the workers, their number or the order they finish in, nor on what an earlier run had finished.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
-from itertools import count
+from itertools import count, tee
 
 from data.parts import Parts
 from sailnet.dataset import Block
@@ -20,22 +20,28 @@ ShardOf = Callable[[int], Block]
 
 
 def generate(
-    shard_of: ShardOf, trajectories: int, workers: Workers, parts: Parts | None = None
+    shard_of: ShardOf,
+    trajectories: int,
+    workers: Workers,
+    parts: Parts | None = None,
+    shards: int | None = None,
 ) -> Iterator[Block]:
-    """Yield blocks in shard order until there are as many trajectories as wanted.
+    """Yield blocks in shard order until there are as many trajectories as wanted, or no more shards.
 
     Args:
         shard_of: computes one shard from its number; must be picklable if workers are processes.
-        trajectories: how many are wanted.
+        trajectories: how many are wanted at most.
         workers: who computes shards.
         parts: where finished shards are kept and found again.
+        shards: how many there are; any number by default.
 
     Raises:
         DatasetError: the recipe admits no extremal, or a shard cannot be stored.
         SolveError: whatever ``shard_of`` raises.
     """
     missing, futile = trajectories, 0
-    blocks = workers.map(shard_of, count()) if parts is None else _stored(shard_of, workers, parts)
+    numbers = count() if shards is None else range(shards)
+    blocks = workers.map(shard_of, numbers) if parts is None else _stored(shard_of, workers, parts, numbers)
     for block in blocks:
         if not len(block.lengths):
             futile += 1
@@ -53,13 +59,15 @@ def generate(
             return
 
 
-def _stored(shard_of: ShardOf, workers: Workers, parts: Parts) -> Iterator[Block]:
+def _stored(shard_of: ShardOf, workers: Workers, parts: Parts, numbers: Iterable[int]) -> Iterator[Block]:
     finished = parts.finished()
-    remaining = (number for number in count() if number not in finished)
+    # Two walks over the same numbers: one ahead, handing out work, one collecting.
+    ahead, numbers = tee(numbers)
+    remaining = (number for number in ahead if number not in finished)
     # Workers of this machine write their shards themselves, which spares the way through a pipe.
     make = partial(_make, shard_of, parts) if workers.share_files else shard_of
     made = workers.map(make, remaining)
-    for number in count():
+    for number in numbers:
         if number not in finished:
             block = next(made)
             if block is not None and workers.share_files is False:

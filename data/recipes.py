@@ -5,12 +5,13 @@ from dataclasses import dataclass
 from functools import partial
 
 from data.box import box_recipe, box_shard
-from data.domain import domain, domain_shard
+from data.domain import domain_shard, widened
+from data.wide import wide_shard
 from sailnet.dataset import Block
-from sailnet.mission import Mission
+from sailnet.mission import DomainRecipe, Mission, WideRecipe
 from sailnet.nominal import solve_nominal
 
-RECIPES = ("domain", "box")
+RECIPES = ("wide", "domain", "box")
 
 
 @dataclass(frozen=True)
@@ -19,12 +20,14 @@ class Prepared:
 
     Attributes:
         shard_of: computes one shard from its number, anywhere.
-        trajectories: how many the recipe asks for.
+        trajectories: how many the recipe asks for, at most.
+        shards: how many shards there are; None where it takes as many as it takes.
         origin: for the file's provenance.
     """
 
     shard_of: Callable[[int], Block]
     trajectories: int
+    shards: int | None
     origin: dict[str, object]
 
 
@@ -35,21 +38,24 @@ def prepare(mission: Mission, recipe: str) -> Prepared:
         DatasetError: the mission lacks this recipe.
         SolveError: the nominal transfer could not be solved.
     """
+    if recipe == "wide":
+        wide = mission.dataset.wide
+        most = wide.levels * (wide.starts + wide.approaches)
+        title = "fastest extremals and approaches for a range of sails"
+        return Prepared(partial(wide_shard, mission), most, wide.levels, _origin(mission, title, wide))
     if recipe == "domain":
-        low, high = domain(mission)
-        origin = {
-            "recipe": "fastest extremals from a domain",
-            "lowest": low.tolist(),
-            "highest": high.tolist(),
-        }
-        return Prepared(partial(domain_shard, mission), mission.dataset.domain.trajectories, origin)
+        aimed = mission.dataset.domain
+        origin = _origin(mission, "fastest extremals from a domain", aimed)
+        return Prepared(partial(domain_shard, mission), aimed.trajectories, None, origin)
     box = box_recipe(mission)
     nominal = solve_nominal(mission)
     arrival = nominal.smoothed.arrival_costates
     return Prepared(
         partial(box_shard, mission, (float(arrival[0]), float(arrival[1]))),
         box.trajectories,
+        None,
         {
+            "kind": "box",
             "recipe": "box of arrival costates, Eq. (22)",
             "nominal": {
                 name: {
@@ -63,3 +69,9 @@ def prepare(mission: Mission, recipe: str) -> Prepared:
             "homotopy_phi_max": nominal.homotopy.tolist(),
         },
     )
+
+
+def _origin(mission: Mission, title: str, recipe: DomainRecipe | WideRecipe) -> dict[str, object]:
+    low, high = widened(mission, recipe.margin)
+    kind = "wide" if isinstance(recipe, WideRecipe) else "domain"
+    return {"kind": kind, "recipe": title, "lowest": low.tolist(), "highest": high.tolist()}

@@ -1,5 +1,6 @@
 """What a data set holds, and whether it holds what it promises."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -102,6 +103,8 @@ class _Check:
             self._require(
                 key, start, arrives, values, f"is not on the target orbit, where it is {target:.6f}"
             )
+        if name == "beta":
+            self._require(key, start, values > 0.0, values, "is not positive")
         if name == "tau":
             rises = np.diff(values, prepend=self._last_tau) > 0.0
             self._require(key, start, np.where(begins, values == 0.0, rises), values, "does not rise from 0")
@@ -135,14 +138,17 @@ class _Check:
 def _hamiltonian(path: Path, data: Dataset) -> float:
     """Largest |H| along some trajectories, after making sure that it is small enough."""
     rows = np.random.default_rng(0).permutation(data.trajectories)[:CHOSEN]
-    problem, largest = data.mission.problem, 0.0
+    largest = 0.0
     for row in np.sort(rows):
         first, after = data.first_sample[row : row + 2]
         columns = data.read([name for name in SAMPLES if name != "trajectory"], int(first), int(after))
         states, costates = (
             np.column_stack([columns[prefix + x] for x in "ruv"]) for prefix in ("", "lambda_")
         )
-        alpha = columns["alpha"]
+        alpha, beta = columns["alpha"], columns["beta"]
+        if np.ptp(beta) > 0.0:
+            raise DatasetError(f"{path}: beta changes along trajectory {row}; generate it again")
+        problem = replace(data.mission.problem, beta=float(beta[0]))
         law = guidance_law(problem, costates[:, 1], costates[:, 2])
         if np.abs(alpha - law).max() > ROUNDING or np.any(np.abs(columns["alpha_pre"]) != np.abs(alpha)):
             raise DatasetError(

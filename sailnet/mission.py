@@ -80,7 +80,7 @@ class _Ordered(_Section):
     @field_validator("*", mode="after")
     @classmethod
     def _lower_before_upper(cls, value: object) -> object:
-        if isinstance(value, tuple) and not value[0] < value[1]:
+        if isinstance(value, tuple) and len(value) == 2 and not value[0] < value[1]:
             raise ValueError("the lower bound must be below the upper bound")
         return value
 
@@ -130,9 +130,28 @@ class BoxRecipe(_Ordered):
     seed: Annotated[int, Field(ge=0)]
 
 
-class Recipes(_Section):
-    """How data sets are made: aimed at a domain, and where there is one the paper's box."""
+class WideRecipe(_Ordered):
+    """Optimal trajectories for a range of sails, and approaches to the target from every side.
 
+    For each of ``levels`` values of beta between ``beta`` times the mission's: fastest extremals from
+    ``starts`` states of the generalisation set widened by ``margin`` [AU, AU/TU, AU/TU], sampled every
+    ``spacing`` [TU]; and ``approaches`` extremals of at most ``approach_time`` [TU] around theirs.
+    """
+
+    beta: Interval
+    levels: Annotated[int, Field(ge=2)]
+    margin: Annotated[tuple[NotNegative, NotNegative, NotNegative], Field(strict=False)]
+    starts: Count
+    spacing: Positive
+    approaches: Count
+    approach_time: Positive
+    seed: Annotated[int, Field(ge=0)]
+
+
+class Recipes(_Section):
+    """How data sets are made: for guidance, aimed at a domain, and where there is one the paper's box."""
+
+    wide: WideRecipe
     domain: DomainRecipe
     box: BoxRecipe | None = None
 
@@ -150,6 +169,13 @@ class TrainingRecipe(_Section):
     seed: Annotated[int, Field(ge=0)]
 
 
+class Training(_Section):
+    """Recipes for networks of the paper's form, and for those of approach coordinates on wide data."""
+
+    paper: TrainingRecipe
+    wide: TrainingRecipe
+
+
 class Mission(_Section):
     """One transfer, with the recipes for its data set and networks."""
 
@@ -161,7 +187,7 @@ class Mission(_Section):
     flight: FlightRules
     generalisation: Region
     dataset: Recipes
-    training: TrainingRecipe
+    training: Training
 
     @property
     def problem(self) -> Transfer:

@@ -16,6 +16,7 @@ from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 from scipy.special import expit
 
+from sailnet.approach import APPROACH_INPUTS, approach_coordinates
 from sailnet.dynamics import Array
 from sailnet.errors import MissionError, NetworkError
 from sailnet.files import write_whole
@@ -160,13 +161,16 @@ def _digest(tensors: Mapping[str, Array], metadata: Mapping[str, str]) -> str:
 
 @dataclass(frozen=True)
 class GuidanceNetworks:
-    """The three networks of Fig. 6, which together turn (r, u, v) into a cone angle.
+    """Three networks which together turn a state into a cone angle, in one of two forms.
+
+    *The paper's* (Fig. 6): ``tau`` reads (r, u, v), the others (r, u, v, tau), and beta is the one trained
+    for. *Approach*: all read ``APPROACH_INPUTS``, which hold beta, and ``tau`` gives log(tau / s).
 
     Attributes:
-        tau: time of flight from (r, u, v).
-        alpha_pre: preprocessed cone angle from (r, u, v, tau); only its size is used, so that
-            Eq. (23)'s signed target and the single-valued |alpha| are both served.
-        lambda_v: costate from (r, u, v, tau); only its sign is used.
+        tau: time of flight.
+        alpha_pre: preprocessed cone angle; only its size is used, so that Eq. (23)'s signed target
+            and the single-valued |alpha| are both served.
+        lambda_v: costate; only its sign is used.
     """
 
     tau: Network
@@ -174,13 +178,10 @@ class GuidanceNetworks:
     lambda_v: Network
 
     def __post_init__(self) -> None:
-        for network, inputs in (
-            (self.tau, STATE_INPUTS),
-            (self.alpha_pre, COMMAND_INPUTS),
-            (self.lambda_v, COMMAND_INPUTS),
-        ):
-            if network.inputs != inputs:
-                raise NetworkError(f"network {network.name} takes {network.inputs}, not {inputs}")
+        read = (self.tau.inputs, self.alpha_pre.inputs, self.lambda_v.inputs)
+        if read not in ((STATE_INPUTS, COMMAND_INPUTS, COMMAND_INPUTS), (APPROACH_INPUTS,) * 3):
+            raise NetworkError(f"networks tau, alpha_pre and lambda_v do not fit together: they take {read}")
+        for network in (self.alpha_pre, self.lambda_v):
             if network.mission.digest() != self.mission.digest():
                 raise NetworkError(
                     f"networks do not belong together: {network.name} was trained for mission "
@@ -192,14 +193,36 @@ class GuidanceNetworks:
         """The mission the networks were trained for."""
         return self.tau.mission
 
-    def command(self, states: ArrayLike) -> tuple[Array, Array]:
+    @property
+    def approach(self) -> bool:
+        """Whether the networks read approach coordinates, and with them beta."""
+        return self.tau.inputs == APPROACH_INPUTS
+
+    @property
+    def beta_range(self) -> tuple[float, float]:
+        """Smallest and largest beta the networks were trained for."""
+        if not self.approach:
+            return self.mission.sail.beta, self.mission.sail.beta
+        return float(self.tau.input_min[-1]), float(self.tau.input_max[-1])
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> tuple[Array, Array]:
         """Cone angle [rad] and time of flight [TU] at (n, 3) states: the reference in NumPy.
 
         Eq. (25): the sign of the cone angle is opposite to that of lambda_v.
+
+        Args:
+            states: rows r [AU], u, v [AU/TU].
+            beta: (n,) or one normalised characteristic acceleration, clamped to ``beta_range``; by
+                default the mission's. Without effect on networks of the paper's form.
         """
         state = np.asarray(states, float)
-        tau = self.tau(state)
-        inputs = np.column_stack([state, tau])
+        if self.approach:
+            sail = np.clip(self.mission.sail.beta if beta is None else beta, *self.beta_range)
+            inputs = approach_coordinates(self.mission.problem, state, sail)
+            tau = inputs[:, 3] * np.exp(self.tau(inputs))
+        else:
+            tau = self.tau(state)
+            inputs = np.column_stack([state, tau])
         size = cone_angle_size(self.alpha_pre(inputs), self.mission.problem.phi_max)
         return restore(size, self.lambda_v(inputs)), tau
 

@@ -1,6 +1,6 @@
 """Whole trajectories on their way into a file."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,6 +22,19 @@ class Block:
     samples: Mapping[str, Array]
     trajectories: Mapping[str, Array]
     lengths: NDArray[np.int64]
+
+    @staticmethod
+    def join(parts: "Sequence[Block]") -> "Block":
+        """Trajectories of several blocks, in order."""
+
+        def joined(columns: Sequence[Mapping[str, Array]]) -> dict[str, Array]:
+            return {name: np.concatenate([part[name] for part in columns]) for name in columns[0]}
+
+        return Block(
+            joined([part.samples for part in parts]),
+            joined([part.trajectories for part in parts]),
+            np.concatenate([part.lengths for part in parts]),
+        )
 
     def head(self, count: int) -> "Block":
         """The first ``count`` trajectories."""

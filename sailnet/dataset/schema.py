@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-SCHEMA = "sailnet-dataset/1"
+SCHEMA = "sailnet-dataset/2"
 
 SAMPLES: Mapping[str, tuple[str, str]] = {
     "r": ("AU", "distance from the Sun"),
@@ -18,6 +18,7 @@ SAMPLES: Mapping[str, tuple[str, str]] = {
     "lambda_v": ("TU^2/AU", "costate of v"),
     "alpha": ("rad", "optimal cone angle, Eq. (12)"),
     "alpha_pre": ("rad", "preprocessed cone angle, Eq. (23)"),
+    "beta": ("1", "normalised characteristic acceleration of the sail"),
     "trajectory": ("1", "row of /trajectories this sample belongs to"),
 }
 TRAJECTORIES: Mapping[str, tuple[str, str]] = {
