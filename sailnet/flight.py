@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.dynamics import Array, hold_command
 from sailnet.errors import SailnetError
-from sailnet.guidance import Guidance
+from sailnet.guidance import Guidance, Steered
 from sailnet.mission import Mission
 
 RADII = (0.05, 20.0)
@@ -28,20 +28,30 @@ class Disturbance:
 
     Attributes:
         beta_bias: constant relative error of beta.
+        beta_spread: half-width of another constant one, drawn uniformly for each flight.
+        beta_drift: relative change of beta per TU, for instance a slow degradation (negative).
         beta_noise: half-width of a relative error drawn afresh, uniformly, every guidance period
             (Section 5.2: 0.15).
         seed: fixes the noise; flight i draws from stream (seed, i).
     """
 
     beta_bias: float = 0.0
+    beta_spread: float = 0.0
+    beta_drift: float = 0.0
     beta_noise: float = 0.0
     seed: int = 0
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.beta_bias) and self.beta_bias > -1.0):
             raise SailnetError(f"the bias of beta must be finite and above -1, not {self.beta_bias}")
-        if not 0.0 <= self.beta_noise < 1.0 + min(0.0, self.beta_bias):
-            raise SailnetError(f"the noise of beta must leave beta positive, not {self.beta_noise}")
+        if not np.isfinite(self.beta_drift):
+            raise SailnetError(f"the drift of beta must be finite, not {self.beta_drift}")
+        left = 1.0 + min(0.0, self.beta_bias)
+        for name in ("spread", "noise"):
+            value = getattr(self, f"beta_{name}")
+            if not 0.0 <= value < left:
+                raise SailnetError(f"the {name} of beta must leave beta positive, not {value}")
+            left -= value
 
 
 @dataclass(frozen=True)
@@ -55,6 +65,8 @@ class Flights:
         stopped: the stop rule ended the flight (else it was lost or took too long).
         terminal_error: (n, 3) size of the deviation from the target state, Section 5.1.
         max_cone_angle: largest size of the command [rad].
+        beta_error: relative error of beta at departure.
+        beta_estimate: the guidance's last estimate of beta.
         arrived: stopped, within the mission's tolerance, the cone angle never out of bounds.
     """
 
@@ -64,6 +76,8 @@ class Flights:
     stopped: NDArray[np.bool_]
     terminal_error: Array
     max_cone_angle: Array
+    beta_error: Array
+    beta_estimate: Array
     arrived: NDArray[np.bool_]
 
     @staticmethod
@@ -82,12 +96,14 @@ class History:
         states: (k, 4) r, theta, u, v.
         cone_angle: (k,) commanded [rad].
         predicted_time_of_flight: (k,) by the guidance [TU].
+        beta_estimate: (k,) by the guidance.
     """
 
     time: Array
     states: Array
     cone_angle: Array
     predicted_time_of_flight: Array
+    beta_estimate: Array
 
 
 def fly(
@@ -100,7 +116,7 @@ def fly(
     first: int = 0,
     recorder: list[History] | None = None,
 ) -> Flights:
-    """Fly sails until guidance predicts less than the arrival threshold to go.
+    """Fly sails until their guidance says that they have arrived.
 
     Args:
         mission: the plant's beta, the target, and the rules of flight.
@@ -124,36 +140,37 @@ def fly(
     count = len(start)
     streams = [np.random.default_rng([noise.seed, first + i]) for i in range(count)]
 
+    bias = noise.beta_bias + noise.beta_spread * np.array([stream.uniform(-1.0, 1.0) for stream in streams])
     states = np.zeros((4, count))
     states[[0, 2, 3]] = start.T
-    duration = np.full(count, np.nan)
+    duration, estimate = np.full((2, count), np.nan)
     stopped = np.zeros(count, bool)
     max_cone_angle = np.zeros(count)
+    steering = guidance.steering(count)
     flying = np.arange(count)
-    log: list[tuple[NDArray[np.intp], float, Array, Array, Array]] = []
+    log: list[tuple[NDArray[np.intp], float, Array, Steered]] = []
     draws = np.empty((count, DRAWS))
     for k in itertools.count():
         time = k * held
-        command = guidance.command(states[[0, 2, 3]][:, flying].T)
-        if recorder is not None:
-            log.append((flying, time, states[:, flying], command.cone_angle, command.time_of_flight))
-        max_cone_angle[flying] = np.maximum(max_cone_angle[flying], np.abs(command.cone_angle))
-        near = command.time_of_flight < mission.flight.arrival_threshold
-        radius = states[0, flying]
-        lost = ~((radius > RADII[0]) & (radius < RADII[1]))
-        duration[flying[near | lost]] = time
-        stopped[flying[near & ~lost]] = True
-        going = ~(near | lost)
-        flying = flying[going]
-        if not len(flying) or time >= mission.flight.longest:
-            break
         if k % DRAWS == 0:
             for i in flying:
                 draws[i] = streams[i].uniform(-1.0, 1.0, DRAWS)
-        error = noise.beta_bias + noise.beta_noise * draws[flying, k % DRAWS]
-        beta = mission.sail.beta * (1.0 + error)
-        states[:, flying] = hold_command(states[:, flying], command.cone_angle[going], beta, held)
-    duration[flying] = time
+        steered = steering.steer(states[[0, 2, 3]][:, flying].T, held, flying)
+        if recorder is not None:
+            log.append((flying, time, states[:, flying], steered))
+        max_cone_angle[flying] = np.maximum(max_cone_angle[flying], np.abs(steered.cone_angle))
+        estimate[flying] = steered.beta
+        error = bias[flying] + noise.beta_noise * draws[flying, k % DRAWS]
+        beta = mission.sail.beta * np.maximum(0.0, (1.0 + error) * (1.0 + noise.beta_drift * time))
+        longest = max(held, mission.flight.arrival_threshold)
+        states[:, flying] = hold_command(states[:, flying], steered.cone_angle, beta, steered.hold, longest)
+        radius = states[0, flying]
+        lost = ~((radius > RADII[0]) & (radius < RADII[1]))
+        duration[flying] = time + steered.hold
+        stopped[flying[steered.arrived & ~lost]] = True
+        flying = flying[~(steered.arrived | lost)]
+        if not len(flying) or time >= mission.flight.longest:
+            break
 
     ends = states[[0, 2, 3]].T.copy()
     terminal_error = np.abs(ends - np.array(mission.problem.target_state))
@@ -168,18 +185,21 @@ def fly(
         stopped=stopped,
         terminal_error=terminal_error,
         max_cone_angle=max_cone_angle,
+        beta_error=bias,
+        beta_estimate=estimate,
         arrived=stopped & inside & bounded,
     )
 
 
-def _histories(log: list[tuple[NDArray[np.intp], float, Array, Array, Array]], count: int) -> list[History]:
+def _histories(log: list[tuple[NDArray[np.intp], float, Array, Steered]], count: int) -> list[History]:
     rows = np.concatenate([flying for flying, *_ in log])
     time = np.concatenate([np.full(len(flying), t) for flying, t, *_ in log])
-    states = np.concatenate([state.T for _, _, state, _, _ in log])
-    cone_angle = np.concatenate([angle for *_, angle, _ in log])
-    predicted = np.concatenate([tau for *_, tau in log])
-    histories = []
-    for i in range(count):
-        own = rows == i
-        histories.append(History(time[own], states[own], cone_angle[own], predicted[own]))
-    return histories
+    states = np.concatenate([state.T for _, _, state, _ in log])
+    columns = [
+        np.concatenate([getattr(steered, name) for *_, steered in log])
+        for name in ("cone_angle", "time_of_flight", "beta")
+    ]
+    order = np.argsort(rows, kind="stable")
+    ends = np.cumsum(np.bincount(rows, minlength=count))[:-1]
+    parts = [np.split(column[order], ends) for column in (time, states, *columns)]
+    return [History(*own) for own in zip(*parts, strict=True)]

@@ -38,6 +38,40 @@ class Commands:
     status: NDArray[np.int32]
 
 
+@dataclass(frozen=True)
+class Steered:
+    """What n sails are to do; arrays of length n.
+
+    Attributes:
+        cone_angle: to hold [rad], within the mission's bound.
+        hold: for how long [TU]: the period, or less where the flight ends.
+        time_of_flight: predicted to the target orbit [TU].
+        beta: estimate of the normalised characteristic acceleration.
+        arrived: the flight ends after ``hold``.
+        status: of the command, values of ``GuidanceStatus``.
+    """
+
+    cone_angle: Array
+    hold: Array
+    time_of_flight: Array
+    beta: Array
+    arrived: NDArray[np.bool_]
+    status: NDArray[np.int32]
+
+
+class Steering(Protocol):
+    """Memories of a number of sails, and the guidance that steers them."""
+
+    def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+        """Steer some of the sails.
+
+        Args:
+            states: (n, 3) r, u, v now, after what was commanded last was held.
+            period: guidance period [TU].
+            sails: (n,) which of the sails these are.
+        """
+
+
 class Guidance(Protocol):
     """Something that flies: the exported C, an ONNX graph, or a test double."""
 
@@ -49,14 +83,26 @@ class Guidance(Protocol):
     def networks_digest(self) -> str:
         """SHA-256 over the weights that fly: equal means the same networks, whatever the back end."""
 
-    def command(self, states: ArrayLike) -> Commands:
+    @property
+    def beta_range(self) -> tuple[float, float]:
+        """Smallest and largest beta the networks were trained for."""
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
         """Command the sails at (n, 3) states (r, u, v) [AU, AU/TU, AU/TU].
 
         Any numbers give a bounded command, NaN and infinities included; see GuidanceStatus.
 
+        Args:
+            states: rows r, u, v.
+            beta: (n,) or one normalised characteristic acceleration, clamped to ``beta_range``; the
+                mission's by default.
+
         Raises:
             GuidanceError: ``states`` has another shape.
         """
+
+    def steering(self, count: int) -> Steering:
+        """Steering of ``count`` sails that start knowing nothing but the mission's beta."""
 
 
 def as_states(states: ArrayLike, precision: Precision) -> NDArray[np.floating]:

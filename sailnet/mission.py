@@ -224,6 +224,11 @@ class Mission(_Section):
             content["transfer"]["target_radius"] = target_radius
         return parse_mission(content, f"{self.name} with other values")
 
+    def with_training(self, **changes: int) -> "Mission":
+        """The mission with other values in all its training recipes."""
+        both = {name: recipe.model_copy(update=changes) for name, recipe in self.training}
+        return self.model_copy(update={"training": Training(**both)})
+
     def to_json(self) -> str:
         """Canonical text of the whole mission, as stored in every artefact."""
         return json.dumps(self.model_dump(by_alias=True, mode="json"), sort_keys=True)

@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from sailnet.dataset import open_dataset
-from sailnet.errors import SailnetError
+from sailnet.errors import NetworkError, SailnetError
 from sailnet.mission import Mission, load_mission
 from training.parallel import train_networks
 from training.targets import TARGETS
@@ -28,7 +28,10 @@ def _parser() -> argparse.ArgumentParser:
         "--mission", help="mission whose training recipe to use (default: the data set's own)"
     )
     parser.add_argument(
-        "--network", action="append", choices=list(TARGETS), help="train this one; repeatable (default: all)"
+        "--network",
+        action="append",
+        metavar="NAME",
+        help="train this one; repeatable (default: all of the data set's kind)",
     )
     parser.add_argument("--epochs", type=int, help="instead of the mission's number")
     parser.add_argument("--seed", type=int, help="instead of the mission's seed")
@@ -44,13 +47,25 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _recipe(options: argparse.Namespace) -> Mission:
+def _recipe(options: argparse.Namespace) -> tuple[Mission, str]:
+    """The mission with the options' changes to its recipes, and the kind of the data set."""
     with open_dataset(options.dataset) as data:
         mission = load_mission(options.mission) if options.mission else data.mission
+        kind = data.kind
     changes = {
         name: getattr(options, name) for name in ("epochs", "seed") if getattr(options, name) is not None
     }
-    return mission.model_copy(update={"training": mission.training.model_copy(update=changes)})
+    return mission.with_training(**changes), kind
+
+
+def _names(chosen: list[str] | None, kind: str) -> list[str]:
+    names = list(dict.fromkeys(chosen or TARGETS[kind]))
+    for name in names:
+        if name not in TARGETS[kind]:
+            raise NetworkError(
+                f"no network {name!r} learns from {kind} data: choose from {list(TARGETS[kind])}"
+            )
+    return names
 
 
 def main() -> int:
@@ -62,14 +77,14 @@ def main() -> int:
             parser.error(f"--{name} must be at least 1")
     if options.seed is not None and options.seed < 0:
         parser.error("--seed must not be negative")
-    names = list(dict.fromkeys(options.network or TARGETS))
     started = time.perf_counter()
     try:
-        mission = _recipe(options)
+        mission, kind = _recipe(options)
         networks = train_networks(
             options.dataset,
             mission,
-            names,
+            kind,
+            _names(options.network, kind),
             options.output,
             workers=options.workers,
             device=options.device,

@@ -22,6 +22,7 @@ from training.train import train_network
 def train_networks(
     dataset: Path,
     mission: Mission,
+    kind: str,
     names: Sequence[str],
     folder: Path,
     *,
@@ -30,9 +31,10 @@ def train_networks(
     resume: bool = False,
     quiet: bool = False,
 ) -> list[Network]:
-    """Train the named networks of :data:`training.targets.TARGETS`; see :func:`train_network`.
+    """Train the named networks of ``TARGETS[kind]``; see :func:`train_network`.
 
     Args:
+        kind: of the data set.
         workers: networks trained at once.
         quiet: show no progress bars.
     """
@@ -41,7 +43,15 @@ def train_networks(
     with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
         runs = [
             pool.submit(
-                _train, dataset, mission, name, folder, threads, device, resume, None if quiet else row
+                _train,
+                dataset,
+                mission,
+                (kind, name),
+                folder,
+                threads,
+                device,
+                resume,
+                None if quiet else row,
             )
             for row, name in enumerate(names)
         ]
@@ -51,7 +61,7 @@ def train_networks(
 def _train(
     dataset: Path,
     mission: Mission,
-    name: str,
+    key: tuple[str, str],
     folder: Path,
     threads: int,
     device: str,
@@ -59,14 +69,15 @@ def _train(
     row: int | None,
 ) -> Network:
     torch.set_num_threads(threads)
-    total = mission.training.epochs
+    target = TARGETS[key[0]][key[1]]
+    total = target.recipe(mission.training).epochs
     hidden = True if row is None else None
     with tqdm(
-        total=total, desc=f"{name:15}", unit="epoch", position=row, disable=hidden, file=sys.stderr
+        total=total, desc=f"{target.name:15}", unit="epoch", position=row, disable=hidden, file=sys.stderr
     ) as bar:
 
         def watch(record: dict[str, float]) -> None:
             bar.set_postfix_str(f"validation {record['validation']:.2e}", refresh=False)
             bar.update(int(record["epoch"]) - bar.n)
 
-        return train_network(dataset, mission, TARGETS[name], folder, device, resume, watch)
+        return train_network(dataset, mission, target, folder, device, resume, watch)

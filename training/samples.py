@@ -45,6 +45,7 @@ class SampleSet:
         test: every sample of the test trajectories.
         input_min, input_max: (k,) range of the inputs over the training trajectories.
         output_min, output_max: range of the target over them.
+        state_min, state_max: (3,) range of the states (r, u, v) over them.
     """
 
     train: Part
@@ -54,6 +55,8 @@ class SampleSet:
     input_max: Array
     output_min: float
     output_max: float
+    state_min: Array
+    state_max: Array
 
     def scaled(self, part: Part) -> tuple[Array, Array]:
         """(n, k) inputs and (n,) values of a part, min-max scaled; inputs clamped to [0, 1]."""
@@ -87,19 +90,22 @@ def load_samples(
         DatasetError: damaged, or too few trajectories to split.
     """
     part_of_row = np.repeat(split_trajectories(data.trajectories, seed), np.diff(data.first_sample))
+    if target.approach:
+        part_of_row[data.first_sample[:-1]] = -1
     rng = np.random.default_rng([seed, 1])
     drawn = []
     for part, limit in enumerate((train_samples, validation_samples, data.samples)):
         rows = np.flatnonzero(part_of_row == part)
         drawn.append(rows if limit >= len(rows) else np.sort(rng.choice(rows, limit, replace=False)))
-    names = tuple(dict.fromkeys((*target.inputs, *target.columns, "alpha", "tau")))
     collected: list[list[Mapping[str, Array]]] = [[] for _ in PARTS]
-    low, high = np.full(len(target.inputs) + 1, np.inf), np.full(len(target.inputs) + 1, -np.inf)
+    ranges = (*target.inputs, "value", "r", "u", "v")
+    low, high = np.full(len(ranges), np.inf), np.full(len(ranges), -np.inf)
     for start in range(0, data.samples, ROWS_READ):
         stop = min(start + ROWS_READ, data.samples)
-        block = data.read(names, start, stop)
-        block["value"] = target.value(block)
-        ranged = np.stack([block[name] for name in (*target.inputs, "value")])
+        # The arrivals of approach targets, which no part holds, have no logarithm.
+        with np.errstate(divide="ignore"):
+            block = target.complete(data.read(target.reads, start, stop), data.mission.problem)
+        ranged = np.stack([block[name] for name in ranges])
         ranged = ranged[:, part_of_row[start:stop] == 0]
         if ranged.size:
             low, high = np.minimum(low, ranged.min(axis=1)), np.maximum(high, ranged.max(axis=1))
@@ -113,10 +119,12 @@ def load_samples(
         shuffled,
         parts[1],
         parts[2],
-        low[:-1],
-        high[:-1],
-        output_min=float(low[-1]),
-        output_max=float(high[-1]),
+        low[:-4],
+        high[:-4],
+        output_min=float(low[-4]),
+        output_max=float(high[-4]),
+        state_min=low[-3:],
+        state_max=high[-3:],
     )
 
 

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sailnet.approach import APPROACH_INPUTS, approach_coordinates
 from sailnet.dynamics import Array
 from sailnet.jumps import cone_angle_size
+from sailnet.mission import Training, TrainingRecipe, Transfer
 from sailnet.networks import COMMAND_INPUTS, STATE_INPUTS
 
 Columns = Mapping[str, Array]
@@ -30,7 +32,7 @@ class Target:
 
     Attributes:
         name: file name of the network.
-        inputs: columns of the data set it reads.
+        inputs: what it reads: columns of the data set, or ``APPROACH_INPUTS``.
         columns: columns of the data set its target is computed from.
         value: the target from those columns.
         definition: the target in words, as stored in the network's provenance.
@@ -44,8 +46,34 @@ class Target:
     definition: str
     size: Callable[[Array, float], Array] | None = None
 
+    @property
+    def approach(self) -> bool:
+        """Whether it reads approach coordinates, which have no direction at the target itself."""
+        return self.inputs == APPROACH_INPUTS
 
-_ALL = (
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """Columns of the data set that inputs and target are computed from, and those samples are judged by."""
+        inputs = ("beta",) if self.approach else self.inputs
+        return tuple(dict.fromkeys(("r", "u", "v", *inputs, *self.columns, "alpha", "tau")))
+
+    def complete(self, columns: Columns, transfer: Transfer) -> Columns:
+        """Columns as read, with the inputs and with the target as ``value``."""
+        known = dict(columns)
+        if self.approach:
+            states = np.column_stack([known[name] for name in ("r", "u", "v")])
+            known |= zip(
+                APPROACH_INPUTS, approach_coordinates(transfer, states, known["beta"]).T, strict=True
+            )
+            known["acceleration"] = known["beta"] / transfer.target_radius**2
+        return known | {"value": self.value(known)}
+
+    def recipe(self, training: Training) -> TrainingRecipe:
+        """The mission's recipe for networks of this form."""
+        return training.wide if self.approach else training.paper
+
+
+_PAPER = (
     Target("tau", STATE_INPUTS, ("tau",), _column("tau"), "tau: optimal time of flight [TU]"),
     Target(
         "alpha_pre",
@@ -87,8 +115,45 @@ _ALL = (
     ),
 )
 
-TARGETS: Mapping[str, Target] = {target.name: target for target in _ALL}
-"""By name: the three networks that fly, and those they are compared with in the report."""
+APPROACH_SIGN_SCALE = 0.7
+"""The same as ``SIGN_SCALE`` for lambda_v times the acceleration at the target, which has no unit."""
+
+_WIDE = (
+    Target(
+        "tau",
+        APPROACH_INPUTS,
+        ("tau",),
+        lambda columns: np.log(columns["tau"] / columns["s"]),
+        "log(tau / s): optimal time of flight in units of the approach's own",
+    ),
+    Target(
+        "alpha_pre",
+        APPROACH_INPUTS,
+        ("alpha",),
+        lambda columns: np.abs(columns["alpha"]),
+        "|alpha| [rad]: single-valued around the pinch; alpha = -sign(lambda_v) |alpha|",
+        cone_angle_size,
+    ),
+    Target(
+        "lambda_v",
+        APPROACH_INPUTS,
+        ("lambda_v",),
+        lambda columns: np.arcsinh(columns["lambda_v"] * columns["acceleration"] / APPROACH_SIGN_SCALE),
+        f"asinh(lambda_v beta / (r_f^2 {APPROACH_SIGN_SCALE:g})): same sign, resolved best where it changes",
+    ),
+)
+
+
+def _named(targets: tuple[Target, ...]) -> Mapping[str, Target]:
+    return {target.name: target for target in targets}
+
+
+TARGETS: Mapping[str, Mapping[str, Target]] = {
+    "wide": _named(_WIDE),
+    "domain": _named(_PAPER),
+    "box": _named(_PAPER),
+}
+"""By kind of data set and name: the three networks that fly, and those the report compares them with."""
 
 
 def command_error(target: Target, output: Array, alpha: Array, phi_max: float) -> Array:

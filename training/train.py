@@ -148,7 +148,7 @@ def train_network(
     finished, checkpoint = folder / f"{target.name}.safetensors", folder / f"{target.name}.checkpoint.npz"
     with open_dataset(dataset, mission) as data:
         mission, digest = mission or data.mission, data.digest
-        recipe = mission.training
+        recipe = target.recipe(mission.training)
         identity: list[object] = [SCHEMA, target.definition, digest, mission.digest("training"), device.type]
         identity += [torch.__version__, torch.get_num_threads()]
         run_digest = hashlib.sha256(json.dumps(identity).encode()).hexdigest()
@@ -171,6 +171,8 @@ def train_network(
         "run": run_digest,
         "dataset": digest,
         "definition": target.definition,
+        "state_min": samples.state_min.tolist(),
+        "state_max": samples.state_max.tolist(),
         "seed": recipe.seed,
         "split": "70/15/15 by trajectory",
         "train_samples": run.train.samples,

@@ -43,6 +43,11 @@ class Dataset:
         self.first_sample: NDArray[np.int64] = np.append(first, self.samples)
         """(trajectories + 1,): trajectory i owns samples first_sample[i] to first_sample[i + 1]."""
 
+    @property
+    def kind(self) -> str:
+        """Name of the recipe it was made by: ``wide``, ``domain`` or ``box``."""
+        return str(self.provenance.get("kind", "box"))
+
     def read(self, names: Sequence[str], start: int, stop: int) -> dict[str, Array]:
         """Read columns of ``SAMPLES`` between two rows; only :meth:`verify` checks the values.
 
