@@ -69,7 +69,11 @@ def wide_shard(mission: Mission, level: int) -> Block:
 def _approach_costates(problem: Transfer, arrivals: Array, count: int, rng: np.random.Generator) -> Array:
     near = arrivals[rng.integers(len(arrivals), size=count)]
     size = np.hypot(near[:, 1], near[:, 2])[:, None]
-    near += size * np.exp(rng.uniform(*np.log(SPREAD), (count, 1))) * rng.normal(size=near.shape)
+    near += (
+        size
+        * np.exp(rng.uniform(math.log(SPREAD[0]), math.log(SPREAD[1]), (count, 1)))
+        * rng.normal(size=near.shape)
+    )
     anywhere = rng.normal(size=near.shape)
     # lambda_r acts through lambda_r tau: what matters at 0.3 TU is nothing at 0.003.
     anywhere[:, 0] /= np.exp(rng.uniform(np.log(0.05), np.log(3.0), count))

@@ -5,6 +5,7 @@ import json
 import math
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -16,6 +17,7 @@ from sailnet.mission import load_mission
 
 if TYPE_CHECKING:
     from sailnet.expert import Extremal
+    from sailnet.flight import Disturbance
 
 Result = dict[str, object]
 
@@ -84,6 +86,16 @@ def _parser() -> argparse.ArgumentParser:
         "--beta-bias", type=float, default=0.0, metavar="X", help="constant relative error of beta"
     )
     loop.add_argument(
+        "--beta-spread",
+        type=float,
+        default=0.0,
+        metavar="X",
+        help="half-width of another, drawn for each flight",
+    )
+    loop.add_argument(
+        "--beta-drift", type=float, default=0.0, metavar="X", help="relative change of beta per TU"
+    )
+    loop.add_argument(
         "--beta-noise", type=float, default=0.0, metavar="X", help="half-width of the noise, e.g. 0.15"
     )
     loop.add_argument("--period", type=float, metavar="TU", help="guidance period (default: the mission's)")
@@ -137,6 +149,8 @@ def _parser() -> argparse.ArgumentParser:
         example="sailnet evaluate --flights 1000 --beta-noise 0.15",
     )
     evaluate.add_argument("--flights", type=int, default=100, metavar="N", help="how many (%(default)s)")
+    evaluate.add_argument("--workers", type=int, default=1, metavar="N", help="processes (%(default)s)")
+    evaluate.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler whose workers fly instead")
 
     about = "Verify a data set (checksums, ranges, optimality) and summarise it."
     example = "example: sailnet info build/earth_mars/domain.h5"
@@ -226,12 +240,12 @@ def _guide(options: argparse.Namespace) -> Result:
 def _fly(options: argparse.Namespace) -> Result:
     from sailnet.backends import load_guidance
     from sailnet.expert import solve
-    from sailnet.flight import Disturbance, fly
+    from sailnet.flight import fly
 
     mission = load_mission(options.mission)
     state = _state(options)
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
-    disturbance = Disturbance(options.beta_bias, options.beta_noise, options.seed)
+    disturbance = _disturbance(options)
     flight = fly(mission, guidance, [state], disturbance=disturbance, period=options.period)
     try:
         optimum: float | None = solve(mission.problem, state).time_of_flight
@@ -243,21 +257,28 @@ def _fly(options: argparse.Namespace) -> Result:
         "time_of_flight": float(flight.time_of_flight[0]),
         "terminal_error": flight.terminal_error[0].tolist(),
         "max_cone_angle": float(flight.max_cone_angle[0]),
+        "beta_error": float(flight.beta_error[0]),
+        "beta_estimate": float(flight.beta_estimate[0]),
         "optimal_time_of_flight": optimum,
     }
 
 
 def _evaluate(options: argparse.Namespace) -> Result:
     from sailnet.backends import load_guidance
-    from sailnet.flight import Disturbance
+    from sailnet.executors import workers
     from sailnet.montecarlo import evaluate, summarise
 
     mission = load_mission(options.mission)
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
-    disturbance = Disturbance(options.beta_bias, options.beta_noise, options.seed)
     batches = []
-    with tqdm(total=options.flights, unit="flight", file=sys.stderr, disable=None) as bar:
-        for batch in evaluate(mission, guidance, options.flights, disturbance, period=options.period):
+    alone = options.workers == 1 and options.scheduler is None
+    with (
+        nullcontext() if alone else workers(options.workers, options.scheduler) as pool,
+        tqdm(total=options.flights, unit="flight", file=sys.stderr, disable=None) as bar,
+    ):
+        for batch in evaluate(
+            mission, guidance, options.flights, _disturbance(options), period=options.period, workers=pool
+        ):
             batches.append(batch)
             bar.update(len(batch.arrived))
     campaign = summarise(batches)
@@ -269,6 +290,18 @@ def _evaluate(options: argparse.Namespace) -> Result:
         "error_quantiles": campaign.error_quantiles(),
         "attitude_violations": campaign.attitude_violations(mission.problem.phi_max),
     }
+
+
+def _disturbance(options: argparse.Namespace) -> "Disturbance":
+    from sailnet.flight import Disturbance
+
+    return Disturbance(
+        beta_bias=options.beta_bias,
+        beta_spread=options.beta_spread,
+        beta_drift=options.beta_drift,
+        beta_noise=options.beta_noise,
+        seed=options.seed,
+    )
 
 
 def _info(options: argparse.Namespace) -> Result:

@@ -169,7 +169,7 @@ def fly(
         duration[flying] = time + steered.hold
         stopped[flying[steered.arrived & ~lost]] = True
         flying = flying[~(steered.arrived | lost)]
-        if not len(flying) or time >= mission.flight.longest:
+        if not len(flying) or (k + 1) * held >= mission.flight.longest:
             break
 
     ends = states[[0, 2, 3]].T.copy()

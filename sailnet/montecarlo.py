@@ -2,18 +2,19 @@
 
 import math
 from collections.abc import Iterator
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
+from sailnet.executors import Workers
 from sailnet.flight import Disturbance, Flights, fly
 from sailnet.guidance import Guidance
 from sailnet.mission import Mission
 
-BATCH = 100
+BATCH = 500
 """Flights flown side by side; part of nothing that is reported."""
 
 QUANTILES = (0.5, 0.9, 0.95, 0.99, 1.0)
@@ -46,6 +47,11 @@ class Campaign:
         values = np.quantile(self.flights.terminal_error, QUANTILES, axis=0)
         return {f"{q:g}": row.tolist() for q, row in zip(QUANTILES, values, strict=True)}
 
+    def share_within(self, tolerance: float) -> float:
+        """Share of the flights that arrived with every component of the terminal error this small."""
+        near = np.all(self.flights.terminal_error <= tolerance, axis=1)
+        return float((self.flights.arrived & near).mean())
+
     def attitude_violations(self, phi_max: float) -> int:
         """Flights on which a command left [-phi_max, phi_max] [rad]."""
         return int((self.flights.max_cone_angle > phi_max).sum())
@@ -65,48 +71,37 @@ def evaluate(
     disturbance: Disturbance,
     *,
     period: float | None = None,
-    executor: Executor | None = None,
+    workers: Workers | None = None,
 ) -> Iterator[Flights]:
     """Fly random starts in batches, yielding each batch in order.
 
     Args:
         mission: starts, plant and rules of flight.
-        guidance: must be picklable if the executor crosses processes.
+        guidance: must be picklable if workers are other processes.
         count: number of flights.
         disturbance: of beta; its seed also fixes the starts.
         period: guidance period [TU]; the mission's by default.
-        executor: where batches are flown; a thread of this process by default.
+        workers: who flies the batches; this process by default.
 
     Raises:
         SailnetError: a number of flights that is not positive.
     """
     if count < 1:
         raise SailnetError(f"the number of flights must be at least 1, not {count}")
-    if executor is None:
-        with ThreadPoolExecutor(1) as own:
-            yield from evaluate(mission, guidance, count, disturbance, period=period, executor=own)
-        return
-    batches: list[Future[Flights]] = [
-        executor.submit(_fly_batch, mission, guidance, first, min(BATCH, count - first), disturbance, period)
-        for first in range(0, count, BATCH)
-    ]
-    try:
-        for batch in batches:
-            yield batch.result()
-    finally:
-        for batch in batches:
-            batch.cancel()
+    batch = partial(_fly_batch, mission, guidance, count, disturbance, period)
+    firsts = range(0, count, BATCH)
+    yield from map(batch, firsts) if workers is None else workers.map(batch, firsts)
 
 
 def _fly_batch(
     mission: Mission,
     guidance: Guidance,
-    first: int,
     count: int,
     disturbance: Disturbance,
     period: float | None,
+    first: int,
 ) -> Flights:
-    starts = random_starts(mission, count, disturbance.seed, first)
+    starts = random_starts(mission, min(BATCH, count - first), disturbance.seed, first)
     return fly(mission, guidance, starts, disturbance=disturbance, period=period, first=first)
 
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from sailnet.dynamics import Array, runge_kutta_step
 from sailnet.guidance import Guidance, GuidanceStatus, Steered
 
-MEMORY = 0.5
+MEMORY = 1.0
 """Time over which the estimate of beta forgets [TU]."""
 
 LARGEST_SURPRISE = 0.5

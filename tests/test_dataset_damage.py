@@ -143,9 +143,9 @@ def test_a_longer_column_is_noticed(stored: Path, tmp_path: Path) -> None:
 
 
 def test_another_schema_version_is_refused(stored: Path, tmp_path: Path) -> None:
-    other = np.bytes_("sailnet-dataset/2", "ascii")
+    other = np.bytes_("sailnet-dataset/1", "ascii")
     path = edited(stored, tmp_path / "new.h5", lambda file: file.attrs.__setitem__("schema", other))
-    with pytest.raises(DatasetError, match=r"schema 'sailnet-dataset/2', this version reads '.*/1'"):
+    with pytest.raises(DatasetError, match=r"schema 'sailnet-dataset/1', this version reads '.*/2'"):
         content(path)
 
 
@@ -157,8 +157,7 @@ def test_another_mission_is_refused(small: Mission, stored: Path) -> None:
         open_dataset(stored, other),
     ):
         pass
-    training = small.training.model_copy(update={"epochs": 3})
-    with open_dataset(stored, small.model_copy(update={"training": training})):
+    with open_dataset(stored, small.with_training(epochs=3)):
         pass  # the networks' recipe is none of the data set's business
 
 

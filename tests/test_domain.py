@@ -13,7 +13,7 @@ import pytest
 
 from data.box import box_shard
 from data.coverage import farthest_points, summary
-from data.domain import STARTS, domain, domain_shard
+from data.domain import STARTS, domain_shard, widened
 from data.generate import generate
 from data.recipes import prepare
 from sailnet.dataset import Block, open_dataset, write_dataset
@@ -49,7 +49,7 @@ def file(narrow: Mission, aimed: Block, tmp_path_factory: pytest.TempPathFactory
 
 
 def test_each_trajectory_runs_from_arrival_to_its_own_start(narrow: Mission, aimed: Block) -> None:
-    low, high = domain(narrow)
+    low, high = widened(narrow, narrow.dataset.domain.margin)
     assert len(aimed.lengths) == STARTS  # all of them can be solved here
     after = np.cumsum(aimed.lengths)
     first, last = after - aimed.lengths, after - 1
@@ -67,7 +67,7 @@ def test_each_trajectory_runs_from_arrival_to_its_own_start(narrow: Mission, aim
 
 
 def test_the_domain_is_filled_evenly(narrow: Mission, aimed: Block) -> None:
-    low, high = domain(narrow)
+    low, high = widened(narrow, narrow.dataset.domain.margin)
     last = np.cumsum(aimed.lengths) - 1
     share = (np.column_stack([aimed.samples[name][last] for name in "ruv"]) - low) / (high - low)
     octant = (share > 0.5) @ [4, 2, 1]

@@ -87,7 +87,7 @@ def test_earth_mars_is_the_paper_s_problem() -> None:
         ("dataset.box.trajectories", 0, "greater than 0"),
         ("dataset.box.trajectories", 1.5, "integer"),
         ("dataset.box.samples_per_trajectory", 1, "greater than or equal to 2"),
-        ("training.hidden", [], "at least 1"),
+        ("training.paper.hidden", [], "at least 1"),
     ],
 )
 def test_a_value_out_of_range_is_named_with_what_is_allowed(key: str, value: object, allowed: str) -> None:
@@ -106,7 +106,8 @@ def test_an_interval_must_be_finite(value: list[float]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("key", "neighbour"), [("colour", "sail"), ("sail.mass", "max_cone_angle"), ("training.layers", "hidden")]
+    ("key", "neighbour"),
+    [("colour", "sail"), ("sail.mass", "max_cone_angle"), ("training.wide.layers", "hidden")],
 )
 def test_an_unknown_key_is_named_with_the_known_ones(key: str, neighbour: str) -> None:
     with pytest.raises(MissionError) as caught:
@@ -116,7 +117,7 @@ def test_an_unknown_key_is_named_with_the_known_ones(key: str, neighbour: str) -
 
 
 @pytest.mark.parametrize(
-    "key", ["schema", "name", "sail", "sail.beta", "dataset.box.seed", "training.hidden"]
+    "key", ["schema", "name", "sail", "sail.beta", "dataset.box.seed", "training.paper.hidden"]
 )
 def test_a_missing_key_is_named(key: str) -> None:
     with pytest.raises(MissionError, match=f"{key}: this key is missing"):
@@ -171,7 +172,7 @@ def test_the_digest_knows_the_problem(key: str, value: object) -> None:
 
 @pytest.mark.parametrize(
     ("key", "value"),
-    [("training.epochs", 3), ("dataset.box.seed", 1), ("flight.period", 0.01), ("title", "x")],
+    [("training.wide.epochs", 3), ("dataset.box.seed", 1), ("flight.period", 0.01), ("title", "x")],
 )
 def test_the_digest_ignores_what_does_not_change_the_problem(key: str, value: object) -> None:
     other = parse_mission(changed(key, value), "x")

@@ -15,8 +15,11 @@ from sailnet.errors import DatasetError, NetworkError
 from sailnet.mission import Mission, load_mission
 from sailnet.networks import load_network
 from training.samples import load_samples, split_trajectories
-from training.targets import TARGETS, command_error
+from training.targets import TARGETS as ALL_TARGETS
+from training.targets import command_error
 from training.train import train_network
+
+TARGETS = ALL_TARGETS["box"]
 
 # More threads only wait for each other on matrices this small.
 torch.set_num_threads(1)
@@ -36,7 +39,13 @@ def _mission(seed: int = 3) -> Mission:
         "goal": 1e-30,
         "seed": seed,
     }
-    return mission.model_copy(update={"training": mission.training.model_copy(update=small)})
+    return mission.model_copy(
+        update={
+            "training": mission.training.model_copy(
+                update={"paper": mission.training.paper.model_copy(update=small)}
+            )
+        }
+    )
 
 
 @pytest.fixture(scope="module")

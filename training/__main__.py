@@ -62,9 +62,8 @@ def _names(chosen: list[str] | None, kind: str) -> list[str]:
     names = list(dict.fromkeys(chosen or TARGETS[kind]))
     for name in names:
         if name not in TARGETS[kind]:
-            raise NetworkError(
-                f"no network {name!r} learns from {kind} data: choose from {list(TARGETS[kind])}"
-            )
+            known = ", ".join(TARGETS[kind])
+            raise NetworkError(f"no network {name!r} learns from {kind} data: choose from {known}")
     return names
 
 

@@ -53,7 +53,7 @@ class Target:
 
     @property
     def reads(self) -> tuple[str, ...]:
-        """Columns of the data set that inputs and target are computed from, and those samples are judged by."""
+        """Columns of the data set that its samples are computed from and judged by."""
         inputs = ("beta",) if self.approach else self.inputs
         return tuple(dict.fromkeys(("r", "u", "v", *inputs, *self.columns, "alpha", "tau")))
 
