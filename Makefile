@@ -4,9 +4,9 @@
 MISSION ?= earth_mars
 BUILD   ?= build/$(MISSION)
 SEED    ?= 2
-FLIGHTS ?= 1000
-# What the networks learn from: the paper's box where a mission has one, until the wide networks come.
-RECIPE  ?= $(if $(filter earth_mars,$(MISSION)),box,domain)
+FLIGHTS ?= 10000
+# wide: the networks that fly; box: the paper's own recipe, for missions that have one.
+RECIPE  ?= wide
 PYTHON3 ?= python3
 VENV    ?= .venv
 PYTHON  := $(VENV)/bin/python
@@ -15,16 +15,23 @@ READY   := $(VENV)/.ready
 physics  := $(addprefix sailnet/,dynamics.py pontryagin.py propagation.py extremals.py shooting.py \
     directions.py prisms.py index.py expert.py nominal.py)
 mission  := $(wildcard sailnet/missions/$(MISSION).toml) sailnet/mission.py
-networks := $(BUILD)/networks
-exported := $(BUILD)/export
-learned  := $(BUILD)/$(RECIPE).h5
+run      := $(BUILD)/$(RECIPE)
+networks := $(run)/networks
+exported := $(run)/export
+learned  := $(run).h5
 
-.PHONY: all setup dataset coverage train export evaluate bench benchmarks report ship test lint clean
+.PHONY: all paper setup dataset coverage train export evaluate accept bench benchmarks report ship test lint clean
 .DELETE_ON_ERROR:
 
-all: report
+all: accept
 	@echo
-	@echo "The report: $(BUILD)/report/index.html"
+	@echo "The networks: $(networks); the C that flies: $(exported)/sailnet_guidance.c"
+
+# The paper reproduced: its data, its networks, its Section 5, as a page.
+paper:
+	$(MAKE) report RECIPE=box
+	@echo
+	@echo "The report: $(BUILD)/box/report/index.html"
 
 setup: $(READY)
 
@@ -36,8 +43,8 @@ $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/s
 	@touch $@
 
 # A run that was killed goes on where it was; RESTART=1 throws away what it left.
-dataset: $(sort $(BUILD)/domain.h5 $(learned))
-$(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/jumps.py \
+dataset: $(learned)
+$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/jumps.py sailnet/approach.py \
     $(wildcard sailnet/dataset/*.py data/*.py) | $(READY)
 	$(PYTHON) -m data $@ --mission $(MISSION) --recipe $* $(if $(RESTART),--restart)
 
@@ -51,29 +58,41 @@ $(networks)/trained: $(learned) sailnet/networks.py $(wildcard training/*.py) | 
 	$(PYTHON) -m training $< $(networks) --resume
 	@touch $@
 
+# The paper compares with guidance by two networks: it needs the one for the signed cone angle.
 export: $(exported)/exported
 $(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/include/* c_runtime/source/*) | $(READY)
-	$(PYTHON) -m export $(networks) $(exported) --mission $(MISSION) --baseline $(networks)/alpha.safetensors
+	$(PYTHON) -m export $(networks) $(exported) --mission $(MISSION) \
+	    $(if $(filter wide,$(RECIPE)),,--baseline $(networks)/alpha.safetensors)
 	@touch $@
 
 evaluate: $(exported)/exported
-	$(VENV)/bin/sailnet evaluate --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED)
+	$(VENV)/bin/sailnet evaluate --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED) \
+	    --workers 2
 
-bench: $(BUILD)/bench.json
-$(BUILD)/bench.json: $(exported)/exported $(wildcard c_runtime/bench/*) | $(READY)
+# Everything a set of networks has to stand, and the table of it.
+accept: $(run)/acceptance.json
+$(run)/acceptance.json: $(exported)/exported $(wildcard sailnet/*.py) | $(READY)
+	$(PYTHON) -m sailnet.acceptance --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED) \
+	    --output $@
+
+bench: $(run)/bench.json
+$(run)/bench.json: $(exported)/exported $(wildcard c_runtime/bench/*) | $(READY)
 	$(PYTHON) -m c_runtime.bench $(exported) --networks $(networks) --json > $@
 
-$(BUILD)/agreement.json: $(exported)/exported | $(READY)
+$(run)/agreement.json: $(exported)/exported | $(READY)
 	$(PYTHON) -m export.agreement $(networks) $(exported) --dataset $(learned) > $@
 
-report: $(BUILD)/report/index.html
-$(BUILD)/report/index.html: $(BUILD)/bench.json $(BUILD)/agreement.json $(wildcard sailnet/*.py sailnet/report/*) | $(READY)
-	$(PYTHON) -m sailnet.report --mission $(MISSION) --build $(BUILD) --dataset $(learned) --output $(BUILD)/report \
-	    --seed $(SEED) --flights $(FLIGHTS)
+# Of the paper's form only: RECIPE=box.
+report: $(run)/report/index.html
+$(run)/report/index.html: $(run)/bench.json $(run)/agreement.json $(wildcard sailnet/*.py sailnet/report/*) | $(READY)
+	$(PYTHON) -m sailnet.report --mission $(MISSION) --build $(run) --dataset $(learned) --output $(run)/report \
+	    --seed $(SEED)
 
-# Make the networks of the last run the ones that come with the package, and their figures the README's.
-ship: $(BUILD)/report/index.html
-	$(PYTHON) -m export.ship $(BUILD) sailnet/shipped/$(MISSION) --mission $(MISSION) --readme README.md
+# Make the networks of the last run the ones that come with the package; their figures go into the model
+# card and, with those of the last `make paper`, into the README.
+ship: $(run)/acceptance.json $(run)/bench.json $(run)/agreement.json
+	$(PYTHON) -m export.ship $(run) sailnet/shipped/$(MISSION) --mission $(MISSION) --readme README.md \
+	    $(addprefix --paper ,$(wildcard $(BUILD)/box/report/report.json))
 
 # The expert, generation and coverage beside their peers; some ten minutes.
 benchmarks: | $(READY)

@@ -1,0 +1,128 @@
+"""The model card of a set of networks, generated from the files of the run that made them."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from sailnet.acceptance import acceptance_table
+from sailnet.networks import GuidanceNetworks, Network
+
+TRIO = ("tau", "alpha_pre", "lambda_v")
+
+LIMITS = (
+    "**Limits.** Planar circular target orbit, ideal sail, perfect navigation. Trained on the fastest extremals "
+    "an indirect method finds; where two are equally fast the command is not smooth, and near there a flight "
+    "may take the slower way. A drift of beta of one per cent a TU is beyond the networks: many flights "
+    "miss. What they stand is below."
+)
+
+Facts = Mapping[str, Any]
+"""JSON that a command of the run left."""
+
+
+def made_by(command: str, facts: Facts) -> str:
+    """The line that says where figures come from."""
+    software = facts["software"]
+    return (
+        f"Written by `make ship` from a run of `{command}` on {software['machine']}, {software['date']}, "
+        f"revision {software['revision']}, seed {facts['seed']}."
+    )
+
+
+def _networks_table(networks: Mapping[str, Network]) -> list[str]:
+    lines = [
+        "| network | predicts | inputs | hidden | parameters | test MSE | near arrival | epochs | seed |",
+        "|---|---|---|---|---|---|---|---|---|",
+    ]
+    for name, network in networks.items():
+        record = network.provenance
+        count = sum(w.size for w in network.weights) + sum(b.size for b in network.biases)
+        predicts = str(record["definition"]).replace("|", "&#124;")
+        lines.append(
+            f"| {name} | {predicts} | {', '.join(network.inputs)} | {'-'.join(map(str, network.hidden))} "
+            f"| {count} | {record['test_mse']:.2e} | {record['test_mse_near_arrival']:.2e} "
+            f"| {record['epochs']} | {record['seed']} |"
+        )
+    return lines
+
+
+def _domain(networks: GuidanceNetworks) -> str:
+    tau, problem = networks.tau, networks.mission.problem
+    lowest, highest = (np.array(tau.provenance[key]) for key in ("state_min", "state_max"))
+    box = ", ".join(
+        f"{name} in [{low:.4f}, {high:.4f}]" for name, low, high in zip("ruv", lowest, highest, strict=True)
+    )
+    sails = (
+        f"beta in [{networks.beta_range[0]:.5f}, {networks.beta_range[1]:.5f}] "
+        f"(the mission's is {problem.beta:.5f})"
+        if networks.approach
+        else f"beta = {problem.beta:.5f}"
+    )
+    return (
+        f"**Domain.** Trained on states with {box} [AU, AU/TU], which is a box around the data, not the "
+        f"data: states inside it may lie far from every sample; and on sails with {sails}. Outside the box "
+        "the command stays within the bound and the status says so; it is not to be trusted."
+    )
+
+
+def _speed(timings: Facts) -> list[str]:
+    lines = ["| a command | precision | median [ns] | minimum [ns] |", "|---|---|---|---|"]
+    return lines + [
+        f"| {line['what']} | {line['precision']} | {line['median_ns']:.0f} | {line['min_ns']:.0f} |"
+        for line in timings["rows"]
+    ]
+
+
+def _agreement(records: list[Facts]) -> list[str]:
+    lines = [
+        "| cone angles of | precision | states | largest [rad] | median [rad] |",
+        "|---|---|---|---|---|",
+    ]
+    return lines + [
+        f"| {record['pair']} | {record['precision']} | {record['count']:,} {record['states']} "
+        f"| {record['largest']:.1e} | {record['median']:.0e} |"
+        for record in records
+    ]
+
+
+def model_card(networks: GuidanceNetworks, acceptance: Facts, timings: Facts, agreement: list[Facts]) -> str:
+    """Markdown: what the networks are, what they were trained on, what they do and do not do."""
+    mission = networks.mission
+    tau = networks.tau
+    trio = {name: getattr(networks, name) for name in TRIO}
+    rules = mission.flight
+    return "\n".join(
+        [
+            f"# Model card: {mission.title}",
+            "",
+            made_by("make", acceptance),
+            "",
+            *_networks_table(trio),
+            "",
+            f"Data set: SHA-256 `{tau.provenance['dataset']}`, split {tau.provenance['split']}; made by "
+            "`python -m data` from the mission's recipe. Test errors are over "
+            f"{tau.provenance['test_samples']} samples of trajectories that took no part in training, scaled "
+            "to [0, 1]; near arrival: those with less than 0.3 TU to go. Weights: SHA-256 "
+            f"`{acceptance['networks']}`.",
+            "",
+            _domain(networks),
+            "",
+            LIMITS,
+            "",
+            "## Closed loop",
+            "",
+            "The exported C from random starts of the generalisation set, guidance period "
+            f"{rules.period:g} TU. Arrived: every component of the terminal error at most {rules.arrival_tolerance:g} "
+            "[AU, AU/TU, AU/TU], the cone angle never out of bounds; in brackets the 95 % interval.",
+            "",
+            *acceptance_table(acceptance),
+            "",
+            "## Speed and arithmetic",
+            "",
+            *_speed(timings),
+            "",
+            *_agreement(agreement),
+            "",
+        ]
+    )
