@@ -11,10 +11,10 @@ from sailnet.networks import GuidanceNetworks, Network
 TRIO = ("tau", "alpha_pre", "lambda_v")
 
 LIMITS = (
-    "**Limits.** Planar circular target orbit, ideal sail, perfect navigation. Trained on the fastest extremals "
-    "an indirect method finds; where two are equally fast the command is not smooth, and near there a flight "
-    "may take the slower way. A drift of beta of one per cent a TU is beyond the networks: many flights "
-    "miss. What they stand is below."
+    "**Limits.** Planar circular target orbit, ideal sail, perfect navigation. Trained on the fastest "
+    "extremals an indirect method finds; where two are equally fast the command is not smooth, and near "
+    "there a flight may take the slower way. A drift of beta of one per cent a TU is beyond the networks: many "
+    "flights miss. What they stand is below."
 )
 
 Facts = Mapping[str, Any]
@@ -113,7 +113,8 @@ def model_card(networks: GuidanceNetworks, acceptance: Facts, timings: Facts, ag
             "## Closed loop",
             "",
             "The exported C from random starts of the generalisation set, guidance period "
-            f"{rules.period:g} TU. Arrived: every component of the terminal error at most {rules.arrival_tolerance:g} "
+            f"{rules.period:g} TU. Arrived: every component of the terminal error at most "
+            f"{rules.arrival_tolerance:g} "
             "[AU, AU/TU, AU/TU], the cone angle never out of bounds; in brackets the 95 % interval.",
             "",
             *acceptance_table(acceptance),
