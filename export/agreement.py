@@ -8,21 +8,25 @@ import argparse
 import json
 import sys
 from collections.abc import Mapping
+from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
 
 import numpy as np
 import torch
 
-from export.torch_networks import TorchGuidance
+from export.torch_networks import torch_guidance
 from sailnet import SailnetError
-from sailnet.backends import load_guidance
+from sailnet.approach import approach_coordinates
+from sailnet.backends import Backend, load_guidance
 from sailnet.dataset import open_dataset
 from sailnet.dynamics import Array
 from sailnet.guidance import Precision
+from sailnet.guidance_facts import describe
 from sailnet.networks import GuidanceNetworks, load_guidance_networks
 
 PRECISIONS: tuple[Precision, ...] = ("float64", "float32")
+BACKENDS: Mapping[str, Backend] = {"C": "c", "onnxruntime": "onnx"}
 
 SIGN_MARGIN: Mapping[str, float] = {"float64": 1e-9, "float32": 1e-3}
 """Output of the sign network [1] below which rounding may decide the sign of the command."""
@@ -32,22 +36,60 @@ GOAL: Mapping[str, float] = {"float64": 1e-12, "float32": 1e-6}
 """Difference of the cone angle [rad] that is aimed at."""
 
 
-def states_of_dataset(path: Path, count: int, seed: int) -> Array:
-    """(count, 3) samples drawn evenly from a data set."""
+@dataclass(frozen=True)
+class Sails:
+    """Where commands are compared.
+
+    Attributes:
+        states: (n, 3) rows r, u, v.
+        beta: (n,) normalised characteristic accelerations; without effect on networks that read none.
+    """
+
+    states: Array
+    beta: Array
+
+    def rounded(self, precision: Precision) -> "Sails":
+        """The nearest sails of a precision."""
+        return Sails(*(values.astype(precision).astype(float) for values in (self.states, self.beta)))
+
+
+def sails_of_dataset(path: Path, count: int, seed: int) -> Sails:
+    """Samples drawn evenly from a data set."""
     with open_dataset(path) as data:
         data.verify()
         rows = np.sort(np.random.default_rng(seed).choice(data.samples, count))
-        columns = data.read(["r", "u", "v"], 0, data.samples)
-        return np.column_stack([columns[name][rows] for name in ("r", "u", "v")])
+        columns = data.read(["r", "u", "v", "beta"], 0, data.samples)
+        return Sails(
+            np.column_stack([columns[name][rows] for name in ("r", "u", "v")]), columns["beta"][rows]
+        )
 
 
-def states_of_box(networks: GuidanceNetworks, count: int, seed: int) -> Array:
-    """(count, 3) uniform states of the trained range."""
-    tau = networks.tau
-    return np.random.default_rng(seed).uniform(tau.input_min, tau.input_max, (count, 3))
+def sails_of_box(networks: GuidanceNetworks, count: int, seed: int) -> Sails:
+    """Uniform in the box of trained states and the range of trained beta."""
+    rng = np.random.default_rng(seed)
+    facts = describe(networks, networks.mission)
+    states = rng.uniform(facts.state_min, facts.state_max, (count, 3))
+    return Sails(states, rng.uniform(*networks.beta_range, count))
 
 
-def compare(networks: GuidanceNetworks, exported: Path, states: Array) -> list[dict[str, object]]:
+def sign_network(networks: GuidanceNetworks, sails: Sails) -> Array:
+    """(n,) output of the network whose sign is the command's."""
+    if networks.approach:
+        return networks.lambda_v(approach_coordinates(networks.mission.problem, sails.states, sails.beta))
+    return networks.lambda_v(np.column_stack([sails.states, networks.tau(sails.states)]))
+
+
+def in_torch(networks: GuidanceNetworks, sails: Sails, precision: Precision) -> tuple[Array, Array]:
+    """Cone angle [rad] and time of flight [TU] as PyTorch computes them, (n,) each."""
+    module = torch_guidance(networks, describe(networks, networks.mission))
+    module = module.in_float32() if precision == "float32" else module
+    given = (sails.states, sails.beta)[: 2 if networks.approach else 1]
+    with torch.inference_mode():
+        alpha, tau = module(*(torch.tensor(values, dtype=getattr(torch, precision)) for values in given))
+    return alpha.double().numpy(), tau.double().numpy()
+
+
+def compare(networks: GuidanceNetworks, exported: Path, sails: Sails) -> list[dict[str, object]]:
     """Differences of the cone angle between every pair of evaluations, in both precisions.
 
     Returns:
@@ -57,20 +99,15 @@ def compare(networks: GuidanceNetworks, exported: Path, states: Array) -> list[d
     """
     records: list[dict[str, object]] = []
     for precision in PRECISIONS:
-        given = states.astype(precision).astype(float)
-        module = TorchGuidance(networks)
-        module = module.in_float32() if precision == "float32" else module
-        with torch.inference_mode():
-            torch_angle = module(torch.tensor(given, dtype=getattr(torch, precision)))[0].double().numpy()
+        given = sails.rounded(precision)
         angles = {
-            "C": load_guidance(networks.mission, "c", precision, exported).command(given).cone_angle,
-            "onnxruntime": load_guidance(networks.mission, "onnx", precision, exported)
-            .command(given)
-            .cone_angle,
-            "PyTorch": torch_angle,
+            name: load_guidance(networks.mission, backend, precision, exported)
+            .command(given.states, given.beta)
+            .cone_angle
+            for name, backend in BACKENDS.items()
         }
-        sign = networks.lambda_v(np.column_stack([given, networks.tau(given)]))
-        certain = np.abs(sign) > SIGN_MARGIN[precision]
+        angles["PyTorch"] = in_torch(networks, given, precision)[0]
+        certain = np.abs(sign_network(networks, given)) > SIGN_MARGIN[precision]
         for one, other in combinations(angles, 2):
             difference = np.abs(angles[one] - angles[other])[certain]
             records.append(
@@ -105,13 +142,13 @@ def main() -> int:
     try:
         networks = load_guidance_networks(options.networks)
         kinds = {
-            "samples of the data set": states_of_dataset(options.dataset, options.states, options.seed),
-            "uniform in the box": states_of_box(networks, options.states, options.seed),
+            "samples of the data set": sails_of_dataset(options.dataset, options.states, options.seed),
+            "uniform in the box": sails_of_box(networks, options.states, options.seed),
         }
         records = [
             {"states": kind, "count": options.states, **record}
-            for kind, states in kinds.items()
-            for record in compare(networks, options.exported, states)
+            for kind, sails in kinds.items()
+            for record in compare(networks, options.exported, sails)
         ]
     except SailnetError as error:
         print(f"error: {error}", file=sys.stderr)

@@ -1,6 +1,6 @@
 """The weights as C tables, in the layout that ``c_runtime/source/stage.c.in`` evaluates.
 
-A stage is one or two networks evaluated in step; all its tables have the network as last index but
+A stage is one or more networks evaluated in step; all its tables have the network as last index but
 one. Rows shorter than the array they initialise leave zeros behind, as C defines: the padding is
 chosen when the C is compiled, not here.
 """
@@ -12,26 +12,35 @@ import numpy as np
 
 from export.centred import centred_biases
 from export.errors import ExportError
+from sailnet.approach import SMALLEST_SCALE
 from sailnet.dynamics import Array
-from sailnet.networks import COMMAND_INPUTS, Network
+from sailnet.guidance_facts import GuidanceFacts
+from sailnet.networks import EXTRAPOLATION, Network
 
 LOG2_E = 1.0 / math.log(2.0)
 SMALLEST, LARGEST = 1e-30, 1e30
+BLOCK = 4
+"""Inputs are summed in blocks of this many."""
 
 
-def stage_tables(stage: str, networks: Sequence[Network]) -> str:
+def stage_tables(stage: str, networks: Sequence[Network], units: Sequence[float] | None = None) -> str:
     """C source of the sizes and constant tables of one stage.
 
     Hidden layers are multiplied by -log2(e), so that sigmoid(x) = 1 / (1 + 2^z) of their result z; the
     biases absorb the 1/2 by which the C's sigmoids are centred.
     The first layer absorbs the width of the input ranges, the last layer the output range.
 
+    Args:
+        stage: its name in the C.
+        networks: all with the same number of inputs.
+        units: what the output of each network is multiplied by; 1 by default.
+
     Raises:
         ExportError: a weight does not fit single precision.
     """
     depths = [len(network.hidden) for network in networks]
     widest = max(size for network in networks for size in network.hidden)
-    inputs = len(COMMAND_INPUTS)
+    inputs = math.ceil(len(networks[0].inputs) / BLOCK) * BLOCK
     name = f"sailnet_{stage}"
     upper = stage.upper()
 
@@ -56,21 +65,23 @@ def stage_tables(stage: str, networks: Sequence[Network]) -> str:
         for layer, weight in enumerate(network.weights[1:-1]):
             for i in range(weight.shape[1]):
                 hidden[layer][i][k] = -LOG2_E * weight[:, i]
-        span = network.output_max - network.output_min
+        unit = 1.0 if units is None else units[k]
+        span = unit * (network.output_max - network.output_min)
         output.append(span * network.weights[-1][0])
-        output_bias.append(network.output_min + span * float(last[0]))
+        output_bias.append(unit * network.output_min + span * float(last[0]))
 
     return "\n".join(
         [
             f'/* Stage "{stage}": {", ".join(f"{n.name} {list(n.hidden)}" for n in networks)}. */',
             f"#define {upper}_NETWORKS {len(networks)}",
+            f"#define {upper}_INPUTS {inputs}",
             f"#define {upper}_DEPTH {max(depths)}",
             f"#define {upper}_ROWS SAILNET_ROUNDED_UP({widest}, 4)",
-            f"#define {upper}_WIDTH SAILNET_PADDED({widest})",
-            _table(f"{name}_lower[{upper}_NETWORKS][4]", _rows(lower_bounds)),
-            _table(f"{name}_clamp_min[{upper}_NETWORKS][4]", _rows(clamp_min)),
-            _table(f"{name}_clamp_max[{upper}_NETWORKS][4]", _rows(clamp_max)),
-            _table(f"{name}_first[4][{upper}_NETWORKS][{upper}_WIDTH]", _nested(first)),
+            f"#define {upper}_WIDTH SAILNET_PADDED({max(widest, inputs)})",
+            _table(f"{name}_lower[{upper}_NETWORKS][{upper}_INPUTS]", _rows(lower_bounds)),
+            _table(f"{name}_clamp_min[{upper}_NETWORKS][{upper}_INPUTS]", _rows(clamp_min)),
+            _table(f"{name}_clamp_max[{upper}_NETWORKS][{upper}_INPUTS]", _rows(clamp_max)),
+            _table(f"{name}_first[{upper}_INPUTS][{upper}_NETWORKS][{upper}_WIDTH]", _nested(first)),
             _table(f"{name}_biases[{upper}_DEPTH][{upper}_NETWORKS][{upper}_WIDTH]", _nested(biases)),
             _table(
                 f"{name}_hidden[{len(hidden)}][{upper}_ROWS][{upper}_NETWORKS][{upper}_WIDTH]",
@@ -84,10 +95,23 @@ def stage_tables(stage: str, networks: Sequence[Network]) -> str:
     )
 
 
-def domain_tables(state_min: Sequence[float], state_max: Sequence[float]) -> str:
-    """C source of the box of states (r, u, v) outside of which the status says so."""
-    bounds = (("min", state_min), ("max", state_max))
-    return "\n".join(_table(f"sailnet_domain_{end}[3]", _row(values)) for end, values in bounds) + "\n"
+def constants(facts: GuidanceFacts, approach: bool) -> str:
+    """C source of the target, of the box of trained states and, for approach coordinates, of their clamps.
+
+    The target is split into a part that single precision holds exactly and the rest.
+    """
+    target = np.array(facts.target_state)
+    exact = target.astype(np.float32).astype(float)
+    low, high = np.array(facts.state_min), np.array(facts.state_max)
+    tables = {"target": exact, "target_rest": target - exact, "domain_min": low, "domain_max": high}
+    if approach:
+        margin = EXTRAPOLATION * (high - low)
+        tables |= {"state_clamp_min": low - margin, "state_clamp_max": high + margin}
+    lines = [_table(f"sailnet_{name}[3]", _row(values)) for name, values in tables.items()]
+    if approach:
+        lines.append(f"#define SAILNET_TARGET_R2 R({literal(target[0] ** 2)})")
+        lines.append(f"#define SAILNET_SMALLEST_S4 R({literal(SMALLEST_SCALE**4)})")
+    return "\n".join(lines) + "\n"
 
 
 def literal(value: float) -> str:

@@ -1,12 +1,14 @@
 """The C file and its header, composed of the hand-written sources in ``c_runtime`` and the weights."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
-from export.tables import domain_tables, literal, stage_tables
+from export.tables import LOG2_E, constants, literal, stage_tables
 from sailnet.guidance_facts import GuidanceFacts, round_down
-from sailnet.networks import GuidanceNetworks
+from sailnet.networks import GuidanceNetworks, Network
+from sailnet.steering import LARGEST_SURPRISE, LEAST_COSINE2, MEMORY
 
 C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
 
@@ -17,14 +19,15 @@ def write_c(networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path) -> N
     Raises:
         ExportError: a weight does not fit single precision.
     """
-    (folder / "sailnet_guidance.h").write_text(_header(facts))
+    (folder / "sailnet_guidance.h").write_text(_header(facts, networks.approach))
     (folder / "sailnet_guidance.c").write_text(_source(networks, facts))
     for part in ("include/sailnet_batch.h", "source/sailnet_batch.c"):
         (folder / Path(part).name).write_text(_read(part))
 
 
-def _header(facts: GuidanceFacts) -> str:
+def _header(facts: GuidanceFacts, reads_beta: bool) -> str:
     text = _read("include/sailnet_guidance.h.in")
+    r, u, v = facts.target_state
     for key, value in {
         "PROVENANCE": _provenance(facts),
         "VERSION": facts.version,
@@ -34,7 +37,18 @@ def _header(facts: GuidanceFacts) -> str:
         "PHI_MAX_FLOAT32": literal(round_down(facts.phi_max, np.float32)),
         "PHI_MAX_FLOAT64": literal(facts.phi_max),
         "ARRIVAL_THRESHOLD": literal(facts.arrival_threshold),
+        "ARRIVAL_TOLERANCE": literal(facts.arrival_tolerance),
+        "TARGET_R": literal(r),
+        "TARGET_U": literal(u),
+        "TARGET_V": literal(v),
         "LARGEST_TIME_OF_FLIGHT": literal(facts.largest_time_of_flight),
+        "READS_BETA": str(int(reads_beta)),
+        "BETA": literal(facts.beta),
+        "BETA_MIN": literal(facts.beta_min),
+        "BETA_MAX": literal(facts.beta_max),
+        "MEMORY": literal(MEMORY),
+        "LARGEST_SURPRISE": literal(LARGEST_SURPRISE),
+        "LEAST_COSINE2": literal(LEAST_COSINE2),
     }.items():
         text = text.replace(f"@{key}@", value)
     return text
@@ -43,18 +57,26 @@ def _header(facts: GuidanceFacts) -> str:
 def _source(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
     title = "Neural optimal guidance of a solar sail: see sailnet_guidance.h."
     opening = f"/*\n * {title}\n *\n{_provenance(facts)}\n */\n"
-    stage = _read("source/stage.c.in")
+    trio = [networks.tau, networks.alpha_pre, networks.lambda_v]
+    if networks.approach:
+        # tau comes as a power of 2.
+        stages = [_stage("approach", trio, (LOG2_E, 1.0, 1.0)), _read("source/command_approach.c")]
+    else:
+        stages = [_stage("tau", trio[:1]), _stage("command", trio[1:]), _read("source/command_paper.c")]
     return "\n".join(
         [
             opening + _read("source/arithmetic.c"),
-            stage_tables("tau", [networks.tau]),
-            _instance(stage, "tau"),
-            stage_tables("command", [networks.alpha_pre, networks.lambda_v]),
-            _instance(stage, "command"),
-            domain_tables(facts.state_min, facts.state_max),
+            constants(facts, networks.approach),
+            _read("source/deviation.c"),
+            *stages,
             _read("source/guidance.c"),
+            _read("source/steering.c"),
         ]
     )
+
+
+def _stage(name: str, networks: Sequence[Network], units: Sequence[float] | None = None) -> str:
+    return "\n".join([stage_tables(name, networks, units), _instance(_read("source/stage.c.in"), name)])
 
 
 def _instance(template: str, stage: str) -> str:

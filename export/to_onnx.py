@@ -2,7 +2,7 @@
 
 import logging
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +14,8 @@ from sailnet.guidance_facts import METADATA_KEY, GuidanceFacts
 
 OPSET = 18
 
+Inputs = Mapping[str, int | None]
+
 
 @dataclass(frozen=True)
 class Graph:
@@ -21,34 +23,33 @@ class Graph:
 
     Attributes:
         file: name of the file.
-        module: maps one (n, k) tensor to one (n,) tensor for each output.
-        input: name of the input; ``state`` is (r, u, v), ``state_and_tau`` (r, u, v, tau).
-        columns: k.
+        module: maps its inputs to one (n,) tensor for each output.
+        inputs: name and number of columns k of each input, (n, k), or (n,) where k is None. ``state`` is
+            (r, u, v), ``state_and_tau`` (r, u, v, tau), ``approach`` ``APPROACH_INPUTS``, ``beta`` itself.
         outputs: names of the outputs.
     """
 
     file: str
     module: nn.Module
-    input: str
-    columns: int
+    inputs: Inputs
     outputs: Sequence[str]
 
 
 def write_onnx(graph: Graph, facts: GuidanceFacts, folder: Path) -> None:
     """Export one graph, check it and add what it is to its metadata."""
     dtype = next(graph.module.parameters()).dtype
-    example = torch.zeros(2, graph.columns, dtype=dtype)
+    examples = tuple(torch.ones((2, k) if k else (2,), dtype=dtype) for k in graph.inputs.values())
     rows = {0: torch.export.Dim("n")}
     with warnings.catch_warnings(), _quiet():
         # Deprecations inside the exporter, which a caller can do nothing about.
         warnings.simplefilter("ignore")
         program = torch.onnx.export(
             graph.module.eval(),
-            (example,),
+            examples,
             dynamo=True,
-            input_names=[graph.input],
+            input_names=list(graph.inputs),
             output_names=list(graph.outputs),
-            dynamic_shapes=(rows,),
+            dynamic_shapes=(rows,) * len(examples),
             opset_version=OPSET,
             verbose=False,
         )

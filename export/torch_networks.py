@@ -8,8 +8,9 @@ import torch
 from torch import Tensor, nn
 
 from export.centred import centred_biases
-from sailnet.guidance_facts import round_down
-from sailnet.networks import GuidanceNetworks, Network
+from sailnet.approach import SMALLEST_SCALE
+from sailnet.guidance_facts import GuidanceFacts, round_down
+from sailnet.networks import EXTRAPOLATION, GuidanceNetworks, Network
 
 
 class TorchNetwork(nn.Module):
@@ -51,7 +52,7 @@ class TorchNetwork(nn.Module):
 
 
 class TorchGuidance(nn.Module):
-    """The guidance law, Eq. (25): (n, 3) states to cone angle [rad] and time of flight [TU], (n,) each."""
+    """The guidance law, Eq. (25), whatever the networks read."""
 
     def __init__(self, networks: GuidanceNetworks) -> None:
         super().__init__()
@@ -60,12 +61,10 @@ class TorchGuidance(nn.Module):
         self.lambda_v = TorchNetwork(networks.lambda_v)
         self.register_buffer("phi_max", torch.tensor(networks.mission.problem.phi_max, dtype=torch.float64))
 
-    def forward(self, state: Tensor) -> tuple[Tensor, Tensor]:
-        """Evaluate."""
-        tau = self.tau(state)
-        inputs = torch.cat([state, tau[:, None]], dim=1)
+    def cone_angle(self, inputs: Tensor) -> Tensor:
+        """(n,) cone angle [rad] at the inputs of the command networks."""
         size = torch.minimum(torch.abs(self.alpha_pre(inputs)), self.get_buffer("phi_max"))
-        return torch.where(self.lambda_v(inputs) > 0.0, -size, size), tau
+        return torch.where(self.lambda_v(inputs) > 0.0, -size, size)
 
     def in_float32(self) -> Self:
         """A copy in single precision (``Module.to`` would change this one), its bound rounded down."""
@@ -73,6 +72,64 @@ class TorchGuidance(nn.Module):
         bound = round_down(float(self.get_buffer("phi_max")), np.float32)
         single.register_buffer("phi_max", torch.tensor(bound, dtype=torch.float32))
         return single
+
+
+class TorchPaperGuidance(TorchGuidance):
+    """The paper's form: (n, 3) states to cone angle [rad] and time of flight [TU], (n,) each."""
+
+    def forward(self, state: Tensor) -> tuple[Tensor, Tensor]:
+        """Evaluate."""
+        tau = self.tau(state)
+        return self.cone_angle(torch.cat([state, tau[:, None]], dim=1)), tau
+
+
+class TorchApproachGuidance(TorchGuidance):
+    """Approach coordinates: (n, 3) states and (n,) beta to cone angle [rad] and time of flight [TU].
+
+    States are clamped to the box of trained ones, widened, and beta to its range.
+    """
+
+    def __init__(self, networks: GuidanceNetworks, facts: GuidanceFacts) -> None:
+        super().__init__(networks)
+        low, high = np.array(facts.state_min), np.array(facts.state_max)
+        margin = EXTRAPOLATION * (high - low)
+        target = np.array(facts.target_state)
+        exact = target.astype(np.float32).astype(float)
+        for name, value in {
+            "state_clamp_min": low - margin,
+            "state_clamp_max": high + margin,
+            "beta_min": facts.beta_min,
+            "beta_max": facts.beta_max,
+            # In two parts, so that in single precision too the difference is as exact as the state.
+            "target": exact,
+            "target_rest": target - exact,
+            "target_radius2": target[0] ** 2,
+            "smallest_s4": SMALLEST_SCALE**4,
+        }.items():
+            self.register_buffer(name, torch.tensor(value, dtype=torch.float64))
+
+    def coordinates(self, state: Tensor, beta: Tensor) -> Tensor:
+        """(n, 5) ``APPROACH_INPUTS``."""
+        known = self.get_buffer
+        sail = torch.minimum(torch.maximum(beta, known("beta_min")), known("beta_max"))
+        near = torch.minimum(torch.maximum(state, known("state_clamp_min")), known("state_clamp_max"))
+        acceleration = sail / known("target_radius2")
+        missing = ((near - known("target")) - known("target_rest")) / acceleration[:, None]
+        speed2 = missing[:, 1] ** 2 + missing[:, 2] ** 2
+        s4 = torch.maximum(speed2**2 + (2.0 * missing[:, 0]) ** 2, known("smallest_s4"))
+        s2 = torch.sqrt(s4)
+        s = torch.sqrt(s2)
+        return torch.stack([missing[:, 0] / s2, missing[:, 1] / s, missing[:, 2] / s, s, sail], dim=1)
+
+    def forward(self, state: Tensor, beta: Tensor) -> tuple[Tensor, Tensor]:
+        """Evaluate."""
+        inputs = self.coordinates(state, beta)
+        return self.cone_angle(inputs), inputs[:, 3] * torch.exp(self.tau(inputs))
+
+
+def torch_guidance(networks: GuidanceNetworks, facts: GuidanceFacts) -> TorchGuidance:
+    """The guidance law as a module, of the form that the networks have."""
+    return TorchApproachGuidance(networks, facts) if networks.approach else TorchPaperGuidance(networks)
 
 
 class TorchBaseline(nn.Module):

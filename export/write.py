@@ -8,15 +8,25 @@ from tqdm import tqdm
 from c_runtime.shared_library import CompilerError, compile_libraries
 from export.errors import ExportError
 from export.to_c import write_c
-from export.to_onnx import Graph, write_onnx
-from export.torch_networks import TorchBaseline, TorchGuidance
+from export.to_onnx import Graph, Inputs, write_onnx
+from export.torch_networks import TorchBaseline, torch_guidance
+from sailnet.approach import APPROACH_INPUTS
 from sailnet.checksums import write_checksums
 from sailnet.errors import NetworkError
-from sailnet.guidance_facts import describe
+from sailnet.guidance_facts import GuidanceFacts, describe
 from sailnet.mission import Mission
-from sailnet.networks import COMMAND_INPUTS, GuidanceNetworks, Network, load_guidance_networks, load_network
+from sailnet.networks import (
+    COMMAND_INPUTS,
+    STATE_INPUTS,
+    GuidanceNetworks,
+    Network,
+    load_guidance_networks,
+    load_network,
+)
 
 CHECKSUMS = "SHA256SUMS"
+STATE: Inputs = {"state": len(STATE_INPUTS)}
+COMMAND = ("cone_angle", "time_of_flight")
 
 
 def export(
@@ -42,8 +52,11 @@ def export(
     alpha = load_network(baseline) if baseline else None
     if alpha is not None:
         _refuse_other_mission(alpha, mission)
-        if alpha.inputs != COMMAND_INPUTS:
-            raise NetworkError(f"the baseline takes {alpha.inputs}, not {COMMAND_INPUTS}")
+        if alpha.inputs != COMMAND_INPUTS or networks.approach:
+            raise NetworkError(
+                f"a baseline takes {COMMAND_INPUTS} and flies with a tau of {STATE_INPUTS}, "
+                f"not {alpha.inputs} with {networks.tau.inputs}"
+            )
     try:
         target.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=target, prefix=".export-") as name:
@@ -62,31 +75,39 @@ def _write_and_move(
     target: Path,
     progress: bool,
 ) -> list[Path]:
-    trio = {"tau": networks.tau, "alpha_pre": networks.alpha_pre, "lambda_v": networks.lambda_v}
-    facts = describe(trio, mission)
+    facts = describe(networks, mission)
     write_c(networks, facts, beside)
     compiled = compile_libraries(beside, beside)
 
-    guidance = TorchGuidance(networks)
-    commands = ("cone_angle", "time_of_flight")
-    graphs = [
-        Graph("tau.onnx", guidance.tau, "state", 3, ["tau"]),
-        Graph("alpha_pre.onnx", guidance.alpha_pre, "state_and_tau", 4, ["alpha_pre"]),
-        Graph("lambda_v.onnx", guidance.lambda_v, "state_and_tau", 4, ["lambda_v"]),
-        Graph("guidance_f32.onnx", guidance.in_float32(), "state", 3, commands),
-        Graph("guidance_f64.onnx", guidance, "state", 3, commands),
-    ]
-    for graph in tqdm(graphs, "ONNX graphs", disable=not progress):
+    for graph in tqdm(_graphs(networks, facts), "ONNX graphs", disable=not progress):
         write_onnx(graph, facts, beside)
     if alpha is not None:
-        pair = TorchBaseline(networks.tau, alpha)
-        facts_of_pair = describe({"tau": networks.tau, "alpha": alpha}, mission)
-        write_onnx(Graph("baseline_f64.onnx", pair, "state", 3, commands), facts_of_pair, beside)
+        pair = Graph("baseline_f64.onnx", TorchBaseline(networks.tau, alpha), STATE, COMMAND)
+        write_onnx(pair, describe(networks, mission, alpha), beside)
 
     listed = [file for file in beside.iterdir() if file not in compiled]
     write_checksums(listed, beside / CHECKSUMS)
     moved = [*sorted([*listed, *compiled]), beside / CHECKSUMS]
     return [file.replace(target / file.name) for file in moved]
+
+
+def _graphs(networks: GuidanceNetworks, facts: GuidanceFacts) -> list[Graph]:
+    guidance = torch_guidance(networks, facts)
+    whole: Inputs
+    of_tau: Inputs
+    of_command: Inputs
+    if networks.approach:
+        whole = {**STATE, "beta": None}
+        of_tau = of_command = {"approach": len(APPROACH_INPUTS)}
+    else:
+        whole, of_tau, of_command = STATE, STATE, {"state_and_tau": len(COMMAND_INPUTS)}
+    return [
+        Graph("tau.onnx", guidance.tau, of_tau, ["tau"]),
+        Graph("alpha_pre.onnx", guidance.alpha_pre, of_command, ["alpha_pre"]),
+        Graph("lambda_v.onnx", guidance.lambda_v, of_command, ["lambda_v"]),
+        Graph("guidance_f32.onnx", guidance.in_float32(), whole, COMMAND),
+        Graph("guidance_f64.onnx", guidance, whole, COMMAND),
+    ]
 
 
 def _refuse_other_mission(network: Network, mission: Mission) -> None:

@@ -48,7 +48,7 @@ class Steered:
         time_of_flight: predicted to the target orbit [TU].
         beta: estimate of the normalised characteristic acceleration.
         arrived: the flight ends after ``hold``.
-        status: of the command, values of ``GuidanceStatus``.
+        status: values of ``GuidanceStatus``: ``ARRIVED`` where the flight ends, else of the command.
     """
 
     cone_angle: Array
@@ -64,6 +64,9 @@ class Steering(Protocol):
 
     def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
         """Steer some of the sails.
+
+        A state that is not finite gets the safe command for a period, and nothing is learnt from it; a
+        period that is not a positive number gets it with ``hold`` 0.
 
         Args:
             states: (n, 3) r, u, v now, after what was commanded last was held.
@@ -95,10 +98,10 @@ class Guidance(Protocol):
         Args:
             states: rows r, u, v.
             beta: (n,) or one normalised characteristic acceleration, clamped to ``beta_range``; the
-                mission's by default.
+                mission's by default, and in place of NaN.
 
         Raises:
-            GuidanceError: ``states`` has another shape.
+            GuidanceError: ``states`` or ``beta`` has another shape.
         """
 
     def steering(self, count: int) -> Steering:
@@ -119,3 +122,20 @@ def as_states(states: ArrayLike, precision: Precision) -> NDArray[np.floating]:
     if array.ndim != 2 or array.shape[1] != 3:
         raise GuidanceError(f"states must be an (n, 3) array of (r, u, v), not of shape {array.shape}")
     return array
+
+
+def as_betas(
+    beta: ArrayLike | None, count: int, nominal: float, precision: Precision
+) -> NDArray[np.floating]:
+    """(count,) contiguous array of one precision; NaN, like no beta at all, becomes ``nominal``.
+
+    Raises:
+        GuidanceError: neither one number nor as many as there are states.
+    """
+    try:
+        with np.errstate(over="ignore"):
+            given = np.asarray(nominal if beta is None else beta, precision)
+        array = np.broadcast_to(given, count)
+    except (TypeError, ValueError) as error:
+        raise GuidanceError(f"beta must be one number, or one for each of {count} states: {error}") from error
+    return np.ascontiguousarray(np.where(np.isnan(array), np.asarray(nominal, precision), array))

@@ -2,17 +2,18 @@
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 
 import numpy as np
 from numpy.typing import DTypeLike
 
 from sailnet import __version__
+from sailnet.approach import APPROACH_INPUTS
 from sailnet.dynamics import Array
-from sailnet.errors import GuidanceError
+from sailnet.errors import GuidanceError, NetworkError
 from sailnet.mission import Mission
-from sailnet.networks import Network
+from sailnet.networks import STATE_INPUTS, GuidanceNetworks, Network
 
 METADATA_KEY = "sailnet_guidance"
 """The key of an ONNX file's ``metadata_props`` that holds the facts as JSON."""
@@ -30,7 +31,11 @@ class GuidanceFacts:
         datasets: digest of the data set of each network, as its trainer recorded it.
         phi_max: bound on the cone angle [rad], Eq. (3).
         arrival_threshold: a shorter predicted time of flight is an arrival [TU].
-        largest_time_of_flight: the longest the networks were trained on [TU].
+        arrival_tolerance: arrived means each of r, u, v within this of the target [AU, AU/TU].
+        largest_time_of_flight: the networks were trained on no longer one [TU].
+        beta: the mission's normalised characteristic acceleration.
+        beta_min, beta_max: range of it the networks were trained on.
+        target_state: (r, u, v) on the target orbit.
         state_min, state_max: box of states (r, u, v) the time-of-flight network was trained on.
     """
 
@@ -41,7 +46,12 @@ class GuidanceFacts:
     datasets: Mapping[str, str]
     phi_max: float
     arrival_threshold: float
+    arrival_tolerance: float
     largest_time_of_flight: float
+    beta: float
+    beta_min: float
+    beta_max: float
+    target_state: tuple[float, float, float]
     state_min: tuple[float, float, float]
     state_max: tuple[float, float, float]
 
@@ -58,30 +68,68 @@ class GuidanceFacts:
         """
         try:
             content = json.loads(text)
-            content["state_min"] = tuple(content["state_min"])
-            content["state_max"] = tuple(content["state_max"])
+            for name in ("target_state", "state_min", "state_max"):
+                content[name] = tuple(content[name])
             return cls(**content)
         except (ValueError, KeyError, TypeError) as error:
             raise GuidanceError(f"the guidance does not say what it is: {error}; export it again") from error
 
 
-def describe(networks: Mapping[str, Network], mission: Mission) -> GuidanceFacts:
-    """Facts of ``networks`` (one of them named ``tau``), flown by the rules of ``mission``."""
-    tau = networks["tau"]
-    r_min, u_min, v_min = (float(x) for x in tau.input_min)
-    r_max, u_max, v_max = (float(x) for x in tau.input_max)
+def describe(networks: GuidanceNetworks, mission: Mission, alpha: Network | None = None) -> GuidanceFacts:
+    """Facts of networks flown by the rules of ``mission``.
+
+    Args:
+        networks: the trio.
+        mission: the mission that is flown.
+        alpha: the network that flies instead of ``alpha_pre`` and ``lambda_v``, for the baseline.
+
+    Raises:
+        NetworkError: the networks do not say what states they were trained on.
+    """
+    tau = networks.tau
+    flown = (tau, networks.alpha_pre, networks.lambda_v) if alpha is None else (tau, alpha)
+    # Over approach coordinates tau is given in units of s, by its logarithm.
+    longest = (
+        tau.input_max[APPROACH_INPUTS.index("s")] * np.exp(tau.output_max)
+        if networks.approach
+        else tau.output_max
+    )
+    state_min, state_max = _trained_states(tau)
+    beta_min, beta_max = networks.beta_range
     return GuidanceFacts(
         version=__version__,
         mission=mission.name,
         mission_digest=mission.digest(),
-        networks_digest=_digest(networks),
-        datasets={name: str(n.provenance.get("dataset", "not recorded")) for name, n in networks.items()},
+        networks_digest=_digest(flown),
+        datasets={n.name: str(n.provenance.get("dataset", "not recorded")) for n in flown},
         phi_max=mission.problem.phi_max,
         arrival_threshold=mission.flight.arrival_threshold,
-        largest_time_of_flight=tau.output_max,
-        state_min=(r_min, u_min, v_min),
-        state_max=(r_max, u_max, v_max),
+        arrival_tolerance=mission.flight.arrival_tolerance,
+        largest_time_of_flight=float(longest),
+        beta=mission.sail.beta,
+        beta_min=beta_min,
+        beta_max=beta_max,
+        target_state=mission.problem.target_state,
+        state_min=state_min,
+        state_max=state_max,
     )
+
+
+def _trained_states(tau: Network) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+    recorded = [tau.provenance.get(name) for name in ("state_min", "state_max")]
+    if recorded == [None, None] and tau.inputs == STATE_INPUTS:
+        recorded = [tau.input_min.tolist(), tau.input_max.tolist()]
+    try:
+        box = np.array(recorded, float)
+        ordered = box.shape == (2, 3) and bool((box[0] < box[1]).all())
+    except (TypeError, ValueError):
+        ordered = False
+    if not ordered:
+        raise NetworkError(
+            "network tau does not say what states it was trained on (state_min, state_max): train it again"
+        )
+    (r_min, u_min, v_min), (r_max, u_max, v_max) = box.tolist()
+    return (r_min, u_min, v_min), (r_max, u_max, v_max)
 
 
 def round_down(value: float, precision: DTypeLike) -> float:
@@ -91,12 +139,12 @@ def round_down(value: float, precision: DTypeLike) -> float:
     return float(nearest if float(nearest) <= value else below)
 
 
-def _digest(networks: Mapping[str, Network]) -> str:
+def _digest(networks: Iterable[Network]) -> str:
     content = hashlib.sha256()
-    for name, network in sorted(networks.items()):
+    for network in sorted(networks, key=lambda network: network.name):
         scaling = np.array([network.output_min, network.output_max])
         arrays: tuple[Array, ...] = (*network.weights, *network.biases, network.input_min, network.input_max)
         for array in (*arrays, scaling):
-            content.update(f"{name} {array.shape}".encode())
+            content.update(f"{network.name} {array.shape}".encode())
             content.update(np.ascontiguousarray(array, dtype="<f8").tobytes())
     return content.hexdigest()

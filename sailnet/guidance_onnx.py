@@ -8,15 +8,16 @@ from numpy.typing import ArrayLike
 
 from sailnet.checksums import verify_checksum
 from sailnet.errors import GuidanceError
-from sailnet.guidance import Commands, GuidanceStatus, Precision, as_states
+from sailnet.guidance import Commands, GuidanceStatus, Precision, as_betas, as_states
 from sailnet.guidance_facts import METADATA_KEY, GuidanceFacts
 from sailnet.mission import Mission
+from sailnet.steering import ReferenceSteering
 
 _PRECISIONS: dict[str, Precision] = {"tensor(float)": "float32", "tensor(double)": "float64"}
 
 
 class OnnxGuidance:
-    """Flies an exported graph (``state`` to ``cone_angle`` and ``time_of_flight``).
+    """Flies an exported graph: ``state`` and, where the networks read it, ``beta`` to a command.
 
     Args:
         mission: the mission to fly.
@@ -45,6 +46,8 @@ class OnnxGuidance:
         self._graph = graph
         self.networks_digest = facts.networks_digest
         self._facts = facts
+        self.beta_range = (facts.beta_min, facts.beta_max)
+        self._reads_beta = "beta" in [entry.name for entry in self._session.get_inputs()]
         kind = np.dtype(self.precision).type
         self._state_min, self._state_max = np.array(facts.state_min, kind), np.array(facts.state_max, kind)
         self._arrival_threshold = kind(facts.arrival_threshold)
@@ -53,13 +56,15 @@ class OnnxGuidance:
         # A worker in another process loads, and checks, the graph itself.
         return OnnxGuidance, (self.mission, self._graph)
 
-    def command(self, states: ArrayLike) -> Commands:
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
         """Command the sails at (n, 3) states; see ``sailnet.guidance.Guidance``."""
         array = as_states(states, self.precision)
+        betas = as_betas(beta, len(array), self.mission.sail.beta, self.precision)
         valid = np.isfinite(array).all(axis=1)
         # A NaN never enters the graph: what its operators make of one is not defined.
         entered = np.where(valid[:, None], array, self._state_min)
-        cone_angle, time_of_flight = self._session.run(["cone_angle", "time_of_flight"], {"state": entered})
+        inputs = {"state": entered, "beta": betas} if self._reads_beta else {"state": entered}
+        cone_angle, time_of_flight = self._session.run(["cone_angle", "time_of_flight"], inputs)
         inside = ((array >= self._state_min) & (array <= self._state_max)).all(axis=1)
         status = np.where(time_of_flight < self._arrival_threshold, GuidanceStatus.ARRIVED, GuidanceStatus.OK)
         status = np.where(inside, status, GuidanceStatus.OUTSIDE_DOMAIN)
@@ -70,3 +75,7 @@ class OnnxGuidance:
             ),
             status=np.where(valid, status, GuidanceStatus.INVALID_INPUT).astype(np.int32),
         )
+
+    def steering(self, count: int) -> ReferenceSteering:
+        """Steering by the reference rules; see ``sailnet.guidance.Guidance``."""
+        return ReferenceSteering(self, count)

@@ -43,7 +43,7 @@ class ReferenceSteering:
 
     def __init__(self, guidance: Guidance, count: int) -> None:
         self._guidance = guidance
-        self._beta = np.full(count, guidance.mission.sail.beta)
+        self._beta = np.full(count, np.clip(guidance.mission.sail.beta, *guidance.beta_range))
         self._periods = np.zeros(count, int)
         self._state = np.zeros((count, 3))
         self._cone_angle, self._held = np.zeros((2, count))
@@ -53,25 +53,34 @@ class ReferenceSteering:
         """See :class:`sailnet.guidance.Steering`."""
         state = np.asarray(states, float)
         mission = self._guidance.mission
+        if not (np.isfinite(period) and period > 0.0):
+            state, period = np.full_like(state, np.nan), 0.0
         self._learn(state, sails)
         command = self._guidance.command(state, self._beta[sails])
-        tau = command.time_of_flight
-        known = command.status <= GuidanceStatus.ARRIVED
+        tau, status = command.time_of_flight, command.status
+        known = status <= GuidanceStatus.ARRIVED
         last = known & (tau <= max(period, mission.flight.arrival_threshold))
         error = np.abs(state - mission.problem.target_state).max(axis=1)
         past = known & (error <= mission.flight.arrival_tolerance) & (tau >= self._time_of_flight[sails])
-        hold = np.where(last, tau, np.where(past, 0.0, period))
-        self._state[sails], self._cone_angle[sails], self._held[sails] = state, command.cone_angle, hold
-        self._time_of_flight[sails] = tau
-        self._periods[sails] += 1
-        return Steered(command.cone_angle, hold, tau, self._beta[sails], last | past, command.status)
+        hold = np.where(last, np.maximum(tau, 0.0), np.where(past, 0.0, period))
+
+        # After an invalid state the memory stays, but the next is not what came of the last command.
+        valid = status != GuidanceStatus.INVALID_INPUT
+        self._held[sails] = np.where(valid, hold, 0.0)
+        kept = sails[valid]
+        self._state[kept], self._cone_angle[kept] = state[valid], command.cone_angle[valid]
+        self._time_of_flight[kept] = tau[valid]
+        self._periods[kept] += 1
+        arrived = last | past
+        status = np.where(arrived, np.int32(GuidanceStatus.ARRIVED), status)
+        return Steered(command.cone_angle, hold, tau, self._beta[sails], arrived, status)
 
     def _learn(self, state: Array, sails: NDArray[np.intp]) -> None:
         nominal = self._guidance.mission.sail.beta
         cosine, sine = np.cos(self._cone_angle[sails]), np.sin(self._cone_angle[sails])
         held, periods = self._held[sails], self._periods[sails]
         telling = (periods > 0) & (held > 0.0) & (cosine**2 >= LEAST_COSINE2)
-        telling &= np.isfinite(state).all(axis=1) & np.isfinite(self._state[sails]).all(axis=1)
+        telling &= np.isfinite(state).all(axis=1)
         at = np.flatnonzero(telling)
         if not len(at):
             return
@@ -79,11 +88,11 @@ class ReferenceSteering:
         before = np.zeros((4, len(at)))
         before[[0, 2, 3]] = self._state[rows].T
         expected = runge_kutta_step(before, self._cone_angle[rows], self._beta[rows], held)
-        surprise = cosine * (state[at, 1] - expected[2]) + sine * (state[at, 2] - expected[3])
-        distance = 0.5 * (before[0] + state[at, 0])
-        measured = surprise * distance**2 / (held * cosine**2)
         bound = LARGEST_SURPRISE * nominal
-        with np.errstate(invalid="ignore"):
+        with np.errstate(invalid="ignore", over="ignore"):
+            surprise = cosine * (state[at, 1] - expected[2]) + sine * (state[at, 2] - expected[3])
+            distance = 0.5 * (before[0] + state[at, 0])
+            measured = surprise * distance**2 / (held * cosine**2)
             measured = np.where(np.isfinite(measured), np.clip(measured, -bound, bound), 0.0)
         share = np.maximum(1.0 / (periods[at] + 1.0), np.minimum(held / MEMORY, 0.5))
         self._beta[rows] = np.clip(self._beta[rows] + share * measured, *self._guidance.beta_range)

@@ -10,7 +10,7 @@ from data.box import box_shard
 from sailnet.dataset import Block, write_dataset
 from sailnet.expert import Extremal, Optima, solve, solve_states
 from sailnet.mission import Mission, Transfer, load_mission
-from sailnet.networks import GuidanceNetworks, save_network
+from sailnet.networks import GuidanceNetworks, Network, save_network
 from sailnet.nominal import Nominal, solve_nominal
 from tests.random_networks import random_guidance, random_network, save_guidance
 from tests.reference import Array
@@ -65,14 +65,39 @@ class Exported:
 
 
 @pytest.fixture(scope="session")
-def exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Exported:
+def paper_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Exported:
+    """Networks of the paper's form, and a baseline."""
+    return _export(random_guidance(), mission, tmp_path_factory, random_network("alpha"))
+
+
+@pytest.fixture(scope="session")
+def approach_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Exported:
+    """Networks in approach coordinates."""
+    return _export(random_guidance(approach=True), mission, tmp_path_factory)
+
+
+@pytest.fixture(params=["paper", "approach"])
+def exported(request: pytest.FixtureRequest) -> Exported:
+    """Networks of either form in turn."""
+    either: Exported = request.getfixturevalue(f"{request.param}_exported")
+    return either
+
+
+def _export(
+    networks: GuidanceNetworks,
+    mission: Mission,
+    folders: pytest.TempPathFactory,
+    alpha: Network | None = None,
+) -> Exported:
     from export.write import export
 
-    weights, folder = tmp_path_factory.mktemp("networks"), tmp_path_factory.mktemp("exported")
-    networks = random_guidance()
+    weights, folder = folders.mktemp("networks"), folders.mktemp("exported")
     save_guidance(networks, weights)
-    save_network(random_network("alpha"), weights / "alpha.safetensors")
-    export(weights, folder, mission, weights / "alpha.safetensors", progress=False)
+    baseline = None
+    if alpha is not None:
+        baseline = weights / "alpha.safetensors"
+        save_network(alpha, baseline)
+    export(weights, folder, mission, baseline, progress=False)
     return Exported(networks, weights, folder)
 
 

@@ -7,24 +7,43 @@ import numpy as np
 from scipy.special import expit
 
 from sailnet import Mission, load_mission
+from sailnet.approach import APPROACH_INPUTS
 from sailnet.networks import COMMAND_INPUTS, STATE_INPUTS, GuidanceNetworks, Network, save_network
 
 STATE_MIN, STATE_MAX = (0.35, -0.45, 0.59), (1.56, 0.45, 1.85)
+BETA_SHARES = (0.8, 1.2)
+"""Range of beta of approach networks, in units of the mission's."""
 OUTPUT_RANGE = {
     "tau": (0.0, 10.0),
     "alpha_pre": (-1.05, 1.05),
     "alpha": (-1.05, 1.05),
     "lambda_v": (-50.0, 14.0),
 }
+APPROACH_OUTPUT_RANGE = OUTPUT_RANGE | {"tau": (-14.0, 1.0), "lambda_v": (-3.0, 3.0)}
+"""tau is log(tau / s) here: a wide range, so that there are arrivals among random states."""
 
 
 def random_network(
-    name: str, hidden: Sequence[int] = (20, 20, 20), seed: int = 0, mission: Mission | None = None
+    name: str,
+    hidden: Sequence[int] = (20, 20, 20),
+    seed: int = 0,
+    mission: Mission | None = None,
+    approach: bool = False,
 ) -> Network:
     """A network whose output covers its range, and a little more, over its box of inputs."""
+    mission = mission or load_mission("earth_mars")
     rng = np.random.default_rng([seed, len(name), *name.encode()])
-    inputs = STATE_INPUTS if name == "tau" else COMMAND_INPUTS
-    extra = () if name == "tau" else (0.0,), () if name == "tau" else (10.0,)
+    inputs: tuple[str, ...]
+    low: tuple[float, ...]
+    high: tuple[float, ...]
+    if approach:
+        smallest, largest = (share * mission.sail.beta for share in BETA_SHARES)
+        inputs = APPROACH_INPUTS
+        low, high = (-0.5, -1.0, -1.0, 0.0, smallest), (0.5, 1.0, 1.0, 16.0, largest)
+    elif name == "tau":
+        inputs, low, high = STATE_INPUTS, STATE_MIN, STATE_MAX
+    else:
+        inputs, low, high = COMMAND_INPUTS, (*STATE_MIN, 0.0), (*STATE_MAX, 10.0)
     sizes = [len(inputs), *hidden]
     shapes = list(zip(sizes[1:], sizes[:-1], strict=True))
     weights = [rng.normal(scale=3.0 if i == 0 else 6.0 / np.sqrt(s[1]), size=s) for i, s in enumerate(shapes)]
@@ -34,17 +53,18 @@ def random_network(
         layer = expit(layer @ weight.T + bias)
     last = rng.normal(size=hidden[-1])
     lowest, highest = (layer @ last).min(), (layer @ last).max()
+    output_min, output_max = (APPROACH_OUTPUT_RANGE if approach else OUTPUT_RANGE)[name]
     return Network(
         name=name,
         inputs=inputs,
         weights=(*weights, 1.02 * last[None, :] / (highest - lowest)),
         biases=(*biases, np.array([-1.02 * lowest / (highest - lowest) - 0.01])),
-        input_min=np.array([*STATE_MIN, *extra[0]]),
-        input_max=np.array([*STATE_MAX, *extra[1]]),
-        output_min=OUTPUT_RANGE[name][0],
-        output_max=OUTPUT_RANGE[name][1],
-        mission=mission or load_mission("earth_mars"),
-        provenance={"dataset": "random */ weights"},
+        input_min=np.array(low),
+        input_max=np.array(high),
+        output_min=output_min,
+        output_max=output_max,
+        mission=mission,
+        provenance={"dataset": "random */ weights", "state_min": STATE_MIN, "state_max": STATE_MAX},
     )
 
 
@@ -54,12 +74,13 @@ def random_guidance(
     lambda_v: Sequence[int] = (20, 20, 20),
     seed: int = 0,
     mission: Mission | None = None,
+    approach: bool = False,
 ) -> GuidanceNetworks:
     """Three random networks with these hidden sizes."""
     return GuidanceNetworks(
-        random_network("tau", tau, seed, mission),
-        random_network("alpha_pre", alpha_pre, seed, mission),
-        random_network("lambda_v", lambda_v, seed, mission),
+        random_network("tau", tau, seed, mission, approach),
+        random_network("alpha_pre", alpha_pre, seed, mission, approach),
+        random_network("lambda_v", lambda_v, seed, mission, approach),
     )
 
 

@@ -9,10 +9,11 @@ from hypothesis import strategies as st
 from sailnet import load_mission
 from sailnet.backends import Backend, load_guidance
 from sailnet.checksums import write_checksums
+from sailnet.dynamics import Array
 from sailnet.errors import GuidanceError
 from sailnet.guidance import GuidanceStatus, Precision
 from sailnet.guidance_c import CGuidance
-from sailnet.guidance_facts import round_down
+from sailnet.guidance_facts import describe, round_down
 from tests.conftest import Exported
 from tests.random_networks import STATE_MAX, STATE_MIN
 
@@ -36,7 +37,8 @@ def test_invalid_input_gives_the_safe_command(
     commands = load_guidance(MISSION, backend, precision, exported.folder).command(states)
     assert commands.status[1] == GuidanceStatus.INVALID_INPUT
     assert commands.cone_angle[1] == 0.0
-    assert commands.time_of_flight[1] == exported.networks.tau.output_max
+    longest = describe(exported.networks, MISSION).largest_time_of_flight
+    assert commands.time_of_flight[1] == pytest.approx(longest, rel=1e-7)
     assert commands.status[0] == commands.status[2] != GuidanceStatus.INVALID_INPUT
     assert commands.cone_angle[0] == commands.cone_angle[2] != 0.0
 
@@ -74,11 +76,11 @@ def test_arrival_is_a_short_predicted_time_inside_the_box(
 @every_backend
 @every_precision
 @settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
-@given(state=st.tuples(*[st.floats(allow_subnormal=True)] * 3))
+@given(state=st.tuples(*[st.floats(allow_subnormal=True)] * 3), beta=st.floats(allow_subnormal=True))
 def test_any_numbers_give_a_bounded_command(
-    exported: Exported, backend: Backend, precision: Precision, state: tuple[float, float, float]
+    exported: Exported, backend: Backend, precision: Precision, state: tuple[float, float, float], beta: float
 ) -> None:
-    commands = load_guidance(MISSION, backend, precision, exported.folder).command([state])
+    commands = load_guidance(MISSION, backend, precision, exported.folder).command([state], beta)
     assert abs(commands.cone_angle[0]) <= round_down(MISSION.problem.phi_max, precision)
     assert np.isfinite(commands.time_of_flight[0])
     with np.errstate(over="ignore"):
@@ -168,3 +170,40 @@ def test_both_backends_name_the_same_networks(exported: Exported) -> None:
     c = load_guidance(MISSION, "c", folder=exported.folder)
     graph = load_guidance(MISSION, "onnx", folder=exported.folder)
     assert c.networks_digest == graph.networks_digest
+
+
+@every_backend
+@every_precision
+def test_beta_is_clamped_and_nan_is_the_missions(
+    exported: Exported, backend: Backend, precision: Precision
+) -> None:
+    guidance = load_guidance(MISSION, backend, precision, exported.folder)
+    states = np.random.default_rng(5).uniform(STATE_MIN, STATE_MAX, (100, 3))
+    low, high = guidance.beta_range
+    np.testing.assert_allclose((low, high), exported.networks.beta_range, rtol=1e-7)
+
+    def angles(beta: float | None) -> Array:
+        return guidance.command(states, beta).cone_angle
+
+    for absurd, same in ((0.0, low), (-np.inf, low), (1e30, high), (np.inf, high)):
+        np.testing.assert_array_equal(angles(absurd), angles(same))
+    for unknown in (np.nan, MISSION.sail.beta):
+        np.testing.assert_array_equal(angles(unknown), angles(None))
+    assert np.array_equal(angles(low), angles(high)) == (not exported.networks.approach)
+
+
+@every_backend
+def test_each_sail_has_its_own_beta(approach_exported: Exported, backend: Backend) -> None:
+    guidance = load_guidance(MISSION, backend, folder=approach_exported.folder)
+    betas = np.linspace(*guidance.beta_range, 7)
+    together = guidance.command([GOOD] * 7, betas)
+    alone = [guidance.command([GOOD], beta).cone_angle[0] for beta in betas]
+    np.testing.assert_allclose(together.cone_angle, alone, rtol=0, atol=1e-15)
+    assert len(set(alone)) == 7
+
+
+@every_backend
+@pytest.mark.parametrize("beta", [[0.16, 0.17, 0.18], [[0.16], [0.17]], "much"])
+def test_another_number_of_betas_is_refused(exported: Exported, backend: Backend, beta: object) -> None:
+    with pytest.raises(GuidanceError, match="beta must be one number"):
+        load_guidance(MISSION, backend, folder=exported.folder).command([GOOD, GOOD], beta)  # type: ignore[arg-type]

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from export.agreement import compare, states_of_box
+from export.agreement import compare, sails_of_box
 from sailnet.backends import Backend, load_guidance
 from sailnet.flight import Disturbance, fly
 from sailnet.mission import Mission, shipped_missions
@@ -50,7 +50,7 @@ def test_most_random_starts_arrive_and_no_command_leaves_the_bound(mission: Miss
 def test_c_onnxruntime_and_pytorch_agree() -> None:
     folder = SHIPPED / "earth_mars"
     networks = load_guidance_networks(folder)
-    for record in compare(networks, folder, states_of_box(networks, 100_000, seed=3)):
+    for record in compare(networks, folder, sails_of_box(networks, 100_000, seed=3)):
         largest, median = record["largest"], record["median"]
         assert isinstance(largest, float)
         assert isinstance(median, float)

@@ -24,6 +24,7 @@ from c_runtime.shared_library import PRECISIONS, CompilerError, find_compiler
 HERE = Path(__file__).parent
 FLAGS = "-O3 -march=native -fno-trapping-math -ffp-contract=fast"
 STATE = (1.05, 0.15, 1.03)
+BETA = 0.17
 
 Row = dict[str, str | float]
 
@@ -40,7 +41,11 @@ def main(arguments: list[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     try:
         compiler = find_compiler()
-        rows = [_time_c(compiler, options.flags, options.exported, precision) for precision in PRECISIONS]
+        rows = [
+            row
+            for precision in PRECISIONS
+            for row in _time_c(compiler, options.flags, options.exported, precision)
+        ]
     except (CompilerError, subprocess.CalledProcessError) as error:
         print(f"bench: {error}", file=sys.stderr)
         return 1
@@ -59,14 +64,21 @@ def main(arguments: list[str] | None = None) -> int:
     return 0
 
 
-def _time_c(compiler: list[str], flags: str, exported: Path, precision: str) -> Row:
+def _time_c(compiler: list[str], flags: str, exported: Path, precision: str) -> list[Row]:
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "bench"
         sources = [str(HERE / "bench_command.c"), str(exported / "sailnet_guidance.c")]
         command = [*compiler, "-std=c99", *shlex.split(flags), *PRECISIONS[precision], f"-I{exported}"]
         subprocess.run([*command, *sources, "-o", str(program)], check=True)
         measured = subprocess.run([program], check=True, capture_output=True, text=True).stdout
-    return {"what": "exported C", "precision": f"float{precision[1:]}", **json.loads(measured)}
+    return [
+        {
+            "what": "exported C" if name == "command" else f"exported C, {name}",
+            "precision": f"float{precision[1:]}",
+        }
+        | times
+        for name, times in json.loads(measured).items()
+    ]
 
 
 def _time_onnxruntime(exported: Path, precision: str) -> Row:
@@ -75,25 +87,27 @@ def _time_onnxruntime(exported: Path, precision: str) -> Row:
     session = onnxruntime.InferenceSession(
         exported / f"guidance_{precision}.onnx", options, providers=["CPUExecutionProvider"]
     )
-    state = np.array([STATE], f"float{precision[1:]}")
-    return _time(
-        "onnxruntime, merged graph", f"float{precision[1:]}", lambda: session.run(None, {"state": state})
-    )
+    kind = f"float{precision[1:]}"
+    given = {"state": np.array([STATE], kind), "beta": np.array([BETA], kind)}
+    inputs = {entry.name: given[entry.name] for entry in session.get_inputs()}
+    return _time("onnxruntime, merged graph", kind, lambda: session.run(None, inputs))
 
 
 def _time_python(folder: Path) -> list[Row]:
     import torch
 
-    from export.torch_networks import TorchGuidance
+    from export.torch_networks import torch_guidance
+    from sailnet.guidance_facts import describe
     from sailnet.networks import load_guidance_networks
 
     networks = load_guidance_networks(folder)
     state = np.array([STATE])
     rows = [_time("NumPy", "float64", lambda: networks.command(state))]
-    guidance = TorchGuidance(networks)
+    guidance = torch_guidance(networks, describe(networks, networks.mission))
     torch.set_num_threads(1)
     for module, precision in ((guidance.in_float32(), "float32"), (guidance, "float64")):
-        call = partial(module, torch.tensor([STATE], dtype=getattr(torch, precision)))
+        given = (np.array([STATE]), np.array([BETA]))[: 2 if networks.approach else 1]
+        call = partial(module, *(torch.tensor(value, dtype=getattr(torch, precision)) for value in given))
         with torch.inference_mode():
             rows.append(_time("PyTorch eager", precision, call))
     return rows

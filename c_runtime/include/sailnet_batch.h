@@ -11,15 +11,26 @@ extern "C" {
 #endif
 
 /*
- * Command `count` states: `states` holds r, u, v of one sail after the other; `cone_angles` [rad],
- * `times_of_flight` [TU] and `statuses` (sailnet_status) get one entry a sail.
+ * Command `count` states: `states` holds r, u, v of one sail after the other, `betas` one number a sail;
+ * `cone_angles` [rad], `times_of_flight` [TU] and `statuses` (sailnet_status) get one entry a sail.
  */
-void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, sailnet_real *cone_angles,
-                            sailnet_real *times_of_flight, int32_t *statuses);
+void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
+                            sailnet_real *cone_angles, sailnet_real *times_of_flight, int32_t *statuses);
 
-/* What a caller that loads this as a shared library has to check before it flies. */
+/* Start `count` memories. */
+void sailnet_start_batch(uint64_t count, sailnet_memory *memories);
+
+/* Steer `count` sails, of which entry i uses memories[sails[i]] and gets commands[i] and statuses[i]. */
+void sailnet_steer_batch(uint64_t count, sailnet_memory *memories, const uint64_t *sails,
+                         const sailnet_real *states, sailnet_real period, sailnet_command *commands,
+                         int32_t *statuses);
+
+/* What a caller that loads this as a shared library has to check before it flies, or has to know. */
 uint32_t sailnet_api_version(void);
 uint32_t sailnet_real_size(void);
+uint32_t sailnet_memory_size(void);
+double sailnet_beta_min(void);
+double sailnet_beta_max(void);
 const char *sailnet_mission_digest(void);
 const char *sailnet_networks_digest(void);
 

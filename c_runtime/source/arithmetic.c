@@ -1,6 +1,5 @@
 #include "sailnet_guidance.h"
 
-#include <stdint.h>
 #include <string.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -56,6 +55,12 @@ SAILNET_INLINE sailnet_real sailnet_clamped(sailnet_real value, sailnet_real low
     return raised < upper ? raised : upper;
 }
 
+/* The difference of a number with itself is 0, unless it is a NaN or an infinity. */
+SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
+{
+    return (value - value) == R(0.0);
+}
+
 /*
  * 2^r for r in [-1/2, 1/2]: interpolation at Chebyshev points, relative error 4.3e-18 (double) and
  * 2.6e-9 (float) before rounding. Grouped for short dependency chains; the 1 is added last, so that
@@ -82,12 +87,8 @@ SAILNET_INLINE sailnet_real sailnet_exp2_fraction(sailnet_real r)
     return R(1.0) + rest;
 }
 
-/*
- * The sigmoid 1 / (1 + exp(-x)) less 1/2, of x = -octaves ln 2; any bits give a value in [-1/2, 1/2].
- * The tables hold hidden layers in octaves, which makes the reduction to a power of two exact, and
- * their biases have the half added back: numbers around zero, and sums of them, are rounded finer.
- */
-SAILNET_INLINE sailnet_real sailnet_centred_sigmoid(sailnet_real octaves)
+/* 2^octaves; any bits give a positive finite number, however absurd. */
+SAILNET_INLINE sailnet_real sailnet_exp2(sailnet_real octaves)
 {
     const sailnet_real z = sailnet_clamped(octaves, -SAILNET_LARGEST_OCTAVES, SAILNET_LARGEST_OCTAVES);
     const sailnet_real rounded = z + SAILNET_ROUNDER;
@@ -98,6 +99,16 @@ SAILNET_INLINE sailnet_real sailnet_centred_sigmoid(sailnet_real octaves)
     memcpy(&bits, &rounded, sizeof bits);
     bits = (bits << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
     memcpy(&power, &bits, sizeof power);
-    const sailnet_real exponential = sailnet_exp2_fraction(fraction) * power;
+    return sailnet_exp2_fraction(fraction) * power;
+}
+
+/*
+ * The sigmoid 1 / (1 + exp(-x)) less 1/2, of x = -octaves ln 2; any bits give a value in [-1/2, 1/2].
+ * The tables hold hidden layers in octaves, which makes the reduction to a power of two exact, and
+ * their biases have the half added back: numbers around zero, and sums of them, are rounded finer.
+ */
+SAILNET_INLINE sailnet_real sailnet_centred_sigmoid(sailnet_real octaves)
+{
+    const sailnet_real exponential = sailnet_exp2(octaves);
     return (R(0.5) - R(0.5) * exponential) / (R(1.0) + exponential);
 }

@@ -1,51 +1,51 @@
-/* The difference of a number with itself is 0, unless it is a NaN or an infinity. */
-SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
-{
-    return (value - value) == R(0.0);
-}
-
-/* Inside the box of states the time-of-flight network was trained on. */
-SAILNET_INLINE int32_t sailnet_in_domain(const sailnet_real input[4])
+/* Inside the box of states the networks were trained on. */
+SAILNET_INLINE int32_t sailnet_in_domain(const sailnet_real state[3])
 {
     int32_t inside = 1;
     for (int32_t i = 0; i < 3; i++) {
-        inside &= (input[i] >= sailnet_domain_min[i]) & (input[i] <= sailnet_domain_max[i]);
+        inside &= (state[i] >= sailnet_domain_min[i]) & (state[i] <= sailnet_domain_max[i]);
     }
     return inside;
 }
 
-sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_command *command)
+/* The safe command. Its time of flight is long, so that nobody mistakes it for an arrival. */
+SAILNET_INLINE void sailnet_make_safe(sailnet_command *command, sailnet_real beta)
+{
+    command->cone_angle = R(0.0);
+    command->time_of_flight = SAILNET_LARGEST_TIME_OF_FLIGHT;
+    command->beta = beta;
+    command->hold = R(0.0);
+}
+
+sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, sailnet_command *command)
 {
     if (command == NULL) {
         return SAILNET_INVALID_INPUT;
     }
-    /* The safe command. Its time of flight is long, so that nobody mistakes it for an arrival. */
-    command->cone_angle = R(0.0);
-    command->time_of_flight = SAILNET_LARGEST_TIME_OF_FLIGHT;
+    /* Only a NaN differs from itself. */
+    const sailnet_real known = beta == beta ? beta : SAILNET_BETA;
+    sailnet_make_safe(command, sailnet_clamped(known, SAILNET_BETA_MIN, SAILNET_BETA_MAX));
     if (state == NULL) {
         return SAILNET_INVALID_INPUT;
     }
-
-    sailnet_real input[4] = {state->r, state->u, state->v, R(0.0)};
+    const sailnet_real input[3] = {state->r, state->u, state->v};
     if (!(sailnet_is_finite(input[0]) & sailnet_is_finite(input[1]) & sailnet_is_finite(input[2]))) {
         return SAILNET_INVALID_INPUT;
     }
 
-    sailnet_real tau[1];
-    sailnet_tau_networks(input, tau);
-    input[3] = tau[0];
-    sailnet_real alpha_pre_lambda_v[2];
-    sailnet_command_networks(input, alpha_pre_lambda_v);
+    sailnet_real tau_alpha_pre_lambda_v[3];
+    sailnet_networks(input, command->beta, tau_alpha_pre_lambda_v);
 
     /* Eq. (25): the size of the preprocessed cone angle, the sign opposite to that of lambda_v. */
-    const sailnet_real alpha_pre = alpha_pre_lambda_v[0];
+    const sailnet_real tau = tau_alpha_pre_lambda_v[0];
+    const sailnet_real alpha_pre = tau_alpha_pre_lambda_v[1];
     const sailnet_real size = alpha_pre < R(0.0) ? -alpha_pre : alpha_pre;
     const sailnet_real bounded = size < SAILNET_PHI_MAX ? size : SAILNET_PHI_MAX;
-    command->cone_angle = alpha_pre_lambda_v[1] > R(0.0) ? -bounded : bounded;
-    command->time_of_flight = tau[0];
+    command->cone_angle = tau_alpha_pre_lambda_v[2] > R(0.0) ? -bounded : bounded;
+    command->time_of_flight = tau;
 
     if (!sailnet_in_domain(input)) {
         return SAILNET_OUTSIDE_DOMAIN;
     }
-    return tau[0] < SAILNET_ARRIVAL_THRESHOLD ? SAILNET_ARRIVED : SAILNET_OK;
+    return tau < SAILNET_ARRIVAL_THRESHOLD ? SAILNET_ARRIVED : SAILNET_OK;
 }

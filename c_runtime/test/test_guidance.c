@@ -70,7 +70,8 @@ static sailnet_state middle_of_domain(void)
 static int is_bounded(sailnet_command command)
 {
     return command.cone_angle >= -SAILNET_PHI_MAX && command.cone_angle <= SAILNET_PHI_MAX &&
-           isfinite(command.time_of_flight);
+           isfinite(command.time_of_flight) && command.beta >= SAILNET_BETA_MIN &&
+           command.beta <= SAILNET_BETA_MAX;
 }
 
 static int is_safe(sailnet_command command)
@@ -80,8 +81,7 @@ static int is_safe(sailnet_command command)
 
 static int is_same(sailnet_command a, sailnet_command b)
 {
-    return memcmp(&a.cone_angle, &b.cone_angle, sizeof a.cone_angle) == 0 &&
-           memcmp(&a.time_of_flight, &b.time_of_flight, sizeof a.time_of_flight) == 0;
+    return memcmp(&a, &b, sizeof a) == 0; /* four numbers of one type: no padding */
 }
 
 static void test_any_bits_give_a_bounded_command(void)
@@ -99,7 +99,8 @@ static void test_any_bits_give_a_bounded_command(void)
         if (i % 4 == 2 || i % 4 == 3) {
             state.v = random_real();
         }
-        const sailnet_status status = sailnet_guidance(&state, &command);
+        const sailnet_real beta = i % 8 < 4 ? SAILNET_BETA : random_real();
+        const sailnet_status status = sailnet_guidance(&state, beta, &command);
         const int finite = isfinite(state.r) && isfinite(state.u) && isfinite(state.v);
         CHECK(is_bounded(command));
         CHECK(finite == (status != SAILNET_INVALID_INPUT));
@@ -114,10 +115,10 @@ static void test_special_values_in_each_place(void)
     for (int place = 0; place < 3; place++) {
         for (int i = 0; i < (int)(sizeof special / sizeof special[0]); i++) {
             sailnet_state state = middle_of_domain();
-            sailnet_command command = {R(99.0), R(99.0)};
+            sailnet_command command = {R(99.0), R(99.0), R(99.0), R(99.0)};
             sailnet_real *const component[3] = {&state.r, &state.u, &state.v};
             *component[place] = special[i];
-            const sailnet_status status = sailnet_guidance(&state, &command);
+            const sailnet_status status = sailnet_guidance(&state, SAILNET_BETA, &command);
             CHECK(is_bounded(command));
             CHECK((status == SAILNET_INVALID_INPUT) == (i < 3));
             if (i < 3) {
@@ -132,10 +133,10 @@ static void test_special_values_in_each_place(void)
 static void test_null_pointers(void)
 {
     const sailnet_state state = middle_of_domain();
-    sailnet_command command = {R(99.0), R(99.0)};
-    CHECK(sailnet_guidance(&state, NULL) == SAILNET_INVALID_INPUT);
-    CHECK(sailnet_guidance(NULL, NULL) == SAILNET_INVALID_INPUT);
-    CHECK(sailnet_guidance(NULL, &command) == SAILNET_INVALID_INPUT);
+    sailnet_command command = {R(99.0), R(99.0), R(99.0), R(99.0)};
+    CHECK(sailnet_guidance(&state, SAILNET_BETA, NULL) == SAILNET_INVALID_INPUT);
+    CHECK(sailnet_guidance(NULL, SAILNET_BETA, NULL) == SAILNET_INVALID_INPUT);
+    CHECK(sailnet_guidance(NULL, SAILNET_BETA, &command) == SAILNET_INVALID_INPUT);
     CHECK(is_safe(command));
 }
 
@@ -144,7 +145,7 @@ static void test_status_tells_domain_and_arrival(void)
     for (int i = 0; i < 100000; i++) {
         const sailnet_state state = state_in_domain();
         sailnet_command command;
-        const sailnet_status status = sailnet_guidance(&state, &command);
+        const sailnet_status status = sailnet_guidance(&state, SAILNET_BETA, &command);
         CHECK(status == (command.time_of_flight < SAILNET_ARRIVAL_THRESHOLD ? SAILNET_ARRIVED : SAILNET_OK));
     }
 }
@@ -166,10 +167,10 @@ static void test_outside_the_domain_is_told_and_beyond_the_clamp_nothing_changes
         far.r = R(1e3);
         absurd = edge;
         absurd.r = R(1e30);
-        CHECK(sailnet_guidance(&edge, &command) != SAILNET_OUTSIDE_DOMAIN);
-        CHECK(sailnet_guidance(&near, &command) == SAILNET_OUTSIDE_DOMAIN);
-        CHECK(sailnet_guidance(&far, &at_far) == SAILNET_OUTSIDE_DOMAIN);
-        CHECK(sailnet_guidance(&absurd, &at_absurd) == SAILNET_OUTSIDE_DOMAIN);
+        CHECK(sailnet_guidance(&edge, SAILNET_BETA, &command) != SAILNET_OUTSIDE_DOMAIN);
+        CHECK(sailnet_guidance(&near, SAILNET_BETA, &command) == SAILNET_OUTSIDE_DOMAIN);
+        CHECK(sailnet_guidance(&far, SAILNET_BETA, &at_far) == SAILNET_OUTSIDE_DOMAIN);
+        CHECK(sailnet_guidance(&absurd, SAILNET_BETA, &at_absurd) == SAILNET_OUTSIDE_DOMAIN);
         CHECK(is_same(at_far, at_absurd));
     }
 }
@@ -179,12 +180,12 @@ static void test_same_input_same_bits(void)
     const sailnet_state first = middle_of_domain();
     sailnet_command before;
     sailnet_command after;
-    sailnet_guidance(&first, &before);
+    sailnet_guidance(&first, SAILNET_BETA, &before);
     for (int i = 0; i < 1000; i++) {
         const sailnet_state other = state_in_domain();
-        sailnet_guidance(&other, &after);
+        sailnet_guidance(&other, SAILNET_BETA, &after);
     }
-    sailnet_guidance(&first, &after);
+    sailnet_guidance(&first, SAILNET_BETA, &after);
     CHECK(is_same(before, after));
 }
 
@@ -212,27 +213,186 @@ static void test_sigmoid_of_any_bits_is_within_a_half(void)
     CHECK(sailnet_centred_sigmoid(-(sailnet_real)INFINITY) == R(0.5));
 }
 
+static void test_beta_is_clamped_and_nan_is_the_missions(void)
+{
+    const sailnet_state state = middle_of_domain();
+    const sailnet_real given[] = {(sailnet_real)NAN, R(0.0), -LARGEST, (sailnet_real)INFINITY};
+    const sailnet_real used[] = {SAILNET_BETA, SAILNET_BETA_MIN, SAILNET_BETA_MIN, SAILNET_BETA_MAX};
+    for (int i = 0; i < 4; i++) {
+        sailnet_command command;
+        sailnet_command same;
+        sailnet_guidance(&state, given[i], &command);
+        sailnet_guidance(&state, used[i], &same);
+        CHECK(command.beta == used[i]);
+        CHECK(is_same(command, same));
+    }
+}
+
+#if SAILNET_READS_BETA
+static void test_inverse_fourth_root_against_long_double(void)
+{
+    double worst = 0.0;
+    for (int i = 0; i <= 200000; i++) {
+        const sailnet_real value = (sailnet_real)pow(10.0, -24.0 + 54.0 * i / 200000.0);
+        const long double exact = 1.0L / sqrtl(sqrtl((long double)value));
+        const double error = (double)fabsl((long double)sailnet_inverse_fourth_root(value) / exact - 1.0L);
+        worst = error > worst ? error : worst;
+    }
+    printf("inverse fourth root: largest error %.2f units of rounding\n", worst / EPSILON);
+    CHECK(worst < 1.5 * EPSILON);
+}
+#endif
+
+static void test_cosine_and_sine_against_long_double(void)
+{
+    double worst = 0.0;
+    for (int i = -100000; i <= 100000; i++) {
+        const sailnet_real angle = (sailnet_real)(1.5707963267948966 * i / 100000.0);
+        sailnet_real cosine;
+        sailnet_real sine;
+        sailnet_cosine_sine(angle, &cosine, &sine);
+        const double of_cosine = (double)fabsl((long double)cosine - cosl((long double)angle));
+        const double of_sine = (double)fabsl((long double)sine - sinl((long double)angle));
+        worst = of_cosine > worst ? of_cosine : worst;
+        worst = of_sine > worst ? of_sine : worst;
+    }
+    printf("cosine and sine: largest error %.2f units of rounding\n", worst / EPSILON);
+    CHECK(worst < 2.0 * EPSILON);
+}
+
+static void test_steering_stays_bounded_whatever_the_bits(void)
+{
+    sailnet_memory memory;
+    sailnet_start(&memory);
+    for (int i = 0; i < 100000; i++) {
+        sailnet_state state = state_in_domain();
+        sailnet_command command;
+        sailnet_real period = R(0.005);
+        if (i % 3 == 0) {
+            unsigned char *const bytes = (unsigned char *)&memory;
+            for (size_t k = 0; k < sizeof memory; k++) {
+                bytes[k] = (unsigned char)(random_bits() >> 40);
+            }
+        }
+        if (i % 5 == 0) {
+            state.r = random_real();
+            state.v = random_real();
+        }
+        if (i % 7 == 0) {
+            period = random_real();
+        }
+        const sailnet_status status = sailnet_steer(&memory, &state, period, &command);
+        const int timed = isfinite(period) && period > R(0.0);
+        const sailnet_real longest =
+            timed && period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
+        CHECK(is_bounded(command));
+        CHECK(memory.beta == command.beta);
+        CHECK(isfinite(command.hold) && command.hold >= R(0.0) && command.hold <= longest);
+        CHECK(timed || (status == SAILNET_INVALID_INPUT && is_safe(command) && command.hold == R(0.0)));
+    }
+}
+
+static void test_an_invalid_state_leaves_the_memory_alone(void)
+{
+    const sailnet_state good = middle_of_domain();
+    sailnet_state bad = good;
+    sailnet_state next = good;
+    sailnet_memory memory;
+    sailnet_memory before;
+    sailnet_command command;
+    bad.u = (sailnet_real)NAN;
+    next.u += R(0.1);
+    sailnet_start(&memory);
+    sailnet_steer(&memory, &good, R(0.005), &command);
+    CHECK(memory.held == command.hold && memory.periods == 1);
+    before = memory;
+    CHECK(sailnet_steer(&memory, &bad, R(0.005), &command) == SAILNET_INVALID_INPUT);
+    CHECK(is_safe(command) && command.hold == R(0.005));
+    before.held = R(0.0);
+    CHECK(memcmp(&memory, &before, sizeof memory) == 0);
+    /* A leap that would have taught much. */
+    sailnet_steer(&memory, &next, R(0.005), &command);
+    CHECK(command.beta == before.beta && memory.periods == 2);
+    CHECK(sailnet_steer(&memory, NULL, R(0.005), &command) == SAILNET_INVALID_INPUT);
+    CHECK(is_safe(command) && command.hold == R(0.005));
+}
+
+static void test_null_pointers_of_steering(void)
+{
+    const sailnet_state state = middle_of_domain();
+    sailnet_memory memory;
+    sailnet_command command = {R(99.0), R(99.0), R(99.0), R(99.0)};
+    sailnet_start(NULL);
+    sailnet_start(&memory);
+    CHECK(sailnet_steer(&memory, &state, R(0.005), NULL) == SAILNET_INVALID_INPUT);
+    CHECK(memory.periods == 0);
+    CHECK(sailnet_steer(NULL, &state, R(0.005), &command) == SAILNET_INVALID_INPUT);
+    CHECK(is_safe(command) && is_bounded(command) && command.hold == R(0.0));
+}
+
+static void test_periods_do_not_wrap_around(void)
+{
+    const sailnet_state state = middle_of_domain();
+    sailnet_memory memory;
+    sailnet_command command;
+    sailnet_start(&memory);
+    memory.periods = UINT32_MAX;
+    sailnet_steer(&memory, &state, R(0.005), &command);
+    CHECK(memory.periods == UINT32_MAX);
+}
+
 static void test_batch_equals_single(void)
 {
     enum { COUNT = 1000 };
-    static sailnet_real states[3 * COUNT], cone_angles[COUNT], times_of_flight[COUNT];
+    static sailnet_real states[3 * COUNT], betas[COUNT], cone_angles[COUNT], times_of_flight[COUNT];
     static int32_t statuses[COUNT];
     for (int i = 0; i < COUNT; i++) {
         const sailnet_state state = state_in_domain();
         states[3 * i] = i % 10 == 0 ? random_real() : state.r;
         states[3 * i + 1] = state.u;
         states[3 * i + 2] = state.v;
+        betas[i] = between(SAILNET_BETA_MIN, SAILNET_BETA_MAX);
     }
-    sailnet_guidance_batch(COUNT, states, cone_angles, times_of_flight, statuses);
+    sailnet_guidance_batch(COUNT, states, betas, cone_angles, times_of_flight, statuses);
     for (int i = 0; i < COUNT; i++) {
         const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
-        const sailnet_command batch = {cone_angles[i], times_of_flight[i]};
         sailnet_command single;
-        CHECK(sailnet_guidance(&state, &single) == (sailnet_status)statuses[i]);
-        CHECK(is_same(batch, single));
+        CHECK(sailnet_guidance(&state, betas[i], &single) == (sailnet_status)statuses[i]);
+        CHECK(single.cone_angle == cone_angles[i] && single.time_of_flight == times_of_flight[i]);
     }
     CHECK(sailnet_real_size() == sizeof(sailnet_real));
+    CHECK(sailnet_memory_size() == sizeof(sailnet_memory));
     CHECK(sailnet_api_version() == SAILNET_API_VERSION);
+}
+
+static void test_steering_in_a_batch_equals_single(void)
+{
+    enum { SAILS = 50, PERIODS = 40 };
+    static sailnet_memory alone[SAILS], together[SAILS];
+    static sailnet_real states[3 * SAILS];
+    static sailnet_command commands[SAILS];
+    static uint64_t sails[SAILS];
+    static int32_t statuses[SAILS];
+    sailnet_start_batch(SAILS, together);
+    for (int i = 0; i < SAILS; i++) {
+        sailnet_start(&alone[i]);
+        sails[i] = (uint64_t)(SAILS - 1 - i);
+    }
+    for (int period = 0; period < PERIODS; period++) {
+        for (int i = 0; i < SAILS; i++) {
+            const sailnet_state state = state_in_domain();
+            states[3 * i] = i % 10 == 0 ? random_real() : state.r;
+            states[3 * i + 1] = state.u;
+            states[3 * i + 2] = state.v;
+        }
+        sailnet_steer_batch(SAILS, together, sails, states, R(0.01), commands, statuses);
+        for (int i = 0; i < SAILS; i++) {
+            const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
+            sailnet_command single;
+            CHECK(sailnet_steer(&alone[sails[i]], &state, R(0.01), &single) == (sailnet_status)statuses[i]);
+            CHECK(is_same(single, commands[i]));
+        }
+    }
 }
 
 int main(void)
@@ -245,7 +405,17 @@ int main(void)
     test_same_input_same_bits();
     test_sigmoid_against_long_double();
     test_sigmoid_of_any_bits_is_within_a_half();
+    test_beta_is_clamped_and_nan_is_the_missions();
+#if SAILNET_READS_BETA
+    test_inverse_fourth_root_against_long_double();
+#endif
+    test_cosine_and_sine_against_long_double();
+    test_steering_stays_bounded_whatever_the_bits();
+    test_an_invalid_state_leaves_the_memory_alone();
+    test_null_pointers_of_steering();
+    test_periods_do_not_wrap_around();
     test_batch_equals_single();
+    test_steering_in_a_batch_equals_single();
     printf("%s, %s: %s\n", SAILNET_MISSION, sizeof(sailnet_real) == 8 ? "float64" : "float32",
            failures == 0 ? "all passed" : "FAILED");
     return failures == 0 ? 0 : 1;

@@ -10,7 +10,6 @@
  */
 #include "sailnet_guidance.h"
 
-#include <stdint.h>
 #include <string.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -66,6 +65,12 @@ SAILNET_INLINE sailnet_real sailnet_clamped(sailnet_real value, sailnet_real low
     return raised < upper ? raised : upper;
 }
 
+/* The difference of a number with itself is 0, unless it is a NaN or an infinity. */
+SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
+{
+    return (value - value) == R(0.0);
+}
+
 /*
  * 2^r for r in [-1/2, 1/2]: interpolation at Chebyshev points, relative error 4.3e-18 (double) and
  * 2.6e-9 (float) before rounding. Grouped for short dependency chains; the 1 is added last, so that
@@ -92,12 +97,8 @@ SAILNET_INLINE sailnet_real sailnet_exp2_fraction(sailnet_real r)
     return R(1.0) + rest;
 }
 
-/*
- * The sigmoid 1 / (1 + exp(-x)) less 1/2, of x = -octaves ln 2; any bits give a value in [-1/2, 1/2].
- * The tables hold hidden layers in octaves, which makes the reduction to a power of two exact, and
- * their biases have the half added back: numbers around zero, and sums of them, are rounded finer.
- */
-SAILNET_INLINE sailnet_real sailnet_centred_sigmoid(sailnet_real octaves)
+/* 2^octaves; any bits give a positive finite number, however absurd. */
+SAILNET_INLINE sailnet_real sailnet_exp2(sailnet_real octaves)
 {
     const sailnet_real z = sailnet_clamped(octaves, -SAILNET_LARGEST_OCTAVES, SAILNET_LARGEST_OCTAVES);
     const sailnet_real rounded = z + SAILNET_ROUNDER;
@@ -108,22 +109,51 @@ SAILNET_INLINE sailnet_real sailnet_centred_sigmoid(sailnet_real octaves)
     memcpy(&bits, &rounded, sizeof bits);
     bits = (bits << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
     memcpy(&power, &bits, sizeof power);
-    const sailnet_real exponential = sailnet_exp2_fraction(fraction) * power;
+    return sailnet_exp2_fraction(fraction) * power;
+}
+
+/*
+ * The sigmoid 1 / (1 + exp(-x)) less 1/2, of x = -octaves ln 2; any bits give a value in [-1/2, 1/2].
+ * The tables hold hidden layers in octaves, which makes the reduction to a power of two exact, and
+ * their biases have the half added back: numbers around zero, and sums of them, are rounded finer.
+ */
+SAILNET_INLINE sailnet_real sailnet_centred_sigmoid(sailnet_real octaves)
+{
+    const sailnet_real exponential = sailnet_exp2(octaves);
     return (R(0.5) - R(0.5) * exponential) / (R(1.0) + exponential);
+}
+
+static const sailnet_real sailnet_target[3] =
+{R(1.5240000486373901), R(0.0), R(0.8100419640541077)};
+static const sailnet_real sailnet_target_rest[3] =
+{R(-4.863739011540247e-08), R(0.0), R(-2.7936895019564645e-09)};
+static const sailnet_real sailnet_domain_min[3] =
+{R(0.3564027987154151), R(-0.4424649644636538), R(0.5980721713235929)};
+static const sailnet_real sailnet_domain_max[3] =
+{R(1.5599047687600456), R(0.43096610694715776), R(1.8392501540422368)};
+
+/*
+ * How far one of r, u, v is from the target. The target is stored in two parts, of which the larger is
+ * exact in either precision: near it the difference is as exact as the state is.
+ */
+SAILNET_INLINE sailnet_real sailnet_deviation(sailnet_real value, int32_t i)
+{
+    return (value - sailnet_target[i]) - sailnet_target_rest[i];
 }
 
 /* Stage "tau": tau [20, 20, 20]. */
 #define TAU_NETWORKS 1
+#define TAU_INPUTS 4
 #define TAU_DEPTH 3
 #define TAU_ROWS SAILNET_ROUNDED_UP(20, 4)
 #define TAU_WIDTH SAILNET_PADDED(20)
-static const sailnet_real sailnet_tau_lower[TAU_NETWORKS][4] =
+static const sailnet_real sailnet_tau_lower[TAU_NETWORKS][TAU_INPUTS] =
 {{R(0.3564027987154151), R(-0.4424649644636538), R(0.5980721713235929), R(0.0)}};
-static const sailnet_real sailnet_tau_clamp_min[TAU_NETWORKS][4] =
+static const sailnet_real sailnet_tau_clamp_min[TAU_NETWORKS][TAU_INPUTS] =
 {{R(-2.050601141373846), R(-2.189327107285277), R(-1.8842837941136947), R(0.0)}};
-static const sailnet_real sailnet_tau_clamp_max[TAU_NETWORKS][4] =
+static const sailnet_real sailnet_tau_clamp_max[TAU_NETWORKS][TAU_INPUTS] =
 {{R(3.9669087088493065), R(2.1778282497687806), R(4.321606119479524), R(0.0)}};
-static const sailnet_real sailnet_tau_first[4][TAU_NETWORKS][TAU_WIDTH] =
+static const sailnet_real sailnet_tau_first[TAU_INPUTS][TAU_NETWORKS][TAU_WIDTH] =
 {
 {{R(3.9537490137287423), R(-4.437697386084477), R(6.081350868391252), R(-3.9948141567099857), R(6.21096147833096), R(-4.773181424634089), R(3.677670067971452), R(-5.783698405825426), R(-5.7727462566883325), R(-5.1456885316696805), R(-0.6868659242847955), R(-38.88699847171209), R(3.683917839563645), R(0.40964489791805264), R(4.106941902478378), R(11.35047464935557), R(6.427106589849652), R(9.827282658595784), R(-0.9399006003989275), R(-2.289060196910311)}},
 {{R(8.02044868651167), R(-11.302850812821008), R(-4.118340835638747), R(8.970746483014684), R(6.360457789294455), R(7.264704428528817), R(-10.94921193440745), R(-1.5060307971292095), R(-4.353791385973286), R(7.253724853962604), R(12.557942906714096), R(26.953188950617974), R(7.964950741024161), R(-0.49803665805415526), R(0.6976725354360456), R(-7.882634394929436), R(-9.641253716855317), R(2.932866719402991), R(-6.654500311211314), R(-9.703014473625943)}},
@@ -190,8 +220,10 @@ static const sailnet_real sailnet_tau_output_bias[TAU_NETWORKS] =
 static const int32_t sailnet_tau_depth[TAU_NETWORKS] = {3};
 
 /*
- * Stage "tau": TAU_NETWORKS network(s) with the same four inputs, evaluated in step, layer by
- * layer. TAU_DEPTH hidden layers, of which a shallower network uses the first ones.
+ * Stage "tau": TAU_NETWORKS network(s) with the same inputs, evaluated in step, layer by layer.
+ * TAU_INPUTS counts the inputs up to a whole number of blocks of four; what is beyond the real ones
+ * does not matter, its clamps are zero. TAU_DEPTH hidden layers, of which a shallower network uses the
+ * first ones.
  */
 
 /* a becomes the centred sigmoid of biases + weights a, for each network. */
@@ -245,12 +277,13 @@ SAILNET_INLINE sailnet_real sailnet_tau_linear(sailnet_real a[TAU_NETWORKS][TAU_
 }
 
 /* Physical input, clamped to the widened range of each network, to physical output. */
-SAILNET_INLINE void sailnet_tau_networks(const sailnet_real input[4], sailnet_real output[TAU_NETWORKS])
+SAILNET_INLINE void sailnet_tau_networks(const sailnet_real input[TAU_INPUTS],
+                                           sailnet_real output[TAU_NETWORKS])
 {
     sailnet_real a[TAU_NETWORKS][TAU_WIDTH];
     for (int32_t k = 0; k < TAU_NETWORKS; k++) {
         output[k] = R(0.0);
-        for (int32_t i = 0; i < 4; i++) {
+        for (int32_t i = 0; i < TAU_INPUTS; i++) {
             const sailnet_real clamped =
                 sailnet_clamped(input[i], sailnet_tau_clamp_min[k][i], sailnet_tau_clamp_max[k][i]);
             /* Subtracted here, not in the bias: the difference of near numbers is exact. */
@@ -259,7 +292,7 @@ SAILNET_INLINE void sailnet_tau_networks(const sailnet_real input[4], sailnet_re
     }
     for (int32_t layer = 0; layer < TAU_DEPTH; layer++) {
         if (layer == 0) {
-            sailnet_tau_layer(a, sailnet_tau_biases[0], sailnet_tau_first, 4);
+            sailnet_tau_layer(a, sailnet_tau_biases[0], sailnet_tau_first, TAU_INPUTS);
         } else {
             sailnet_tau_layer(a, sailnet_tau_biases[layer], sailnet_tau_hidden[layer - 1], TAU_ROWS);
         }
@@ -273,19 +306,20 @@ SAILNET_INLINE void sailnet_tau_networks(const sailnet_real input[4], sailnet_re
 
 /* Stage "command": alpha_pre [20, 20, 20], lambda_v [20, 20, 20]. */
 #define COMMAND_NETWORKS 2
+#define COMMAND_INPUTS 4
 #define COMMAND_DEPTH 3
 #define COMMAND_ROWS SAILNET_ROUNDED_UP(20, 4)
 #define COMMAND_WIDTH SAILNET_PADDED(20)
-static const sailnet_real sailnet_command_lower[COMMAND_NETWORKS][4] =
+static const sailnet_real sailnet_command_lower[COMMAND_NETWORKS][COMMAND_INPUTS] =
 {{R(0.3564027987154151), R(-0.4424649644636538), R(0.5980721713235929), R(0.0)},
  {R(0.3564027987154151), R(-0.4424649644636538), R(0.5980721713235929), R(0.0)}};
-static const sailnet_real sailnet_command_clamp_min[COMMAND_NETWORKS][4] =
+static const sailnet_real sailnet_command_clamp_min[COMMAND_NETWORKS][COMMAND_INPUTS] =
 {{R(-2.050601141373846), R(-2.189327107285277), R(-1.8842837941136947), R(-20.0)},
  {R(-2.050601141373846), R(-2.189327107285277), R(-1.8842837941136947), R(-20.0)}};
-static const sailnet_real sailnet_command_clamp_max[COMMAND_NETWORKS][4] =
+static const sailnet_real sailnet_command_clamp_max[COMMAND_NETWORKS][COMMAND_INPUTS] =
 {{R(3.9669087088493065), R(2.1778282497687806), R(4.321606119479524), R(30.0)},
  {R(3.9669087088493065), R(2.1778282497687806), R(4.321606119479524), R(30.0)}};
-static const sailnet_real sailnet_command_first[4][COMMAND_NETWORKS][COMMAND_WIDTH] =
+static const sailnet_real sailnet_command_first[COMMAND_INPUTS][COMMAND_NETWORKS][COMMAND_WIDTH] =
 {
 {{R(3.7610666715632695), R(-5.285108519920726), R(-3.0777594355367097), R(2.3975866399902706), R(3.8877229215231117), R(-5.089235245472367), R(-3.716639754089862), R(4.995357748473905), R(0.8783981147360929), R(2.702085744922803), R(2.7052567815982904), R(3.3574916592608113), R(-1.2030585258390198), R(3.583224013350917), R(-10.510784025125313), R(-22.575117500995756), R(-38.386372631907435), R(1.8322029425407345), R(2.727457383304843), R(3.672905092492539)},
  {R(3.9433786500939743), R(-5.5027763511916685), R(-2.368172183914312), R(2.489747200157875), R(4.017191262266968), R(-5.159604385899294), R(-4.231318493691439), R(3.7658204479110586), R(-4.408680852867849), R(2.852219389111873), R(1.9694739007903013), R(5.429563727448338), R(0.4192522287693897), R(2.053376788372568), R(-5.330393312002263), R(-3.705194557886029), R(-9.521060852495316), R(-17.613129916517455), R(1.8471056650345241), R(3.6373151725259456)}},
@@ -400,8 +434,10 @@ static const sailnet_real sailnet_command_output_bias[COMMAND_NETWORKS] =
 static const int32_t sailnet_command_depth[COMMAND_NETWORKS] = {3, 3};
 
 /*
- * Stage "command": COMMAND_NETWORKS network(s) with the same four inputs, evaluated in step, layer by
- * layer. COMMAND_DEPTH hidden layers, of which a shallower network uses the first ones.
+ * Stage "command": COMMAND_NETWORKS network(s) with the same inputs, evaluated in step, layer by layer.
+ * COMMAND_INPUTS counts the inputs up to a whole number of blocks of four; what is beyond the real ones
+ * does not matter, its clamps are zero. COMMAND_DEPTH hidden layers, of which a shallower network uses the
+ * first ones.
  */
 
 /* a becomes the centred sigmoid of biases + weights a, for each network. */
@@ -455,12 +491,13 @@ SAILNET_INLINE sailnet_real sailnet_command_linear(sailnet_real a[COMMAND_NETWOR
 }
 
 /* Physical input, clamped to the widened range of each network, to physical output. */
-SAILNET_INLINE void sailnet_command_networks(const sailnet_real input[4], sailnet_real output[COMMAND_NETWORKS])
+SAILNET_INLINE void sailnet_command_networks(const sailnet_real input[COMMAND_INPUTS],
+                                           sailnet_real output[COMMAND_NETWORKS])
 {
     sailnet_real a[COMMAND_NETWORKS][COMMAND_WIDTH];
     for (int32_t k = 0; k < COMMAND_NETWORKS; k++) {
         output[k] = R(0.0);
-        for (int32_t i = 0; i < 4; i++) {
+        for (int32_t i = 0; i < COMMAND_INPUTS; i++) {
             const sailnet_real clamped =
                 sailnet_clamped(input[i], sailnet_command_clamp_min[k][i], sailnet_command_clamp_max[k][i]);
             /* Subtracted here, not in the bias: the difference of near numbers is exact. */
@@ -469,7 +506,7 @@ SAILNET_INLINE void sailnet_command_networks(const sailnet_real input[4], sailne
     }
     for (int32_t layer = 0; layer < COMMAND_DEPTH; layer++) {
         if (layer == 0) {
-            sailnet_command_layer(a, sailnet_command_biases[0], sailnet_command_first, 4);
+            sailnet_command_layer(a, sailnet_command_biases[0], sailnet_command_first, COMMAND_INPUTS);
         } else {
             sailnet_command_layer(a, sailnet_command_biases[layer], sailnet_command_hidden[layer - 1], COMMAND_ROWS);
         }
@@ -481,59 +518,196 @@ SAILNET_INLINE void sailnet_command_networks(const sailnet_real input[4], sailne
     }
 }
 
-static const sailnet_real sailnet_domain_min[3] =
-{R(0.3564027987154151), R(-0.4424649644636538), R(0.5980721713235929)};
-static const sailnet_real sailnet_domain_max[3] =
-{R(1.5599047687600456), R(0.43096610694715776), R(1.8392501540422368)};
-
-/* The difference of a number with itself is 0, unless it is a NaN or an infinity. */
-SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
+/*
+ * The paper's form, Fig. 6: tau from (r, u, v), then alpha_pre and lambda_v from (r, u, v, tau).
+ * These networks do not read beta.
+ */
+SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
 {
-    return (value - value) == R(0.0);
+    sailnet_real input[4] = {state[0], state[1], state[2], R(0.0)};
+    (void)beta;
+    sailnet_tau_networks(input, &output[0]);
+    input[3] = output[0];
+    sailnet_command_networks(input, &output[1]);
 }
 
-/* Inside the box of states the time-of-flight network was trained on. */
-SAILNET_INLINE int32_t sailnet_in_domain(const sailnet_real input[4])
+/* Inside the box of states the networks were trained on. */
+SAILNET_INLINE int32_t sailnet_in_domain(const sailnet_real state[3])
 {
     int32_t inside = 1;
     for (int32_t i = 0; i < 3; i++) {
-        inside &= (input[i] >= sailnet_domain_min[i]) & (input[i] <= sailnet_domain_max[i]);
+        inside &= (state[i] >= sailnet_domain_min[i]) & (state[i] <= sailnet_domain_max[i]);
     }
     return inside;
 }
 
-sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_command *command)
+/* The safe command. Its time of flight is long, so that nobody mistakes it for an arrival. */
+SAILNET_INLINE void sailnet_make_safe(sailnet_command *command, sailnet_real beta)
+{
+    command->cone_angle = R(0.0);
+    command->time_of_flight = SAILNET_LARGEST_TIME_OF_FLIGHT;
+    command->beta = beta;
+    command->hold = R(0.0);
+}
+
+sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, sailnet_command *command)
 {
     if (command == NULL) {
         return SAILNET_INVALID_INPUT;
     }
-    /* The safe command. Its time of flight is long, so that nobody mistakes it for an arrival. */
-    command->cone_angle = R(0.0);
-    command->time_of_flight = SAILNET_LARGEST_TIME_OF_FLIGHT;
+    /* Only a NaN differs from itself. */
+    const sailnet_real known = beta == beta ? beta : SAILNET_BETA;
+    sailnet_make_safe(command, sailnet_clamped(known, SAILNET_BETA_MIN, SAILNET_BETA_MAX));
     if (state == NULL) {
         return SAILNET_INVALID_INPUT;
     }
-
-    sailnet_real input[4] = {state->r, state->u, state->v, R(0.0)};
+    const sailnet_real input[3] = {state->r, state->u, state->v};
     if (!(sailnet_is_finite(input[0]) & sailnet_is_finite(input[1]) & sailnet_is_finite(input[2]))) {
         return SAILNET_INVALID_INPUT;
     }
 
-    sailnet_real tau[1];
-    sailnet_tau_networks(input, tau);
-    input[3] = tau[0];
-    sailnet_real alpha_pre_lambda_v[2];
-    sailnet_command_networks(input, alpha_pre_lambda_v);
+    sailnet_real tau_alpha_pre_lambda_v[3];
+    sailnet_networks(input, command->beta, tau_alpha_pre_lambda_v);
 
     /* Eq. (25): the size of the preprocessed cone angle, the sign opposite to that of lambda_v. */
-    const sailnet_real alpha_pre = alpha_pre_lambda_v[0];
+    const sailnet_real tau = tau_alpha_pre_lambda_v[0];
+    const sailnet_real alpha_pre = tau_alpha_pre_lambda_v[1];
     const sailnet_real size = alpha_pre < R(0.0) ? -alpha_pre : alpha_pre;
     const sailnet_real bounded = size < SAILNET_PHI_MAX ? size : SAILNET_PHI_MAX;
-    command->cone_angle = alpha_pre_lambda_v[1] > R(0.0) ? -bounded : bounded;
-    command->time_of_flight = tau[0];
+    command->cone_angle = tau_alpha_pre_lambda_v[2] > R(0.0) ? -bounded : bounded;
+    command->time_of_flight = tau;
 
     if (!sailnet_in_domain(input)) {
         return SAILNET_OUTSIDE_DOMAIN;
     }
-    return tau[0] < SAILNET_ARRIVAL_THRESHOLD ? SAILNET_ARRIVED : SAILNET_OK;
+    return tau < SAILNET_ARRIVAL_THRESHOLD ? SAILNET_ARRIVED : SAILNET_OK;
+}
+
+/* cos and sin of an angle of at most pi/2, from the series at its half, where they are short. */
+SAILNET_INLINE void sailnet_cosine_sine(sailnet_real angle, sailnet_real *cosine, sailnet_real *sine)
+{
+    const sailnet_real half = R(0.5) * angle;
+    const sailnet_real square = half * half;
+    sailnet_real c = R(1.0);
+    sailnet_real s = R(1.0);
+    for (int32_t k = 18; k > 0; k -= 2) {
+        c = R(1.0) - square * c / (sailnet_real)(k * (k - 1));
+        s = R(1.0) - square * s / (sailnet_real)(k * (k + 1));
+    }
+    s *= half;
+    *cosine = R(1.0) - R(2.0) * s * s;
+    *sine = R(2.0) * s * c;
+}
+
+/* Eq. (1): the rates of change of r, u and v at `from` + `step` * `along`, under a constant force. */
+SAILNET_INLINE void sailnet_rates(const sailnet_real from[3], sailnet_real step, const sailnet_real along[3],
+                                  const sailnet_real force[2], sailnet_real rates[3])
+{
+    const sailnet_real per_r = R(1.0) / (from[0] + step * along[0]);
+    const sailnet_real u = from[1] + step * along[1];
+    const sailnet_real v = from[2] + step * along[2];
+    rates[0] = u;
+    rates[1] = (force[0] - R(1.0)) * per_r * per_r + v * v * per_r;
+    rates[2] = force[1] * per_r * per_r - u * v * per_r;
+}
+
+/*
+ * The estimate of beta after one more period: by how much further the velocity changed than a step of
+ * fourth-order Runge-Kutta predicts, along the direction of the force. Changes are compared, not states:
+ * they are rounded finer. A measurement that is not finite counts for nothing, a large one for the bound.
+ */
+SAILNET_INLINE sailnet_real sailnet_learned(const sailnet_memory *memory, const sailnet_state *now,
+                                            sailnet_real beta)
+{
+    const sailnet_real held = memory->held;
+    const sailnet_real nothing[3] = {R(0.0), R(0.0), R(0.0)};
+    const sailnet_real before[3] = {memory->state.r, memory->state.u, memory->state.v};
+    sailnet_real cosine, sine, k1[3], k2[3], k3[3], k4[3];
+    const sailnet_real angle = sailnet_clamped(memory->cone_angle, -SAILNET_PHI_MAX, SAILNET_PHI_MAX);
+    sailnet_cosine_sine(angle, &cosine, &sine);
+    const sailnet_real cosine2 = cosine * cosine;
+    if (memory->periods == 0 || !(held > R(0.0)) || !(cosine2 >= SAILNET_LEAST_COSINE2)) {
+        return beta;
+    }
+
+    const sailnet_real force[2] = {beta * cosine2 * cosine, beta * cosine2 * sine};
+    sailnet_rates(before, R(0.0), nothing, force, k1);
+    sailnet_rates(before, R(0.5) * held, k1, force, k2);
+    sailnet_rates(before, R(0.5) * held, k2, force, k3);
+    sailnet_rates(before, held, k3, force, k4);
+    const sailnet_real sixth = held / R(6.0);
+    const sailnet_real surprise_u = (now->u - before[1]) - sixth * (k1[1] + R(2.0) * (k2[1] + k3[1]) + k4[1]);
+    const sailnet_real surprise_v = (now->v - before[2]) - sixth * (k1[2] + R(2.0) * (k2[2] + k3[2]) + k4[2]);
+    const sailnet_real distance = R(0.5) * (before[0] + now->r);
+    const sailnet_real measured =
+        (surprise_u * cosine + surprise_v * sine) * distance * distance / (held * cosine2);
+    if (!sailnet_is_finite(measured)) {
+        return beta;
+    }
+    const sailnet_real bound = SAILNET_LARGEST_SURPRISE * SAILNET_BETA;
+    const sailnet_real counted = sailnet_clamped(measured, -bound, bound);
+
+    /* The mean of all periods at first, and later of those not forgotten. */
+    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
+    const sailnet_real recent = sailnet_clamped(held / SAILNET_MEMORY, R(0.0), R(0.5));
+    const sailnet_real share = all > recent ? all : recent;
+    return sailnet_clamped(beta + share * counted, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+}
+
+void sailnet_start(sailnet_memory *memory)
+{
+    if (memory != NULL) {
+        const sailnet_memory fresh = {{R(0.0), R(0.0), R(0.0)}, R(0.0), R(0.0), R(0.0), SAILNET_BETA, 0};
+        *memory = fresh;
+    }
+}
+
+sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state, sailnet_real period,
+                             sailnet_command *command)
+{
+    if (command == NULL) {
+        return SAILNET_INVALID_INPUT;
+    }
+    sailnet_make_safe(command, sailnet_clamped(SAILNET_BETA, SAILNET_BETA_MIN, SAILNET_BETA_MAX));
+    if (memory == NULL) {
+        return SAILNET_INVALID_INPUT;
+    }
+    /* The memory may hold any bits. */
+    memory->beta = sailnet_clamped(memory->beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+    command->beta = memory->beta;
+    const int32_t timed = (period > R(0.0)) & sailnet_is_finite(period);
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if (timed & (state != NULL)) {
+        const int32_t finite =
+            sailnet_is_finite(state->r) & sailnet_is_finite(state->u) & sailnet_is_finite(state->v);
+        memory->beta = finite ? sailnet_learned(memory, state, memory->beta) : memory->beta;
+        status = sailnet_guidance(state, memory->beta, command);
+    }
+    if (status == SAILNET_INVALID_INPUT) {
+        /* The memory stays as it was, but the next state is not what came of the last command. */
+        memory->held = R(0.0);
+        command->hold = timed ? period : R(0.0);
+        return status;
+    }
+
+    const sailnet_real tau = command->time_of_flight;
+    const sailnet_real longest = period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
+    const sailnet_real now[3] = {state->r, state->u, state->v};
+    int32_t there = 1;
+    for (int32_t i = 0; i < 3; i++) {
+        const sailnet_real missing = sailnet_deviation(now[i], i);
+        there &= (missing <= SAILNET_ARRIVAL_TOLERANCE) & (missing >= -SAILNET_ARRIVAL_TOLERANCE);
+    }
+    const int32_t inside = status != SAILNET_OUTSIDE_DOMAIN;
+    /* Within one command of the target; or on it, and past the nearest point. */
+    const int32_t last = inside & (tau <= longest);
+    const int32_t past = inside & there & (memory->periods > 0) & (tau >= memory->time_of_flight);
+    command->hold = last ? sailnet_clamped(tau, R(0.0), longest) : (past ? R(0.0) : period);
+
+    memory->state = *state;
+    memory->cone_angle = command->cone_angle;
+    memory->held = command->hold;
+    memory->time_of_flight = tau;
+    memory->periods += memory->periods < UINT32_MAX ? 1u : 0u;
+    return (last | past) ? SAILNET_ARRIVED : status;
 }

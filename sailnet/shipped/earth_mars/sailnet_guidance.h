@@ -8,6 +8,8 @@
  * data set  7acd82303abce87c3b36b61aace71e4f77c6bf6e870c8d0c394c820c64139091 (alpha_pre)
  * data set  7acd82303abce87c3b36b61aace71e4f77c6bf6e870c8d0c394c820c64139091 (lambda_v)
  *
+ * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
+ *
  * C99 (also C++11), freestanding: nothing is allocated, nothing static is written, no libm.
  * One compilation is one precision: float, or double with -DSAILNET_FLOAT64; the same flag must
  * be given wherever this header is included.
@@ -15,11 +17,13 @@
 #ifndef SAILNET_GUIDANCE_H
 #define SAILNET_GUIDANCE_H
 
+#include <stdint.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define SAILNET_API_VERSION 1
+#define SAILNET_API_VERSION 2
 #define SAILNET_VERSION "0.1.0"
 #define SAILNET_MISSION "earth_mars"
 #define SAILNET_MISSION_DIGEST "8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c"
@@ -39,8 +43,27 @@ typedef float sailnet_real;
 
 /* A shorter predicted time of flight [TU] is an arrival. */
 #define SAILNET_ARRIVAL_THRESHOLD SAILNET_REAL(0.005)
-/* The longest time of flight [TU] the networks were trained on. */
+/* A sail is on the target orbit when each of r [AU], u and v [AU/TU] is within this of it. */
+#define SAILNET_ARRIVAL_TOLERANCE SAILNET_REAL(0.001)
+#define SAILNET_TARGET_R SAILNET_REAL(1.524)
+#define SAILNET_TARGET_U SAILNET_REAL(0.0)
+#define SAILNET_TARGET_V SAILNET_REAL(0.8100419612604182)
+/* The networks were trained on no longer time of flight [TU]. */
 #define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(10.0)
+
+/* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
+   Networks that do not read it were trained on the mission's alone. */
+#define SAILNET_READS_BETA 0
+#define SAILNET_BETA SAILNET_REAL(0.16892)
+#define SAILNET_BETA_MIN SAILNET_REAL(0.16892)
+#define SAILNET_BETA_MAX SAILNET_REAL(0.16892)
+
+/* How sailnet_steer estimates beta: the time over which it forgets [TU], the largest difference,
+   relative to SAILNET_BETA, by which one period counts, and the cos^2 of the cone angle below which
+   a period says nothing. */
+#define SAILNET_MEMORY SAILNET_REAL(0.5)
+#define SAILNET_LARGEST_SURPRISE SAILNET_REAL(0.5)
+#define SAILNET_LEAST_COSINE2 SAILNET_REAL(0.05)
 
 /* Polar state in the orbital plane. One TU is the time in which a circular orbit at 1 AU turns by 1 rad. */
 typedef struct {
@@ -52,21 +75,53 @@ typedef struct {
 typedef struct {
     sailnet_real cone_angle;     /* [rad], always within -SAILNET_PHI_MAX .. SAILNET_PHI_MAX */
     sailnet_real time_of_flight; /* predicted, to the target orbit [TU] */
+    sailnet_real beta;           /* what the command is for; always within SAILNET_BETA_MIN .. _MAX */
+    sailnet_real hold;           /* how long to hold the cone angle [TU]; sailnet_guidance leaves it 0 */
 } sailnet_command;
+
+/* What steering remembers from one period to the next. Opaque: sailnet_start fills it. Whatever bits it
+   holds, commands stay bounded and the estimate of beta within its range. */
+typedef struct {
+    sailnet_state state;         /* one period ago */
+    sailnet_real cone_angle;     /* commanded then [rad] */
+    sailnet_real held;           /* for how long [TU]; 0: the next period teaches nothing */
+    sailnet_real time_of_flight; /* predicted then [TU] */
+    sailnet_real beta;           /* the estimate */
+    uint32_t periods;            /* valid states seen so far */
+} sailnet_memory;
 
 typedef enum {
     SAILNET_OK = 0,
-    /* The predicted time of flight is below SAILNET_ARRIVAL_THRESHOLD. */
+    /* From sailnet_guidance: the predicted time of flight is below SAILNET_ARRIVAL_THRESHOLD.
+       From sailnet_steer: the flight ends once the command was held for `hold`. */
     SAILNET_ARRIVED = 1,
-    /* The state is not in the box the networks were trained on: the command is that of the nearest
-       state of the box. Never reported as an arrival, whatever the predicted time of flight. */
+    /* The state is not in the box the networks were trained on: the command is what they make of it.
+       Never reported as an arrival, whatever the predicted time of flight. */
     SAILNET_OUTSIDE_DOMAIN = 2,
-    /* NaN, infinity or a null pointer: cone angle 0, time of flight SAILNET_LARGEST_TIME_OF_FLIGHT. */
+    /* NaN, infinity, a null pointer or a period that is not positive: cone angle 0, time of flight
+       SAILNET_LARGEST_TIME_OF_FLIGHT. */
     SAILNET_INVALID_INPUT = 3
 } sailnet_status;
 
-/* The guidance law: fills *command (unless it is null) whatever the bits of *state are. */
-sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_command *command);
+/*
+ * The guidance law: fills *command (unless it is null) whatever the bits of *state and beta are.
+ * beta is clamped to its range; a NaN becomes SAILNET_BETA. It is without effect on networks that do
+ * not read it.
+ */
+sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, sailnet_command *command);
+
+/* Forget everything: a flight begins. */
+void sailnet_start(sailnet_memory *memory);
+
+/*
+ * Once a guidance period of `period` [TU]: learn beta from how the sail answered to the last command,
+ * command, and say how long to hold. The command's `beta` is the estimate. `hold` is the period, or
+ * less when the flight ends (SAILNET_ARRIVED), and at most the longer of the period and the threshold.
+ * An invalid state gets the safe command for one period, and nothing is learnt from it; an invalid period
+ * or null pointer gets it with `hold` 0.
+ */
+sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state, sailnet_real period,
+                             sailnet_command *command);
 
 #ifdef __cplusplus
 }
