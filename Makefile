@@ -75,7 +75,8 @@ $(BUILD)/report/index.html: $(BUILD)/bench.json $(BUILD)/agreement.json $(wildca
 ship: $(BUILD)/report/index.html
 	$(PYTHON) -m export.ship $(BUILD) sailnet/shipped/$(MISSION) --mission $(MISSION) --readme README.md
 
-# The expert, generation and coverage beside their peers; some ten minutes.
+# The expert, generation, coverage and training beside their peers; some twenty minutes.
+# torch-levenberg-marquardt takes part if it is installed: pip install -c constraints.txt -e '.[benchmarks]'.
 benchmarks: | $(READY)
 	$(PYTHON) -m benchmarks --seed $(SEED)
 
