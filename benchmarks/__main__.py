@@ -56,7 +56,7 @@ def main() -> int:
     parser.add_argument("--states", type=int, default=10_000, help="for the expert (%(default)s)")
     parser.add_argument("--peers", type=int, default=100, help="of them for fsolve (%(default)s)")
     parser.add_argument("--starts", type=int, default=1000, help="for the coverage (%(default)s)")
-    parser.add_argument("--training", type=float, default=150.0, help="seconds a network (%(default)s)")
+    parser.add_argument("--training", type=float, default=180.0, help="seconds a network (%(default)s)")
     parser.add_argument("--seed", type=int, default=2, help="of every random number (%(default)s)")
     parser.add_argument("--output", type=Path, default=RESULTS, help="(%(default)s)")
     options = parser.parse_args()
