@@ -94,7 +94,8 @@ ship: $(run)/acceptance.json $(run)/bench.json $(run)/agreement.json
 	$(PYTHON) -m export.ship $(run) sailnet/shipped/$(MISSION) --mission $(MISSION) --readme README.md \
 	    $(addprefix --paper ,$(wildcard $(BUILD)/box/report/report.json))
 
-# The expert, generation and coverage beside their peers; some ten minutes.
+# The expert, generation, coverage and training beside their peers; some twenty minutes.
+# torch-levenberg-marquardt takes part if it is installed: pip install -c constraints.txt -e '.[benchmarks]'.
 benchmarks: | $(READY)
 	$(PYTHON) -m benchmarks --seed $(SEED)
 

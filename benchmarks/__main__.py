@@ -8,7 +8,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from benchmarks import expert, generation
+from benchmarks import expert, generation, training
 from sailnet.mission import load_mission
 from sailnet.provenance import software
 
@@ -27,6 +27,14 @@ def _coverage(recipe: str, starts: int, seed: int) -> dict[str, object]:
     return result
 
 
+def _training(seed: int, limit: float) -> str:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "dataset.h5"
+        subprocess.run([sys.executable, "-m", "data", str(path), "--recipe", "box", "--quiet"], check=True)
+        measured = training.measure(path, seed, limit)
+    return "\n".join(["## Training, a network a core", "", training.NOTE, "", training.table(measured), ""])
+
+
 def _table(title: str, note: str, values: dict[str, object]) -> str:
     rows = []
     for key, value in values.items():
@@ -43,11 +51,12 @@ def _short(value: object) -> str:
 
 
 def main() -> int:
-    """Run everything; some ten minutes."""
+    """Run everything; some twenty minutes."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
     parser.add_argument("--states", type=int, default=10_000, help="for the expert (%(default)s)")
     parser.add_argument("--peers", type=int, default=100, help="of them for fsolve (%(default)s)")
     parser.add_argument("--starts", type=int, default=1000, help="for the coverage (%(default)s)")
+    parser.add_argument("--training", type=float, default=180.0, help="seconds a network (%(default)s)")
     parser.add_argument("--seed", type=int, default=2, help="of every random number (%(default)s)")
     parser.add_argument("--output", type=Path, default=RESULTS, help="(%(default)s)")
     options = parser.parse_args()
@@ -86,6 +95,7 @@ def main() -> int:
             {**generation.command("domain", 20_000)},
         ),
     ]
+    parts.append(_training(options.seed, options.training))
     for recipe in ("domain", "box"):
         parts.append(
             _table(

@@ -13,8 +13,8 @@ TRIO = ("tau", "alpha_pre", "lambda_v")
 LIMITS = (
     "**Limits.** Planar circular target orbit, ideal sail, perfect navigation. Trained on the fastest "
     "extremals an indirect method finds; where two are equally fast the command is not smooth, and near "
-    "there a flight may take the slower way. A drift of beta of one per cent a TU is beyond the networks: many "
-    "flights miss. What they stand is below."
+    "there a flight may take the slower way. A drift of beta of one per cent a TU is beyond the networks: "
+    "many flights miss. What they stand is below."
 )
 
 Facts = Mapping[str, Any]

@@ -19,7 +19,7 @@ PROBLEM = load_mission("earth_mars").problem
 
 def _off_target(dr: float, du: float, dv: float) -> Array:
     """One state so far from the target."""
-    return np.array([PROBLEM.target_state]) + np.array([dr, du, dv])
+    return np.asarray(np.array([PROBLEM.target_state]) + np.array([dr, du, dv]))
 
 
 deviation = st.floats(-0.5, 0.5).filter(lambda x: abs(x) > 1e-3)

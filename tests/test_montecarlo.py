@@ -1,8 +1,5 @@
 """Campaigns: starts, confidence interval, independence of batches and workers."""
 
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -11,9 +8,10 @@ from scipy.stats import binomtest
 
 from sailnet.backends import load_guidance
 from sailnet.errors import SailnetError
+from sailnet.executors import workers
 from sailnet.flight import Disturbance
 from sailnet.mission import load_mission
-from sailnet.montecarlo import evaluate, random_starts, summarise, wilson_interval
+from sailnet.montecarlo import BATCH, evaluate, random_starts, summarise, wilson_interval
 
 MISSION = load_mission("earth_mars")
 
@@ -40,9 +38,11 @@ def test_starts_fill_the_generalisation_set() -> None:
 def test_a_campaign_is_the_same_for_any_number_of_workers() -> None:
     guidance = load_guidance(MISSION, "c", "float64")
     noise = Disturbance(beta_noise=0.15, seed=4)
-    one = summarise(list(evaluate(MISSION, guidance, 130, noise, period=0.02)))
-    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
-        three = summarise(list(evaluate(MISSION, guidance, 130, noise, period=0.02, executor=pool)))
+    flights = BATCH + 30
+    one = summarise(list(evaluate(MISSION, guidance, flights, noise, period=0.02)))
+    with workers(2) as pool:
+        three = summarise(list(evaluate(MISSION, guidance, flights, noise, period=0.02, workers=pool)))
+    assert len(one.flights.arrived) == flights
     for name, values in vars(one.flights).items():
         np.testing.assert_array_equal(values, getattr(three.flights, name), err_msg=name)
     assert one.arrived == int(one.flights.arrived.sum())

@@ -15,14 +15,14 @@ import numpy as np
 import torch
 from tqdm import tqdm
 
-from sailnet.dataset import open_dataset
+from sailnet.dataset import Dataset, open_dataset
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.mission import Transfer
+from sailnet.mission import TrainingRecipe, Transfer
 from sailnet.networks import COMMAND_INPUTS
 from sailnet.pontryagin import guidance_law
-from training.layers import forward
-from training.samples import load_samples
+from training.layers import augment, forward
+from training.samples import SampleSet, load_samples
 from training.targets import TARGETS, Target, command_error, cone_direction
 from training.train import NEAR_ARRIVAL, epochs, problems, start
 
@@ -33,11 +33,12 @@ def candidates(problem: Transfer) -> list[Target]:
     def size_at(direction: Array) -> Array:
         return np.abs(guidance_law(problem, -np.cos(direction) / 3.0, np.sin(direction) / np.sqrt(8.0)))
 
+    paper = TARGETS["box"]
     costates = ("lambda_u", "lambda_v")
     return [
-        TARGETS["alpha_pre"],
-        TARGETS["alpha_pre_eq23"],
-        TARGETS["alpha"],
+        paper["alpha_pre"],
+        paper["alpha_pre_eq23"],
+        paper["alpha"],
         Target(
             "direction",
             COMMAND_INPUTS,
@@ -55,6 +56,18 @@ def candidates(problem: Transfer) -> list[Target]:
             lambda output, _: size_at(np.arccos(np.clip(output, -1.0, 1.0))),
         ),
     ]
+
+
+def trained_output(data: Dataset, target: Target, recipe: TrainingRecipe) -> tuple[SampleSet, Array]:
+    """Train one candidate; its samples, and its output in physical units on the test part."""
+    samples = load_samples(data, target, recipe.seed, recipe.train_samples, recipe.validation_samples)
+    run = problems(samples, recipe.hidden, torch.device("cpu"))
+    progress = start(run, recipe.seed)
+    with tqdm(total=recipe.epochs, desc=target.name, disable=None, file=sys.stderr) as bar:
+        epochs(run, recipe, progress, watch=partial(_show, bar))
+    scaled = augment(torch.from_numpy(samples.scaled(samples.test)[0].T.copy()))
+    output = forward(run.train.layers.matrices(progress.best), scaled)[1].numpy()
+    return samples, samples.output_min + (samples.output_max - samples.output_min) * output
 
 
 def _show(bar: tqdm, record: dict[str, float]) -> None:
@@ -76,21 +89,10 @@ def main() -> int:
     try:
         with open_dataset(options.dataset) as data:
             changes = {"epochs": options.epochs, "patience": options.epochs, "seed": options.seed}
-            recipe = data.mission.training.model_copy(update=changes)
+            recipe = data.mission.training.paper.model_copy(update=changes)
             problem = data.mission.problem
             for target in candidates(problem):
-                samples = load_samples(
-                    data, target, recipe.seed, recipe.train_samples, recipe.validation_samples
-                )
-                run = problems(samples, recipe.hidden, torch.device("cpu"))
-                progress = start(run, recipe.seed)
-                with tqdm(total=recipe.epochs, desc=target.name, disable=None, file=sys.stderr) as bar:
-                    epochs(run, recipe, progress, watch=partial(_show, bar))
-                layers = run.train.layers
-                scaled = torch.from_numpy(samples.scaled(samples.test)[0].T.copy())
-                ones = torch.ones(1, scaled.shape[1], dtype=torch.float64)
-                output = forward(layers.matrices(progress.best), torch.cat([scaled, ones]))[1].numpy()
-                output = samples.output_min + (samples.output_max - samples.output_min) * output
+                samples, output = trained_output(data, target, recipe)
                 error = command_error(target, output, samples.test.alpha, problem.phi_max)
                 near = samples.test.tau < NEAR_ARRIVAL
                 numbers = (np.mean(error**2), np.mean(error[near] ** 2), np.abs(error).max())

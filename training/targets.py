@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sailnet.approach import APPROACH_INPUTS, approach_coordinates
+from sailnet.dataset import SAMPLES
 from sailnet.dynamics import Array
 from sailnet.jumps import cone_angle_size
 from sailnet.mission import Training, TrainingRecipe, Transfer
@@ -26,13 +27,20 @@ Only the sign of lambda_v is used, and it matters where lambda_v is small; its r
 """
 
 
+INTEGRALS: Mapping[str, Callable[[Columns], Array]] = {
+    "momentum": lambda columns: columns["r"] * columns["v"],
+    "energy": lambda columns: 0.5 * (columns["u"] ** 2 + columns["v"] ** 2) - 1.0 / columns["r"],
+}
+"""What a sail edge-on to the Sun would keep: inputs that data sets do not hold, AU^2/TU and AU^2/TU^2."""
+
+
 @dataclass(frozen=True)
 class Target:
     """One network to train.
 
     Attributes:
         name: file name of the network.
-        inputs: what it reads: columns of the data set, or ``APPROACH_INPUTS``.
+        inputs: what it reads: columns of the data set, ``INTEGRALS`` and approach coordinates.
         columns: columns of the data set its target is computed from.
         value: the target from those columns.
         definition: the target in words, as stored in the network's provenance.
@@ -49,17 +57,20 @@ class Target:
     @property
     def approach(self) -> bool:
         """Whether it reads approach coordinates, which have no direction at the target itself."""
-        return self.inputs == APPROACH_INPUTS
+        return not set(APPROACH_INPUTS).isdisjoint(self.inputs)
 
     @property
     def reads(self) -> tuple[str, ...]:
         """Columns of the data set that its samples are computed from and judged by."""
-        inputs = ("beta",) if self.approach else self.inputs
+        inputs = [name for name in self.inputs if name in SAMPLES]
+        if self.approach:
+            inputs.append("beta")
         return tuple(dict.fromkeys(("r", "u", "v", *inputs, *self.columns, "alpha", "tau")))
 
     def complete(self, columns: Columns, transfer: Transfer) -> Columns:
         """Columns as read, with the inputs and with the target as ``value``."""
         known = dict(columns)
+        known |= {name: of(known) for name, of in INTEGRALS.items() if name in self.inputs}
         if self.approach:
             states = np.column_stack([known[name] for name in ("r", "u", "v")])
             known |= zip(
@@ -70,7 +81,7 @@ class Target:
 
     def recipe(self, training: Training) -> TrainingRecipe:
         """The mission's recipe for networks of this form."""
-        return training.wide if self.approach else training.paper
+        return training.wide if self.inputs == APPROACH_INPUTS else training.paper
 
 
 _PAPER = (
