@@ -78,7 +78,7 @@ def _campaign(
         "flown_seconds": time.perf_counter() - started,
         "did_not_arrive": np.flatnonzero(~campaign.flights.arrived)[:100].tolist(),
     }
-    if name == "nominal":
+    if name == "nominal" and campaign.arrived:
         gap = optimality_gap(mission, campaign)
         record["gap_quantiles"] = {f"{q:g}": float(np.quantile(gap, q)) for q in GAP_QUANTILES}
         record["gap_flights"] = len(gap)
