@@ -3,8 +3,6 @@
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
 from sailnet.acceptance import acceptance_table
 from sailnet.networks import GuidanceNetworks, Network
 
@@ -48,8 +46,8 @@ def _networks_table(networks: Mapping[str, Network]) -> list[str]:
 
 
 def _domain(networks: GuidanceNetworks) -> str:
-    tau, problem = networks.tau, networks.mission.problem
-    lowest, highest = (np.array(tau.provenance[key]) for key in ("state_min", "state_max"))
+    problem = networks.mission.problem
+    lowest, highest = networks.state_range
     box = ", ".join(
         f"{name} in [{low:.4f}, {high:.4f}]" for name, low, high in zip("ruv", lowest, highest, strict=True)
     )

@@ -11,9 +11,9 @@ from numpy.typing import DTypeLike
 from sailnet import __version__
 from sailnet.approach import APPROACH_INPUTS
 from sailnet.dynamics import Array
-from sailnet.errors import GuidanceError, NetworkError
+from sailnet.errors import GuidanceError
 from sailnet.mission import Mission
-from sailnet.networks import STATE_INPUTS, GuidanceNetworks, Network
+from sailnet.networks import GuidanceNetworks, Network
 
 METADATA_KEY = "sailnet_guidance"
 """The key of an ONNX file's ``metadata_props`` that holds the facts as JSON."""
@@ -94,7 +94,7 @@ def describe(networks: GuidanceNetworks, mission: Mission, alpha: Network | None
         if networks.approach
         else tau.output_max
     )
-    state_min, state_max = _trained_states(tau)
+    lowest, highest = networks.state_range
     beta_min, beta_max = networks.beta_range
     return GuidanceFacts(
         version=__version__,
@@ -110,26 +110,14 @@ def describe(networks: GuidanceNetworks, mission: Mission, alpha: Network | None
         beta_min=beta_min,
         beta_max=beta_max,
         target_state=mission.problem.target_state,
-        state_min=state_min,
-        state_max=state_max,
+        state_min=_triple(lowest),
+        state_max=_triple(highest),
     )
 
 
-def _trained_states(tau: Network) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
-    recorded = [tau.provenance.get(name) for name in ("state_min", "state_max")]
-    if recorded == [None, None] and tau.inputs == STATE_INPUTS:
-        recorded = [tau.input_min.tolist(), tau.input_max.tolist()]
-    try:
-        box = np.array(recorded, float)
-        ordered = box.shape == (2, 3) and bool((box[0] < box[1]).all())
-    except (TypeError, ValueError):
-        ordered = False
-    if not ordered:
-        raise NetworkError(
-            "network tau does not say what states it was trained on (state_min, state_max): train it again"
-        )
-    (r_min, u_min, v_min), (r_max, u_max, v_max) = box.tolist()
-    return (r_min, u_min, v_min), (r_max, u_max, v_max)
+def _triple(values: Array) -> tuple[float, float, float]:
+    r, u, v = (float(value) for value in values)
+    return r, u, v
 
 
 def round_down(value: float, precision: DTypeLike) -> float:

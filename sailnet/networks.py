@@ -205,6 +205,27 @@ class GuidanceNetworks:
             return self.mission.sail.beta, self.mission.sail.beta
         return float(self.tau.input_min[-1]), float(self.tau.input_max[-1])
 
+    @property
+    def state_range(self) -> tuple[Array, Array]:
+        """(3,) lowest and highest state (r, u, v) the networks were trained on.
+
+        Raises:
+            NetworkError: they do not say.
+        """
+        recorded = [self.tau.provenance.get(name) for name in ("state_min", "state_max")]
+        if recorded == [None, None] and not self.approach:
+            recorded = [self.tau.input_min.tolist(), self.tau.input_max.tolist()]
+        try:
+            box = np.array(recorded, float)
+            ordered = box.shape == (2, 3) and bool((box[0] < box[1]).all())
+        except (TypeError, ValueError):
+            ordered = False
+        if not ordered:
+            raise NetworkError(
+                "network tau does not say what states it was trained on (state_min, state_max): train again"
+            )
+        return box[0], box[1]
+
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> tuple[Array, Array]:
         """Cone angle [rad] and time of flight [TU] at (n, 3) states: the reference in NumPy.
 
@@ -217,8 +238,11 @@ class GuidanceNetworks:
         """
         state = np.asarray(states, float)
         if self.approach:
+            lowest, highest = self.state_range
+            margin = EXTRAPOLATION * (highest - lowest)
+            within = np.clip(state, lowest - margin, highest + margin)
             sail = np.clip(self.mission.sail.beta if beta is None else beta, *self.beta_range)
-            inputs = approach_coordinates(self.mission.problem, state, sail)
+            inputs = approach_coordinates(self.mission.problem, within, sail)
             tau = inputs[:, 3] * np.exp(self.tau(inputs))
         else:
             tau = self.tau(state)

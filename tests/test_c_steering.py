@@ -129,7 +129,7 @@ def test_the_estimate_converges_to_a_constant_bias(
     starts = rng.uniform((0.9, -0.1, 0.8), (1.3, 0.1, 1.1), (40, 3))
     steering: Steering = guidance.steering(40) if kind == "c" else ReferenceSteering(guidance, 40)
     beta = MISSION.sail.beta * rng.uniform(0.85, 1.15, 40)
-    estimate, ended = fly_with(steering, starts, beta, 500, precision)
+    estimate, ended = fly_with(steering, starts, beta, 900, precision)
     assert (~ended).sum() > 20
     np.testing.assert_allclose(estimate[~ended], beta[~ended], rtol=bound)
 

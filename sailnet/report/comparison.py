@@ -106,7 +106,7 @@ def flight_rows(section5: Section5) -> list[Row]:
                 f"{name}: time of flight flown, three networks [TU]",
                 "",
                 f"{flown.time_of_flight:.4f}",
-                "until the predicted time left drops below the threshold",
+                "the last command is held for the time predicted then",
             ),
             Row(f"{name}: ΔΦ, three networks", _triple(paper.CASE_ERROR[name]), _triple(flown.error)),
             Row(
