@@ -48,7 +48,7 @@ def test_samples_hold_what_is_computed_from_the_state_and_no_arrival(stored: Pat
 
 
 def test_every_row_is_trained_with_the_papers_inputs_and_with_others() -> None:
-    pairs = list(zip(candidates()[::2], candidates()[1::2], strict=True))
+    pairs = list(zip(candidates("box")[::2], candidates("box")[1::2], strict=True))
     assert [paper.name for paper, _ in pairs] == list(TABLE_1)
     for paper, other in pairs:
         assert paper.inputs == (STATE_INPUTS if paper.name == "tau" else COMMAND_INPUTS)

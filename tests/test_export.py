@@ -193,7 +193,7 @@ def test_approach_networks_must_say_what_states_they_know() -> None:
     networks = random_guidance((4,), (4,), (4,), approach=True)
     for provenance in ({}, {"state_min": [1, 2]}, {"state_min": STATE_MAX, "state_max": STATE_MIN}):
         tau = dataclasses.replace(networks.tau, provenance=provenance)
-        with pytest.raises(NetworkError, match="train it again"):
+        with pytest.raises(NetworkError, match="train again"):
             describe(dataclasses.replace(networks, tau=tau), MISSION)
 
 

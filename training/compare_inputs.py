@@ -1,9 +1,10 @@
-"""``python -m training.compare_inputs``: the rows of Table 1 with other inputs, at the same size and data.
+"""``python -m training.compare_inputs``: the same networks with other inputs, at the same size and data.
 
-Each row is trained with the paper's inputs and with those that were found to serve it better. All get
-the same samples, hidden layers, start and number of epochs. The error is Table 1's, over all samples of
-the test trajectories but their arrivals: there every trajectory is in one and the same state with
-another command and another costate, which no function of the state tells apart.
+On the paper's box: the rows of Table 1. On wide data: the cone angle's size, for guidance. Each row is
+trained with the inputs it has and with others. All get the same samples, hidden layers, start and number
+of epochs. The error is Table 1's, over all samples of the test trajectories but their arrivals: there
+every trajectory is in one and the same state with another command and another costate, which no
+function of the state tells apart.
 """
 
 import argparse
@@ -13,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
+from sailnet.approach import APPROACH_INPUTS
 from sailnet.dataset import open_dataset
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
@@ -29,8 +31,22 @@ TABLE_1 = {"tau": 1e-8, "lambda_v_printed": 5.07e-6, "alpha_pre": 7.70e-7}
 """Test errors the paper prints; |alpha| is judged as its alpha_pre, in units of 2 phi_max."""
 
 
-def candidates() -> list[Target]:
-    """The paper's rows, each followed by its like with other inputs."""
+WIDE_INPUTS = (
+    (*STATE_INPUTS, "beta"),
+    (*COMMAND_INPUTS, "beta"),
+    (*INTEGRAL_INPUTS, "beta"),
+    (*STATE_INPUTS, "s", "beta"),
+    (*APPROACH_INPUTS, "r"),
+    (*APPROACH_INPUTS, "tau"),
+    APPROACH_INPUTS,
+)
+"""What the command network could read on wide data; the last is what it does."""
+
+
+def candidates(kind: str) -> list[Target]:
+    """The paper's rows, each followed by its like with other inputs; on wide data ``WIDE_INPUTS``."""
+    if kind == "wide":
+        return [replace(TARGETS["wide"]["alpha_pre"], inputs=inputs) for inputs in WIDE_INPUTS]
     paper = TARGETS["box"]
     return [
         paper["tau"],
@@ -71,7 +87,7 @@ def main() -> int:
         description=__doc__,
         epilog="example: python -m training.compare_inputs build/earth_mars/box.h5 --epochs 200",
     )
-    parser.add_argument("dataset", type=Path, help="the paper's box")
+    parser.add_argument("dataset", type=Path, help="the paper's box, or wide data")
     parser.add_argument("--epochs", type=int, default=200, help="(%(default)s)")
     parser.add_argument("--seed", type=int, default=7, help="(%(default)s)")
     parser.add_argument("--network", action="append", choices=list(TABLE_1), help="this one; repeatable")
@@ -81,9 +97,10 @@ def main() -> int:
     try:
         with open_dataset(options.dataset) as data:
             changes = {"epochs": options.epochs, "patience": options.epochs, "seed": options.seed}
-            recipe = data.mission.training.paper.model_copy(update=changes)
+            training = data.mission.training
+            recipe = (training.wide if data.kind == "wide" else training.paper).model_copy(update=changes)
             phi_max = data.mission.problem.phi_max
-            for target in candidates():
+            for target in candidates(data.kind):
                 if target.name not in (options.network or TABLE_1):
                     continue
                 samples, output = trained_output(data, target, recipe)
@@ -91,7 +108,8 @@ def main() -> int:
                 own, command = squared_errors(target, output, samples.test, span, phi_max)
                 judged = "" if command is None else f"{command:.2e}"
                 read = ", ".join(target.inputs)
-                row = f"| {target.name} | {read} | {TABLE_1[target.name]:.2e} | {own:.2e} | {judged} |"
+                printed = "" if data.kind == "wide" else f"{TABLE_1[target.name]:.2e}"
+                row = f"| {target.name} | {read} | {printed} | {own:.2e} | {judged} |"
                 print(row, flush=True)
     except SailnetError as error:
         print(f"error: {error}", file=sys.stderr)
