@@ -79,12 +79,14 @@ def test_negative_numbers_are_numbers(number: str) -> None:
 
 def test_fly_reaches_the_target_with_both_back_ends() -> None:
     keys = {"arrived", "time_of_flight", "terminal_error", "max_cone_angle", "optimal_time_of_flight"}
+    keys |= {"beta_error", "beta_estimate"}
     ends = []
     for backend in ("c", "onnx"):
         result = _json("fly", "1", "0", "1", "--backend", backend)
         assert set(result) == keys
         assert result["arrived"] is True
-        assert max(result["terminal_error"]) < 2e-4
+        assert max(result["terminal_error"]) < 1e-5
+        assert result["beta_estimate"] == pytest.approx(0.16892, rel=1e-6)
         assert result["optimal_time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
         ends.append([*result["terminal_error"], result["time_of_flight"]])
     assert ends[0] == pytest.approx(ends[1], abs=1e-9)

@@ -42,7 +42,8 @@ def test_every_back_end_and_precision_ends_on_the_target(
 ) -> None:
     flight = fly(mission, load_guidance(mission, backend, precision), [*CASES.values()])
     assert flight.arrived.all()
-    assert flight.terminal_error.max() < 5e-5
+    # In float the distance from the target is known to 1e-7 AU, as much as what is left of it at the end.
+    assert flight.terminal_error.max() < (5e-6 if precision == "float64" else 3e-4)
 
 
 def test_c_and_onnx_fly_to_the_same_place(mission: Mission) -> None:
@@ -72,12 +73,12 @@ def test_random_starts_arrive_with_a_sail_nobody_knows(
     assert campaign.arrived >= least
     assert campaign.attitude_violations(mission.problem.phi_max) == 0
     if not disturbance.beta_noise:
-        # The estimate has found the sail, whatever it is, as it is in the end.
+        # The estimate has found the sail, whatever it is; it lags behind a drift by its memory, 1 TU.
         flights = campaign.flights
         real = 1.0 + flights.beta_error
         real *= 1.0 + disturbance.beta_drift * flights.time_of_flight
         estimate = flights.beta_estimate / mission.sail.beta
-        np.testing.assert_allclose(estimate, real, rtol=2e-3 if disturbance.beta_drift else 1e-3)
+        np.testing.assert_allclose(estimate, real, rtol=4e-3 if disturbance.beta_drift else 1e-3)
 
 
 def test_flights_are_nearly_as_fast_as_the_optimum(mission: Mission) -> None:

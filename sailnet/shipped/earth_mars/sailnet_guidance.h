@@ -3,10 +3,10 @@
  *
  * Exported by sailnet 0.1.0 for mission earth_mars: do not edit.
  * mission   8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c
- * networks  ea9fc0b64e36ac834d83abd156f998b3aa8d75c2c22b6411240d0cadb51fabda
- * data set  7acd82303abce87c3b36b61aace71e4f77c6bf6e870c8d0c394c820c64139091 (tau)
- * data set  7acd82303abce87c3b36b61aace71e4f77c6bf6e870c8d0c394c820c64139091 (alpha_pre)
- * data set  7acd82303abce87c3b36b61aace71e4f77c6bf6e870c8d0c394c820c64139091 (lambda_v)
+ * networks  66aa4938a05edd4d0d19bfb91df6e0985b22802b64fbdb6fcdd51d8bb8e06406
+ * data set  1190cc3c2275e86699981160a9f62ef597d0e868914394ed1c136386bf7139e7 (tau)
+ * data set  1190cc3c2275e86699981160a9f62ef597d0e868914394ed1c136386bf7139e7 (alpha_pre)
+ * data set  1190cc3c2275e86699981160a9f62ef597d0e868914394ed1c136386bf7139e7 (lambda_v)
  *
  * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
  *
@@ -27,7 +27,7 @@ extern "C" {
 #define SAILNET_VERSION "0.1.0"
 #define SAILNET_MISSION "earth_mars"
 #define SAILNET_MISSION_DIGEST "8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c"
-#define SAILNET_NETWORKS_DIGEST "ea9fc0b64e36ac834d83abd156f998b3aa8d75c2c22b6411240d0cadb51fabda"
+#define SAILNET_NETWORKS_DIGEST "66aa4938a05edd4d0d19bfb91df6e0985b22802b64fbdb6fcdd51d8bb8e06406"
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
@@ -49,19 +49,19 @@ typedef float sailnet_real;
 #define SAILNET_TARGET_U SAILNET_REAL(0.0)
 #define SAILNET_TARGET_V SAILNET_REAL(0.8100419612604182)
 /* The networks were trained on no longer time of flight [TU]. */
-#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(10.0)
+#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(102.64799071451858)
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */
-#define SAILNET_READS_BETA 0
+#define SAILNET_READS_BETA 1
 #define SAILNET_BETA SAILNET_REAL(0.16892)
-#define SAILNET_BETA_MIN SAILNET_REAL(0.16892)
-#define SAILNET_BETA_MAX SAILNET_REAL(0.16892)
+#define SAILNET_BETA_MIN SAILNET_REAL(0.135136)
+#define SAILNET_BETA_MAX SAILNET_REAL(0.20270399999999997)
 
 /* How sailnet_steer estimates beta: the time over which it forgets [TU], the largest difference,
    relative to SAILNET_BETA, by which one period counts, and the cos^2 of the cone angle below which
    a period says nothing. */
-#define SAILNET_MEMORY SAILNET_REAL(0.5)
+#define SAILNET_MEMORY SAILNET_REAL(1.0)
 #define SAILNET_LARGEST_SURPRISE SAILNET_REAL(0.5)
 #define SAILNET_LEAST_COSINE2 SAILNET_REAL(0.05)
 
