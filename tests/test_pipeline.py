@@ -5,15 +5,13 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from sailnet.mission import load_mission
-
-ROOT = Path(__file__).parent.parent
+from tests.toy_pipeline import python, toy_mission
 
 TOY = {
     "trajectories": "60",
@@ -26,30 +24,15 @@ TOY = {
 }
 
 
-def _python(*arguments: str | Path, check: bool = True) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, *map(str, arguments)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=300)
-    assert not check or done.returncode == 0, done.stderr
-    return done
-
-
 @pytest.fixture(scope="module")
 def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder as `make` builds it, for a small copy of the Earth-Mars mission under another name."""
     build = tmp_path_factory.mktemp("toy")
-    text = (ROOT / "sailnet" / "missions" / "earth_mars.toml").read_text()
-    text = text.replace('name = "earth_mars"', 'name = "toy"')
-    for key, value in TOY.items():
-        text, replaced = re.subn(rf"(?m)^{key} = [^#\n]*", f"{key} = {value} ", text)
-        assert replaced, key
-    mission = build / "toy.toml"
-    mission.write_text(text)
-    _python("-m", "data", build / "box.h5", "--mission", mission, "--recipe", "box", "--quiet")
-    _python("-m", "training", build / "box.h5", build / "networks", "--quiet")
+    mission = toy_mission(build, TOY)
+    python("-m", "data", build / "box.h5", "--mission", mission, "--recipe", "box", "--quiet")
+    python("-m", "training", build / "box.h5", build / "networks", "--quiet")
     baseline = build / "networks" / "alpha.safetensors"
-    _python(
-        "-m", "export", build / "networks", build / "export", "--mission", mission, "--baseline", baseline
-    )
+    python("-m", "export", build / "networks", build / "export", "--mission", mission, "--baseline", baseline)
     arguments = (
         "--mission",
         mission,
@@ -62,7 +45,7 @@ def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "--flights",
         "40",
     )
-    _python("-m", "sailnet.report", *arguments)
+    python("-m", "sailnet.report", *arguments)
     return build
 
 
@@ -78,7 +61,7 @@ def test_every_step_leaves_its_artefacts(toy: Path) -> None:
 def test_the_exported_c_flies_and_agrees_with_onnx(toy: Path) -> None:
     ends = []
     for backend in ("c", "onnx"):
-        done = _python(
+        done = python(
             "-m", "sailnet.cli", "fly", "1.05", "0.15", "1.03", "--mission", toy / "toy.toml",
             "--networks", toy / "export", "--backend", backend, "--json",
         )  # fmt: skip
@@ -101,11 +84,11 @@ def test_the_table_has_the_papers_numbers_and_ours(toy: Path) -> None:
 
 
 def test_networks_of_another_mission_do_not_fly(toy: Path) -> None:
-    done = _python("-m", "sailnet.cli", "fly", "1", "0", "1", "--networks", toy / "export", check=False)
+    done = python("-m", "sailnet.cli", "fly", "1", "0", "1", "--networks", toy / "export", check=False)
     assert done.returncode != 0
     assert "mission" in done.stderr
     assert "Traceback" not in done.stderr
-    done = _python("-m", "export", toy / "networks", toy / "other", "--mission", "earth_mars", check=False)
+    done = python("-m", "export", toy / "networks", toy / "other", "--mission", "earth_mars", check=False)
     assert done.returncode != 0
     assert not (toy / "other" / "sailnet_guidance.c").exists()
 
@@ -120,7 +103,7 @@ def test_a_data_set_of_another_mission_does_not_train(toy: Path) -> None:
         "earth_mars",
         "--quiet",
     )
-    done = _python(*arguments, check=False)
+    done = python(*arguments, check=False)
     assert done.returncode != 0
     assert "mission" in done.stderr
     assert not list((toy / "elsewhere").glob("*.safetensors"))

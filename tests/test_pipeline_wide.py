@@ -1,9 +1,6 @@
 """The pipeline of the networks that fly, at toy size: wide data, networks, C, flights, model card."""
 
 import json
-import re
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -11,8 +8,7 @@ import pytest
 
 from sailnet.mission import load_mission
 from sailnet.networks import load_guidance_networks
-
-ROOT = Path(__file__).parent.parent
+from tests.toy_pipeline import python, toy_mission
 
 TOY = {
     "r": "[1.0, 1.02]",
@@ -30,33 +26,20 @@ TOY = {
 }
 
 
-def _python(*arguments: str | Path, check: bool = True) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, *map(str, arguments)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=300)
-    assert not check or done.returncode == 0, done.stderr
-    return done
-
-
 @pytest.fixture(scope="module")
 def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder as `make` builds it, for a small copy of the Earth-Mars mission under another name."""
     build = tmp_path_factory.mktemp("toy")
-    text = (ROOT / "sailnet" / "missions" / "earth_mars.toml").read_text()
-    text = text.replace('name = "earth_mars"', 'name = "toy"')
-    for key, value in TOY.items():
-        text, replaced = re.subn(rf"(?m)^{key} = [^#\n]*", f"{key} = {value} ", text)
-        assert replaced, key
-    mission = build / "toy.toml"
-    mission.write_text(text)
-    _python("-m", "data", build / "wide.h5", "--mission", mission, "--quiet")
-    _python("-m", "training", build / "wide.h5", build / "networks", "--quiet")
-    _python("-m", "export", build / "networks", build / "export", "--mission", mission)
+    mission = toy_mission(build, TOY)
+    python("-m", "data", build / "wide.h5", "--mission", mission, "--quiet")
+    python("-m", "training", build / "wide.h5", build / "networks", "--quiet")
+    python("-m", "export", build / "networks", build / "export", "--mission", mission)
     flown = ("--mission", mission, "--networks", build / "export", "--flights", "6")
-    _python("-m", "sailnet.acceptance", *flown, "--output", build / "acceptance.json")
-    timed = _python("-m", "c_runtime.bench", build / "export", "--networks", build / "networks", "--json")
+    python("-m", "sailnet.acceptance", *flown, "--output", build / "acceptance.json")
+    timed = python("-m", "c_runtime.bench", build / "export", "--networks", build / "networks", "--json")
     (build / "bench.json").write_text(timed.stdout)
     data = ("--dataset", build / "wide.h5", "--states", "500")
-    compared = _python("-m", "export.agreement", build / "networks", build / "export", *data)
+    compared = python("-m", "export.agreement", build / "networks", build / "export", *data)
     (build / "agreement.json").write_text(compared.stdout)
     return build
 
@@ -80,7 +63,7 @@ def test_the_networks_read_approach_coordinates_and_know_their_sails(toy: Path) 
 def test_the_c_steers_like_the_reference_with_onnx(toy: Path) -> None:
     ends = []
     for backend in ("c", "onnx"):
-        done = _python(
+        done = python(
             "-m", "sailnet.cli", "fly", "1.01", "0.01", "1.01", "--mission", toy / "toy.toml",
             "--period", "0.02", "--networks", toy / "export", "--backend", backend,
             "--beta-bias", "-0.1", "--json",
@@ -110,7 +93,7 @@ def test_acceptance_reports_every_campaign(toy: Path) -> None:
 
 def test_no_networks_no_acceptance(toy: Path, tmp_path: Path) -> None:
     arguments = ("--mission", toy / "toy.toml", "--networks", tmp_path, "--output", tmp_path / "a.json")
-    done = _python("-m", "sailnet.acceptance", *arguments, check=False)
+    done = python("-m", "sailnet.acceptance", *arguments, check=False)
     assert done.returncode != 0
     assert "error:" in done.stderr
     assert not (tmp_path / "a.json").exists()
@@ -126,7 +109,7 @@ def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(toy: 
     facts = {"machine": "m", "date": "d", "revision": "r"}
     paper.write_text(json.dumps({"rows": [row], "software": facts, "seed": 2}))
     arguments = ("--mission", toy / "toy.toml", "--readme", readme, "--paper", paper)
-    _python("-m", "export.ship", toy, tmp_path / "shipped", *arguments)
+    python("-m", "export.ship", toy, tmp_path / "shipped", *arguments)
     text = readme.read_text()
     assert text.startswith("before")
     assert text.endswith("after\n")
@@ -140,6 +123,6 @@ def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(toy: 
     assert "exported C" in card
     assert "| 6, nominal |" in card
     assert (tmp_path / "shipped" / "sailnet_guidance.c").exists()
-    done = _python("-m", "export.ship", tmp_path, tmp_path / "nothing", *arguments, check=False)
+    done = python("-m", "export.ship", tmp_path, tmp_path / "nothing", *arguments, check=False)
     assert done.returncode != 0
     assert not (tmp_path / "nothing").exists()
