@@ -123,14 +123,15 @@ def _parser() -> argparse.ArgumentParser:
         example="sailnet solve 1 0 1; sailnet solve --mission earth_venus; "
         "sailnet solve --phi-max 45 --beta 0.25 --target-radius 0.9 --smoothing 0",
     )
-    command(
+    guide = command(
         "guide",
         _guide,
         "One guidance command from the networks.",
         state,
         backend,
-        example="sailnet guide 1.05 0.15 1.03 --json",
+        example="sailnet guide 1.05 0.15 1.03 --beta 0.15 --json",
     )
+    guide.add_argument("--beta", type=float, metavar="X", help="the sail's real one (default: the mission's)")
     command(
         "fly",
         _fly,
@@ -229,7 +230,10 @@ def _guide(options: argparse.Namespace) -> Result:
     guidance = load_guidance(
         load_mission(options.mission), options.backend, options.precision, options.networks
     )
-    command = guidance.command([state])
+    low, high = guidance.beta_range
+    if options.beta is not None and not low <= options.beta <= high:
+        raise SailnetError(f"the networks know sails with beta from {low:g} to {high:g}, not {options.beta}")
+    command = guidance.command([state], options.beta)
     return {
         "cone_angle": float(command.cone_angle[0]),
         "time_of_flight": float(command.time_of_flight[0]),

@@ -72,6 +72,11 @@ def test_guide_prints_a_command() -> None:
     assert abs(result["cone_angle"]) <= 1.0471975512
 
 
+def test_guide_looks_at_the_sail() -> None:
+    times = [_json("guide", "1", "0", "1", "--beta", beta)["time_of_flight"] for beta in ("0.15", "0.19")]
+    assert times[0] > times[1] + 0.3  # a stronger sail is there sooner
+
+
 @pytest.mark.parametrize("number", ["-1e-3", "-0.05", "-5e-2"])
 def test_negative_numbers_are_numbers(number: str) -> None:
     assert _json("guide", "1.2", number, "0.95")["status"] == "ok"
@@ -107,6 +112,8 @@ def test_evaluate_counts_arrivals() -> None:
         (("solve", "nan", "0", "1"), "finite"),
         (("guide", "inf", "0", "1"), "finite"),
         (("guide", "-1", "0", "1"), "R > 0"),
+        (("guide", "1", "0", "1", "--beta", "nan"), "beta from 0.135136 to 0.202704"),
+        (("guide", "1", "0", "1", "--beta", "0.3"), "beta from 0.135136 to 0.202704"),
         (("fly", "1", "-inf", "1"), "finite"),
         (("solve", "1", "0", "1", "--mission", "earth_pluto"), "earth_mars"),
         (("solve", "1", "0"), "all of R U V"),
