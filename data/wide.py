@@ -38,7 +38,7 @@ LEAST_GAIN = 1e-3
 
 NEIGHBOURS, RADIUS, SLOWER = 8, 0.03, 1.08
 """A sample is not the fastest if one of so many neighbours this near, in approach coordinates (log s
-and beta weighted by 0.3), has tau / s lower by this factor."""
+weighted by 0.3), has tau / s lower by this factor."""
 
 
 def wide_shard(mission: Mission, level: int) -> Block:

@@ -14,7 +14,6 @@ from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
-from tqdm import tqdm
 
 from sailnet.backends import load_guidance
 from sailnet.dynamics import Array
@@ -25,7 +24,7 @@ from sailnet.files import write_whole
 from sailnet.flight import Disturbance, fly
 from sailnet.guidance import Guidance
 from sailnet.mission import Mission, load_mission
-from sailnet.montecarlo import Campaign, evaluate, summarise
+from sailnet.montecarlo import Campaign, fly_campaign
 from sailnet.provenance import software
 from sailnet.report.paper import CASES
 
@@ -60,12 +59,8 @@ def optimality_gap(mission: Mission, campaign: Campaign) -> Array:
 def _campaign(
     mission: Mission, guidance: Guidance, flights: int, disturbance: Disturbance, name: str, pool: Workers
 ) -> Record:
-    started, batches = time.perf_counter(), []
-    with tqdm(total=flights, unit="flight", desc=name, file=sys.stderr, disable=None) as bar:
-        for batch in evaluate(mission, guidance, flights, disturbance, workers=pool):
-            batches.append(batch)
-            bar.update(len(batch.arrived))
-    campaign = summarise(batches)
+    started = time.perf_counter()
+    campaign = fly_campaign(mission, guidance, flights, disturbance, workers=pool, title=name)
     record: Record = {
         "name": name,
         "disturbance": asdict(disturbance),

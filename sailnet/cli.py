@@ -270,22 +270,15 @@ def _fly(options: argparse.Namespace) -> Result:
 def _evaluate(options: argparse.Namespace) -> Result:
     from sailnet.backends import load_guidance
     from sailnet.executors import workers
-    from sailnet.montecarlo import evaluate, summarise
+    from sailnet.montecarlo import fly_campaign
 
     mission = load_mission(options.mission)
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
-    batches = []
     alone = options.workers == 1 and options.scheduler is None
-    with (
-        nullcontext() if alone else workers(options.workers, options.scheduler) as pool,
-        tqdm(total=options.flights, unit="flight", file=sys.stderr, disable=None) as bar,
-    ):
-        for batch in evaluate(
+    with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:
+        campaign = fly_campaign(
             mission, guidance, options.flights, _disturbance(options), period=options.period, workers=pool
-        ):
-            batches.append(batch)
-            bar.update(len(batch.arrived))
-    campaign = summarise(batches)
+        )
     return {
         "flights": len(campaign.flights.arrived),
         "arrived": campaign.arrived,

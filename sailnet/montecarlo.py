@@ -1,11 +1,13 @@
 """Monte Carlo evaluation: random starts of the generalisation set, and what their share of success says."""
 
 import math
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
+from tqdm import tqdm
 
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
@@ -109,6 +111,25 @@ def summarise(batches: list[Flights]) -> Campaign:
     """Join batches and attach the confidence interval."""
     flights = Flights.join(batches)
     return Campaign(flights, wilson_interval(int(flights.arrived.sum()), len(flights.arrived)))
+
+
+def fly_campaign(
+    mission: Mission,
+    guidance: Guidance,
+    count: int,
+    disturbance: Disturbance,
+    *,
+    period: float | None = None,
+    workers: Workers | None = None,
+    title: str | None = None,
+) -> Campaign:
+    """All flights of :func:`evaluate`, with a progress bar of this title where stderr is a terminal."""
+    batches = []
+    with tqdm(total=count, unit="flight", desc=title, file=sys.stderr, disable=None) as bar:
+        for batch in evaluate(mission, guidance, count, disturbance, period=period, workers=workers):
+            batches.append(batch)
+            bar.update(len(batch.arrived))
+    return summarise(batches)
 
 
 def wilson_interval(successes: int, trials: int, z: float = 1.959963984540054) -> tuple[float, float]:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sailnet.acceptance import PERIODS
 from sailnet.dynamics import Array
 from sailnet.expert import Extremal, sample, solve
 from sailnet.flight import Disturbance, Flights, History, fly
@@ -61,10 +62,6 @@ class Section5:
     generalisation: Flights
     campaign: Campaign
     seed: int
-
-
-PERIODS = (0.001, 0.002, 0.005, 0.01, 0.02)
-"""Guidance periods [TU] for which the cases are repeated, so that no lucky stop counts."""
 
 
 def fly_section5(
