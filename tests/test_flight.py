@@ -188,3 +188,29 @@ def test_disturbances_leave_beta_positive_or_are_refused(bias: float, noise: flo
     except SailnetError:
         return
     assert 1.0 + disturbance.beta_bias - disturbance.beta_noise > 0.0
+
+
+def test_a_spread_gives_each_flight_its_own_constant_sail_and_a_drift_wears_it_down() -> None:
+    count, width, period = 400, 0.15, 0.005
+    short = MISSION.model_copy(update={"flight": MISSION.flight.model_copy(update={"longest": 10 * period})})
+    starts = np.tile([1.0, 0.0, 1.0], (count, 1))
+
+    def flown(disturbance: Disturbance) -> Flights:
+        guidance = Constant(0.0, until=9.0)
+        return fly(short, guidance, starts, disturbance=disturbance, period=period)
+
+    spread = flown(Disturbance(beta_spread=width, seed=5))
+    assert abs(spread.beta_error).max() < width
+    assert spread.beta_error.std() == pytest.approx(width / math.sqrt(3), rel=0.1)
+    for row in (0, count - 1):  # each ends where a sail with that bias does
+        alone = fly(
+            short,
+            Constant(0.0, until=9.0),
+            starts[:1],
+            disturbance=Disturbance(beta_bias=float(spread.beta_error[row])),
+            period=period,
+        )
+        np.testing.assert_allclose(spread.ends[row], alone.ends[0], rtol=1e-12)
+    steady, worn = flown(Disturbance()), flown(Disturbance(beta_drift=-0.5))
+    # Over 0.05 TU, in steps, the mean loss is 0.5 times 0.0225 TU.
+    assert worn.ends[0, 1] / steady.ends[0, 1] == pytest.approx(1.0 - 0.5 * 0.0225, rel=2e-4)
