@@ -128,11 +128,7 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
     const sailnet_real tau = command->time_of_flight;
     const sailnet_real longest = given > SAILNET_ARRIVAL_THRESHOLD ? given : SAILNET_ARRIVAL_THRESHOLD;
     const sailnet_real now[3] = {state->r, state->u, state->v};
-    int32_t there = 1;
-    for (int32_t i = 0; i < 3; i++) {
-        const sailnet_real missing = sailnet_deviation(now[i], i);
-        there &= (missing <= SAILNET_ARRIVAL_TOLERANCE) & (missing >= -SAILNET_ARRIVAL_TOLERANCE);
-    }
+    const int32_t there = sailnet_at_target(now);
     const int32_t inside = status != SAILNET_OUTSIDE_DOMAIN;
     /* Within one command of the target; or on it, and past the nearest point. */
     const int32_t last = inside & (tau <= longest);
