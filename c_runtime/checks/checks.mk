@@ -40,7 +40,7 @@ PACKAGES_fuzz = clang libclang-rt-14-dev
 FUZZER = $(wildcard $(shell $(CLANG) -print-file-name=libclang_rt.fuzzer-$(shell uname -m).a 2>/dev/null))
 SANITIZE = -g -O2 -fno-omit-frame-pointer -fsanitize=fuzzer,address,undefined,float-cast-overflow \
     -fno-sanitize-recover=all
-FUZZ_OPTIONS = -seed=1 -max_len=96 -verbosity=0 -detect_leaks=0 -timeout=10
+FUZZ_OPTIONS = -seed=1 -max_len=96 -detect_leaks=0 -timeout=10
 
 fuzz: $(if $(FUZZER),$(BUILDS:%=fuzz/%),left-out/fuzz)
 fuzz/%: $(CHECKS)/fuzz-%

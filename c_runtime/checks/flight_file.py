@@ -19,8 +19,8 @@ def tags(build: str, flight_file: Path) -> frozenset[str]:
 def defines(build: str) -> list[str]:
     """Compiler options of a build such as ``f64-compact``."""
     precision, layout = build.split("-")
-    chosen = {"f64": "-DSAILNET_FLOAT64", "compact": "-DSAILNET_COMPACT"}
-    return [chosen[part] for part in (precision, layout) if part in chosen]
+    chosen = {"SAILNET_FLOAT64": precision == "f64", "SAILNET_COMPACT": layout == "compact"}
+    return [f"-{'D' if given else 'U'}{name}" for name, given in chosen.items()]
 
 
 def places(source: str) -> list[str]:
