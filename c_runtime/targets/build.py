@@ -22,6 +22,9 @@ EVERYWHERE = (
     "-fno-unwind-tables",
     "-fno-tree-loop-distribute-patterns",
 )
+# Without the second, the first turns every memcpy by which bits are read into a call.
+FREESTANDING = ("-ffreestanding", "-fbuiltin")
+BARE_LINKING = ("-nostdlib", "-Wl,--build-id=none", "-Wl,--no-warn-rwx-segments")
 
 
 class TargetError(SailnetError):
@@ -92,7 +95,15 @@ def _bounds(name: str, bounds: Bounds) -> list[str]:
 def flight_flags(target: Target, precision: Precision, layout: Layout, contract: bool) -> tuple[str, ...]:
     """Options of the compiler that make a difference to the code."""
     contraction = f"-ffp-contract={'fast' if contract else 'off'}"
-    return (*target.machine, *target.optimisation, contraction, *PRECISIONS[precision], *LAYOUTS[layout])
+    freestanding = () if target.hosted else FREESTANDING
+    return (
+        *target.machine,
+        *target.optimisation,
+        *freestanding,
+        contraction,
+        *PRECISIONS[precision],
+        *LAYOUTS[layout],
+    )
 
 
 def build(target: Target, exported: Path, golden: Path, flags: tuple[str, ...], folder: Path) -> Program:
@@ -109,35 +120,41 @@ def build(target: Target, exported: Path, golden: Path, flags: tuple[str, ...], 
         TargetError: the compiler refused.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    bare = () if target.hosted else ("-ffreestanding", "-isystem", str(HERE / "firmware" / "freestanding"))
-    common = (target.compiler, *EVERYWHERE, *bare, "-I", str(exported))
+    common = [*_common(target), f"-I{exported}"]
     flight = folder / "sailnet_guidance.o"
-    # What is dumped beside the object is named after it.
     _run([*common, *FLIGHT, *flags, "-c", str(exported / "sailnet_guidance.c"), "-o", str(flight)])
-    own = HERE / target.folder
-    sources = [HERE / "firmware" / "firmware.c", *sorted(own.glob("*.[cS]"))]
     defines = [flag for flag in flags if flag.startswith("-D")]
-    link: tuple[str, ...] = ("-static",)
-    if not target.hosted:
-        sources.append(HERE / "firmware" / "memory.c")
-        link = (
-            "-nostdlib",
-            "-static",
-            "-Wl,--build-id=none",
-            "-Wl,--no-warn-rwx-segments",
-            f"-Wl,-T,{own / 'memory.ld'}",
-        )
     program = folder / "program"
-    _run(
-        [
-            *(*common, *FIRMWARE, *target.machine, *defines),
-            *("-I", str(HERE / "firmware"), "-I", str(golden.parent)),
-            *(*link, *map(str, sources), str(flight), *target.libraries, "-o", str(program)),
-        ]
+    link(
+        target,
+        [HERE / "firmware" / "firmware.c", flight],
+        [*defines, f"-I{exported}", f"-I{golden.parent}"],
+        program,
     )
     callgraph = flight.with_suffix(".ci")
     stack = (deepest_stack(callgraph, "sailnet_guidance"), deepest_stack(callgraph, "sailnet_steer"))
     return Program(program, flags, sizes(flight), stack)
+
+
+def link(target: Target, sources: list[Path], options: list[str], program: Path) -> None:
+    """Compile and link sources with the start-up code of the target.
+
+    Raises:
+        TargetError: the compiler refused.
+    """
+    own = HERE / target.folder
+    files = [*sources, *sorted(own.glob("*.[cS]"))]
+    linking: tuple[str, ...] = ("-static",)
+    if not target.hosted:
+        files.append(HERE / "firmware" / "memory.c")
+        linking = ("-static", *BARE_LINKING, f"-Wl,-T,{own / 'memory.ld'}", *FREESTANDING)
+    firmware = [*_common(target), *FIRMWARE, *target.machine, "-I", str(HERE / "firmware"), *options]
+    _run([*firmware, *linking, *map(str, files), "-o", str(program)])
+
+
+def _common(target: Target) -> list[str]:
+    bare = [] if target.hosted else ["-isystem", str(HERE / "firmware" / "freestanding")]
+    return [target.compiler, *EVERYWHERE, *bare]
 
 
 def _run(command: list[str]) -> None:

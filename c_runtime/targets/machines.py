@@ -29,7 +29,6 @@ class Target:
         precisions: that it computes in hardware, and the cycles an instruction is assumed to take on average.
         fuses: it has fused multiply-add.
         hosted: there is an operating system and a C library.
-        libraries: to link.
         retires: the processor counts its instructions itself.
     """
 
@@ -44,7 +43,6 @@ class Target:
     precisions: dict[Precision, float]
     fuses: bool = True
     hosted: bool = False
-    libraries: tuple[str, ...] = ()
     retires: bool = False
 
 
