@@ -17,8 +17,9 @@ HEAD = (
     "| static [B] | stack [B] | largest error | CPI | ms |"
 )
 CAPTION = """\
-{commands:,} golden commands and {steps} golden calls of steering on each, in emulation; written by `make
-targets-table`. *Instructions*: of a call with valid input on average, and in brackets the most of any call.
+{commands:,} golden commands and {steps} golden calls of steering on each, in emulation; written by
+`make targets-table`. *Instructions*: of a call with valid input on average, and in brackets the most
+of any call.
 *Code*, *constants* and *static* memory (which is written) are of the flight file alone. *Stack*: of
 guidance / of steering, the larger of what was seen written and what the compiler reserves. *Error*: the
 largest difference from the float64 reference in cone angle [rad] / time of flight [TU], each divided by 1 +
