@@ -77,7 +77,8 @@ TARGETS = (
         title="LEON3",
         compiler="sparc64-linux-gnu-gcc",
         machine=("-m32", "-mcpu=leon3"),
-        optimisation=("-O2",),
+        # Scheduling before registers are allotted makes gcc spill them in the inner loop: 13 % slower.
+        optimisation=("-O2", "-fno-schedule-insns"),
         emulator=("qemu-system-sparc", "-M", "leon3_generic", "-nographic", "-monitor", "none", "-kernel"),
         folder="leon3",
         packages=("gcc-sparc64-linux-gnu", "qemu-system-sparc"),
