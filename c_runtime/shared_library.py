@@ -12,6 +12,13 @@ import tempfile
 from pathlib import Path
 
 PRECISIONS = {"f32": (), "f64": ("-DSAILNET_FLOAT64",)}
+LAYOUTS = {"simd": (), "compact": ("-DSAILNET_COMPACT",)}
+BUILDS = {
+    f"{precision} {layout}": (*PRECISIONS[precision], *LAYOUTS[layout])
+    for precision in PRECISIONS
+    for layout in LAYOUTS
+}
+"""Every build of the flight file: what is tested and proved is each of them."""
 
 # Portable flags: what is installed may run on another machine than it was built on. Both additions to
 # -O3 keep NaN and infinity as they are; the first lets gcc vectorise clamps, the second allows FMA.

@@ -19,33 +19,38 @@ from sailnet.networks import EXTRAPOLATION, Network
 
 LOG2_E = 1.0 / math.log(2.0)
 SMALLEST, LARGEST = 1e-30, 1e30
-BLOCK = 4
-"""Inputs are summed in blocks of this many."""
+LARGEST_OCTAVES = 1000.0
+"""The C's sigmoid takes no larger argument: SAILNET_LARGEST_OCTAVES."""
 
 
 def stage_tables(stage: str, networks: Sequence[Network], units: Sequence[float] | None = None) -> str:
     """C source of the sizes and constant tables of one stage.
 
-    Hidden layers are multiplied by -log2(e), so that sigmoid(x) = 1 / (1 + 2^z) of their result z; the
-    biases absorb the 1/2 by which the C's sigmoids are centred.
+    Hidden layers are multiplied by -log2(e), so that sigmoid(x) = 1 / (1 + 2^z) of their result z. The
+    C's sigmoids are centred and doubled: biases absorb the 1/2, weights the 2.
     The first layer absorbs the width of the input ranges, the last layer the output range.
 
     Args:
         stage: its name in the C.
-        networks: all with the same number of inputs.
+        networks: all with the same inputs and input ranges.
         units: what the output of each network is multiplied by; 1 by default.
 
     Raises:
-        ExportError: a weight does not fit single precision.
+        ExportError: a weight does not fit single precision, a neuron is too steep, or input ranges differ.
     """
     depths = [len(network.hidden) for network in networks]
     widest = max(size for network in networks for size in network.hidden)
-    inputs = math.ceil(len(networks[0].inputs) / BLOCK) * BLOCK
+    inputs = len(networks[0].inputs)
     name = f"sailnet_{stage}"
     upper = stage.upper()
 
-    lower_bounds = np.zeros((len(networks), inputs))
-    clamp_min, clamp_max = np.zeros((2, len(networks), inputs))
+    clamp_min, clamp_max = networks[0].clamp
+    for network in networks[1:]:
+        if not np.array_equal(network.clamp, networks[0].clamp):
+            raise ExportError(
+                f"networks {networks[0].name} and {network.name} have different input ranges: "
+                "train them on the same data"
+            )
     first = [[np.zeros(0) for _ in networks] for _ in range(inputs)]
     biases = [[np.zeros(0) for _ in networks] for _ in range(max(depths))]
     hidden = [
@@ -53,21 +58,19 @@ def stage_tables(stage: str, networks: Sequence[Network], units: Sequence[float]
     ]
     output, output_bias = [], []
     for k, network in enumerate(networks):
-        used = len(network.inputs)
-        lower_bounds[k, :used] = network.input_min
-        clamp_min[k, :used], clamp_max[k, :used] = network.clamp
+        _check_steepness(network)
         per_range = network.weights[0] / (network.input_max - network.input_min)
-        for i in range(used):
+        for i in range(inputs):
             first[i][k] = -LOG2_E * per_range[:, i]
         *inner, last = centred_biases(network)
         for layer, bias in enumerate(inner):
             biases[layer][k] = -LOG2_E * bias
         for layer, weight in enumerate(network.weights[1:-1]):
             for i in range(weight.shape[1]):
-                hidden[layer][i][k] = -LOG2_E * weight[:, i]
+                hidden[layer][i][k] = -LOG2_E / 2 * weight[:, i]
         unit = 1.0 if units is None else units[k]
         span = unit * (network.output_max - network.output_min)
-        output.append(span * network.weights[-1][0])
+        output.append(span / 2 * network.weights[-1][0])
         output_bias.append(unit * network.output_min + span * float(last[0]))
 
     return "\n".join(
@@ -76,11 +79,11 @@ def stage_tables(stage: str, networks: Sequence[Network], units: Sequence[float]
             f"#define {upper}_NETWORKS {len(networks)}",
             f"#define {upper}_INPUTS {inputs}",
             f"#define {upper}_DEPTH {max(depths)}",
-            f"#define {upper}_ROWS SAILNET_ROUNDED_UP({widest}, 4)",
-            f"#define {upper}_WIDTH SAILNET_PADDED({max(widest, inputs)})",
-            _table(f"{name}_lower[{upper}_NETWORKS][{upper}_INPUTS]", _rows(lower_bounds)),
-            _table(f"{name}_clamp_min[{upper}_NETWORKS][{upper}_INPUTS]", _rows(clamp_min)),
-            _table(f"{name}_clamp_max[{upper}_NETWORKS][{upper}_INPUTS]", _rows(clamp_max)),
+            f"#define {upper}_ROWS {math.ceil(max(widest, inputs) / 4) * 4}",
+            f"#define {upper}_WIDTH SAILNET_PADDED({upper}_ROWS)",
+            _table(f"{name}_lower[{upper}_INPUTS]", _row(networks[0].input_min)),
+            _table(f"{name}_clamp_min[{upper}_INPUTS]", _row(clamp_min)),
+            _table(f"{name}_clamp_max[{upper}_INPUTS]", _row(clamp_max)),
             _table(f"{name}_first[{upper}_INPUTS][{upper}_NETWORKS][{upper}_WIDTH]", _nested(first)),
             _table(f"{name}_biases[{upper}_DEPTH][{upper}_NETWORKS][{upper}_WIDTH]", _nested(biases)),
             _table(
@@ -125,8 +128,24 @@ def literal(value: float) -> str:
     return repr(float(value)) if abs(value) > SMALLEST else "0.0"
 
 
+def _check_steepness(network: Network) -> None:
+    """Whatever the inputs, no sum of a hidden layer exceeds what the C's sigmoid takes."""
+    low, high = (
+        (bound - network.input_min) / (network.input_max - network.input_min) for bound in network.clamp
+    )
+    largest = np.maximum(np.abs(low), np.abs(high))
+    for weight, bias in zip(network.weights[:-1], centred_biases(network)[:-1], strict=True):
+        octaves = LOG2_E * float((np.abs(weight) @ largest + np.abs(bias)).max())
+        if not octaves <= LARGEST_OCTAVES:
+            raise ExportError(
+                f"network {network.name} has a neuron whose argument may reach {octaves:.0f} octaves, "
+                f"the C takes {LARGEST_OCTAVES:.0f}: train with bounded weights"
+            )
+        largest = np.full(len(bias), 0.5)
+
+
 def _table(declaration: str, initialiser: str) -> str:
-    return f"static const sailnet_real {declaration} =\n{initialiser};"
+    return f"static const SAILNET_ALIGNED sailnet_real {declaration} =\n{initialiser};"
 
 
 def _nested(rows: Sequence[Sequence[Array]]) -> str:

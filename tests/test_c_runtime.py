@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from c_runtime.shared_library import BUILDS
 from tests.conftest import Exported
 
 C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
@@ -14,9 +15,7 @@ TRAPPING = "-O1 -fsanitize=undefined -fsanitize-undefined-trap-on-error"
 COMPILERS = [name for name in ("gcc", "clang", "clang-14") if shutil.which(name)]
 
 every_compiler = pytest.mark.parametrize("compiler", COMPILERS)
-every_precision = pytest.mark.parametrize(
-    "define", ["-USAILNET_FLOAT64", "-DSAILNET_FLOAT64"], ids=["f32", "f64"]
-)
+every_build = pytest.mark.parametrize("defines", BUILDS.values(), ids=BUILDS)
 
 
 def test_there_is_a_compiler() -> None:
@@ -42,24 +41,34 @@ def test_unit_tests_in_c(exported: Exported, tmp_path: Path, compiler: str, flag
         check=False,
     )
     assert run.returncode == 0, run.stdout + run.stderr
-    assert run.stdout.count("all passed") == 2
+    assert run.stdout.count("all passed") == 4
 
 
 @every_compiler
-@every_precision
+@every_build
 @pytest.mark.parametrize("level", ["-O2", "-O3"])
 def test_flight_file_compiles_without_a_warning(
-    exported: Exported, tmp_path: Path, compiler: str, define: str, level: str
+    exported: Exported, tmp_path: Path, compiler: str, defines: tuple[str, ...], level: str
 ) -> None:
     for file in ("sailnet_guidance.c", "sailnet_batch.c"):
-        command = [compiler, "-std=c99", level, define, *WARNINGS, "-c", file, "-o", str(tmp_path / "out.o")]
+        command = [
+            compiler,
+            "-std=c99",
+            level,
+            *defines,
+            *WARNINGS,
+            "-c",
+            file,
+            "-o",
+            str(tmp_path / "out.o"),
+        ]
         subprocess.run(command, cwd=exported.folder, check=True)
 
 
 @pytest.mark.skipif(not shutil.which("g++"), reason="no C++ compiler (apt install g++)")
-@every_precision
-def test_flight_file_is_cplusplus_too(exported: Exported, tmp_path: Path, define: str) -> None:
-    command = ["g++", "-x", "c++", "-std=c++11", define, *WARNINGS, "-c", "sailnet_guidance.c"]
+@every_build
+def test_flight_file_is_cplusplus_too(exported: Exported, tmp_path: Path, defines: tuple[str, ...]) -> None:
+    command = ["g++", "-x", "c++", "-std=c++11", *defines, *WARNINGS, "-c", "sailnet_guidance.c"]
     subprocess.run([*command, "-o", str(tmp_path / "out.o")], cwd=exported.folder, check=True)
 
 
@@ -72,12 +81,12 @@ def test_fast_math_is_refused(exported: Exported, compiler: str) -> None:
 
 
 @every_compiler
-@every_precision
+@every_build
 def test_flight_file_needs_nothing_and_writes_nothing_static(
-    exported: Exported, tmp_path: Path, compiler: str, define: str
+    exported: Exported, tmp_path: Path, compiler: str, defines: tuple[str, ...]
 ) -> None:
     object_file = tmp_path / "guidance.o"
-    command = [compiler, "-std=c99", "-O2", define, "-c", "sailnet_guidance.c", "-o", str(object_file)]
+    command = [compiler, "-std=c99", "-O2", *defines, "-c", "sailnet_guidance.c", "-o", str(object_file)]
     subprocess.run(command, cwd=exported.folder, check=True)
     symbols = subprocess.run(["nm", object_file], capture_output=True, text=True, check=True).stdout
     kinds = {line.split()[-1]: line.split()[-2] for line in symbols.splitlines()}

@@ -307,10 +307,28 @@ def test_weights_beyond_single_precision_are_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     networks = random_guidance(hidden := (4,), hidden, hidden)
-    networks.tau.weights[0][0, 0] = 1e35
+    networks.tau.weights[-1][0, 0] = 1e35
     save_guidance(networks, tmp_path / "networks")
     assert main([str(tmp_path / "networks"), str(tmp_path / "target")]) == 1
     assert "does not fit single precision" in capsys.readouterr().err
+
+
+def test_neurons_too_steep_for_the_c_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    networks = random_guidance(hidden := (4, 4), hidden, hidden)
+    networks.lambda_v.weights[1][2, 1] = 1500.0
+    save_guidance(networks, tmp_path / "networks")
+    assert main([str(tmp_path / "networks"), str(tmp_path / "target")]) == 1
+    assert "train with bounded weights" in capsys.readouterr().err
+
+
+def test_networks_of_one_stage_read_the_same_ranges(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    networks = random_guidance(hidden := (4,), hidden, hidden)
+    networks.lambda_v.input_max[0] += 0.1
+    save_guidance(networks, tmp_path / "networks")
+    assert main([str(tmp_path / "networks"), str(tmp_path / "target")]) == 1
+    assert "train them on the same data" in capsys.readouterr().err
 
 
 def test_a_baseline_with_other_inputs_is_refused(

@@ -26,6 +26,14 @@ SAILNET_INLINE sailnet_real sailnet_inverse_fourth_root(sailnet_real value)
     return root;
 }
 
+/* 2^octaves, for at most 60 octaves. */
+SAILNET_INLINE sailnet_real sailnet_exp2(sailnet_real octaves)
+{
+    const sailnet_real r = sailnet_fraction(octaves);
+    const sailnet_real quotient = sailnet_exp2_quotient(r);
+    return (quotient + r) / (quotient - r) * sailnet_power(octaves);
+}
+
 /* Each network reads all five; the first gives log2(tau / s). beta must be in its range. */
 SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
 {
@@ -49,5 +57,5 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real b
                                                  missing[2] * per_s, s, beta};
     sailnet_approach_networks(input, output);
     /* Bounded, so that no weights make the product overflow. */
-    output[0] = s * sailnet_exp2(sailnet_clamped(output[0], R(-64.0), R(64.0)));
+    output[0] = s * sailnet_exp2(sailnet_clamped(output[0], R(-60.0), R(60.0)));
 }
