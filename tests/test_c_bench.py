@@ -14,11 +14,11 @@ from c_runtime.bench import report
 from c_runtime.bench.__main__ import NO_NETWORKS, main
 from c_runtime.bench.compiled import Library, Shape, Unit
 from c_runtime.bench.emlearn_c import ABSENT
-from c_runtime.bench.exported_c import LAYOUTS, NATIVE, PRECISIONS, instruction_sets
+from c_runtime.bench.exported_c import NATIVE, PRECISIONS, instruction_sets
 from c_runtime.bench.onnx2c import Entry, onnx2c
 from c_runtime.bench.rounds import Candidate, Row, measure
 from c_runtime.bench.subjects import Subjects, agree
-from c_runtime.shared_library import CompilerError, find_compiler
+from c_runtime.shared_library import LAYOUTS, CompilerError, find_compiler
 from sailnet.errors import GuidanceError
 from sailnet.networks import GuidanceNetworks, Network
 from tests.conftest import Exported

@@ -12,7 +12,8 @@ from c_runtime.accuracy.errors import QUANTITIES, Tally, at_sign_change, compare
 from c_runtime.accuracy.reference import extended, reference
 from c_runtime.accuracy.states import BLOCK, Domain
 from c_runtime.bench.compiled import Library
-from c_runtime.bench.exported_c import FLAGS, LAYOUTS, NATIVE, PRECISIONS, compile_exported
+from c_runtime.bench.exported_c import NATIVE, PRECISIONS, compile_exported
+from c_runtime.shared_library import FLAGS, LAYOUTS
 from sailnet.dynamics import Array
 from sailnet.networks import GuidanceNetworks
 

@@ -19,14 +19,14 @@ from tqdm import tqdm
 from c_runtime.bench import report
 from c_runtime.bench.compiled import Library
 from c_runtime.bench.emlearn_c import emlearn_c
-from c_runtime.bench.exported_c import FLAGS, LAYOUTS, NATIVE, PRECISIONS, compile_exported, instruction_sets
+from c_runtime.bench.exported_c import NATIVE, PRECISIONS, compile_exported, instruction_sets
 from c_runtime.bench.onnx2c import onnx2c
 from c_runtime.bench.onnxruntime_c import onnxruntime_c
 from c_runtime.bench.python_peers import numpy_reference, onnxruntime_python, pytorch
 from c_runtime.bench.rounds import Candidate, measure
 from c_runtime.bench.subjects import Subjects, draw, read_facts
 from c_runtime.readme import fill_block, split_at_block
-from c_runtime.shared_library import CompilerError, find_compiler
+from c_runtime.shared_library import FLAGS, LAYOUTS, CompilerError, find_compiler
 from sailnet import SailnetError
 from sailnet.errors import GuidanceError
 from sailnet.networks import load_guidance_networks
@@ -140,7 +140,7 @@ def _peers(
             compiler,
             options.exported.resolve(),
             folder / "right",
-            layout="SIMD",
+            layout="simd",
             precision="float64",
             flags=FLAGS,
         ),

@@ -4,13 +4,13 @@ import platform
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from c_runtime import shared_library
 from c_runtime.bench.compiled import HERE, Library, Shape, Unit
+from c_runtime.shared_library import LAYOUTS
 
-FLAGS = ("-O3", "-fno-trapping-math", "-ffp-contract=fast")
-"""Safe for NaN, and as fast as that allows; see c_runtime/README.md."""
-
-LAYOUTS: Mapping[str, tuple[str, ...]] = {"SIMD": (), "compact": ("-DSAILNET_COMPACT",)}
-PRECISIONS: Mapping[str, tuple[str, ...]] = {"float32": (), "float64": ("-DSAILNET_FLOAT64",)}
+PRECISIONS: Mapping[str, tuple[str, ...]] = {
+    f"float{name[1:]}": defines for name, defines in shared_library.PRECISIONS.items()
+}
 NATIVE = "native"
 AVX2, SSE2 = "AVX2", "SSE2"
 
