@@ -20,7 +20,7 @@ networks := $(run)/networks
 exported := $(run)/export
 learned  := $(run).h5
 
-.PHONY: all paper setup dataset coverage train export evaluate accept bench benchmarks report ship test lint clean
+.PHONY: all paper setup dataset coverage train export evaluate accept bench benchmarks report ship test checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -106,6 +106,10 @@ lint: | $(READY)
 
 test: lint
 	$(PYTHON) -m pytest
+
+# Fuzzing, memcheck, MISRA, coverage and warnings of the C that ships; a tool that is missing is named.
+checks:
+	$(MAKE) -C c_runtime check EXPORTED=$(abspath sailnet/shipped/$(MISSION))
 
 clean:
 	rm -rf build

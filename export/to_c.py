@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from export.domain import domain_tables
 from export.tables import LOG2_E, constants, literal, stage_tables
 from sailnet.guidance_facts import GuidanceFacts, round_down
 from sailnet.networks import GuidanceNetworks, Network
@@ -69,6 +70,8 @@ def _source(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
             constants(facts, networks.approach),
             _read("source/deviation.c"),
             *stages,
+            domain_tables(facts),
+            _read("source/domain.c"),
             _read("source/guidance.c"),
             _read("source/steering.c"),
         ]

@@ -6,14 +6,15 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 
 import numpy as np
-from numpy.typing import DTypeLike
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from sailnet import __version__
 from sailnet.approach import APPROACH_INPUTS
 from sailnet.dynamics import Array
-from sailnet.errors import GuidanceError
+from sailnet.errors import GuidanceError, NetworkError
 from sailnet.mission import Mission
 from sailnet.networks import GuidanceNetworks, Network
+from sailnet.trained_domain import TrainedDomain
 
 METADATA_KEY = "sailnet_guidance"
 """The key of an ONNX file's ``metadata_props`` that holds the facts as JSON."""
@@ -37,6 +38,7 @@ class GuidanceFacts:
         beta_min, beta_max: range of it the networks were trained on.
         target_state: (r, u, v) on the target orbit.
         state_min, state_max: box of states (r, u, v) the time-of-flight network was trained on.
+        domain: the tube of trained states within it.
     """
 
     version: str
@@ -54,6 +56,28 @@ class GuidanceFacts:
     target_state: tuple[float, float, float]
     state_min: tuple[float, float, float]
     state_max: tuple[float, float, float]
+    domain: TrainedDomain
+
+    def contains(self, states: ArrayLike, beta: ArrayLike) -> NDArray[np.bool_]:
+        """(n,) whether the networks were trained on such states and sails; never on what is not finite.
+
+        beta within its range, the state within the box, and within the tube or at the target. The range
+        and the box are rounded as the states are.
+
+        Args:
+            states: (n, 3) rows r [AU], u, v [AU/TU].
+            beta: (n,) normalised characteristic accelerations.
+        """
+        state, sail = np.asarray(states), np.asarray(beta)
+        low, high = np.array(self.state_min, state.dtype), np.array(self.state_max, state.dtype)
+        inside = ((state >= low) & (state <= high)).all(axis=1)
+        inside &= (sail >= sail.dtype.type(self.beta_min)) & (sail <= sail.dtype.type(self.beta_max))
+        # What is outside is not evaluated any further.
+        known = np.where(inside[:, None], state, self.target_state).astype(float)
+        sails = np.where(inside, sail, self.beta).astype(float)
+        at_target = (np.abs(known - self.target_state) <= self.arrival_tolerance).all(axis=1)
+        within = self.domain.excess(known, sails, self.target_state) <= 0.0
+        return np.asarray(inside & (at_target | within))
 
     def to_json(self) -> str:
         """One line of JSON."""
@@ -70,8 +94,9 @@ class GuidanceFacts:
             content = json.loads(text)
             for name in ("target_state", "state_min", "state_max"):
                 content[name] = tuple(content[name])
+            content["domain"] = TrainedDomain.parse(content["domain"])
             return cls(**content)
-        except (ValueError, KeyError, TypeError) as error:
+        except (ValueError, KeyError, TypeError, NetworkError) as error:
             raise GuidanceError(f"the guidance does not say what it is: {error}; export it again") from error
 
 
@@ -112,6 +137,7 @@ def describe(networks: GuidanceNetworks, mission: Mission, alpha: Network | None
         target_state=mission.problem.target_state,
         state_min=_triple(lowest),
         state_max=_triple(highest),
+        domain=networks.domain,
     )
 
 

@@ -49,7 +49,7 @@ class OnnxGuidance:
         self.beta_range = (facts.beta_min, facts.beta_max)
         self._reads_beta = "beta" in [entry.name for entry in self._session.get_inputs()]
         kind = np.dtype(self.precision).type
-        self._state_min, self._state_max = np.array(facts.state_min, kind), np.array(facts.state_max, kind)
+        self._state_min = np.array(facts.state_min, kind)
         self._arrival_threshold = kind(facts.arrival_threshold)
 
     def __reduce__(self) -> tuple[type["OnnxGuidance"], tuple[Mission, Path]]:
@@ -65,7 +65,7 @@ class OnnxGuidance:
         entered = np.where(valid[:, None], array, self._state_min)
         inputs = {"state": entered, "beta": betas} if self._reads_beta else {"state": entered}
         cone_angle, time_of_flight = self._session.run(["cone_angle", "time_of_flight"], inputs)
-        inside = ((array >= self._state_min) & (array <= self._state_max)).all(axis=1)
+        inside = self._facts.contains(array, betas)
         status = np.where(time_of_flight < self._arrival_threshold, GuidanceStatus.ARRIVED, GuidanceStatus.OK)
         status = np.where(inside, status, GuidanceStatus.OUTSIDE_DOMAIN)
         return Commands(

@@ -22,6 +22,7 @@ from sailnet.errors import MissionError, NetworkError
 from sailnet.files import write_whole
 from sailnet.jumps import cone_angle_size, restore
 from sailnet.mission import Mission, parse_mission
+from sailnet.trained_domain import TrainedDomain
 
 SCHEMA = "sailnet-network/1"
 
@@ -225,6 +226,20 @@ class GuidanceNetworks:
                 "network tau does not say what states it was trained on (state_min, state_max): train again"
             )
         return box[0], box[1]
+
+    @property
+    def domain(self) -> TrainedDomain:
+        """The tube of states within that range the networks were trained on.
+
+        Raises:
+            NetworkError: they do not say.
+        """
+        if "domain" not in self.tau.provenance:
+            raise NetworkError(
+                "network tau does not say which states it was trained on: "
+                "add it with python -m training.hull DATASET NETWORKS_DIR"
+            )
+        return TrainedDomain.parse(self.tau.provenance["domain"])
 
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> tuple[Array, Array]:
         """Cone angle [rad] and time of flight [TU] at (n, 3) states: the reference in NumPy.

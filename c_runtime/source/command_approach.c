@@ -1,7 +1,7 @@
 /* Approach coordinates: the direction and the size s [TU] of what is missing to the target, and beta. */
 
 /*
- * value^(-1/4), for value in [1e-24, 1e30], to a unit of rounding. A quarter of the exponent, taken off
+ * value^(-1/4), for value in [1e-24, 1e24], to a unit of rounding. A quarter of the exponent, taken off
  * bitwise, starts within 3.2 %; each step of third order cubes the error.
  */
 SAILNET_INLINE sailnet_real sailnet_inverse_fourth_root(sailnet_real value)
@@ -48,11 +48,12 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real b
     const sailnet_real speed2 = missing[1] * missing[1] + missing[2] * missing[2];
     const sailnet_real distance = R(2.0) * missing[0];
     const sailnet_real sum = speed2 * speed2 + distance * distance;
-    const sailnet_real s4 = sailnet_clamped(sum, SAILNET_SMALLEST_S4, R(1e30));
+    const sailnet_real s4 = sailnet_clamped(sum, SAILNET_SMALLEST_S4, R(1e24));
 
     const sailnet_real per_s = sailnet_inverse_fourth_root(s4);
     const sailnet_real per_s2 = per_s * per_s;
-    const sailnet_real s = (s4 * per_s) * per_s2;
+    /* s4 tells the bound; the clamp tells it to an analyser of intervals. */
+    const sailnet_real s = sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6));
     const sailnet_real input[APPROACH_INPUTS] = {missing[0] * per_s2, missing[1] * per_s,
                                                  missing[2] * per_s, s, beta};
     sailnet_approach_networks(input, output);

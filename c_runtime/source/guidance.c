@@ -1,13 +1,3 @@
-/* Inside the box of states the networks were trained on. */
-SAILNET_INLINE int32_t sailnet_in_domain(const sailnet_real state[3])
-{
-    int32_t inside = 1;
-    for (int32_t i = 0; i < 3; i++) {
-        inside &= (state[i] >= sailnet_domain_min[i]) & (state[i] <= sailnet_domain_max[i]);
-    }
-    return inside;
-}
-
 /* The safe command. Its time of flight is long, so that nobody mistakes it for an arrival. */
 SAILNET_INLINE void sailnet_make_safe(sailnet_command *command, sailnet_real beta)
 {
@@ -44,7 +34,7 @@ sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, s
     command->cone_angle = tau_alpha_pre_lambda_v[2] > R(0.0) ? -bounded : bounded;
     command->time_of_flight = tau;
 
-    if (!sailnet_in_domain(input)) {
+    if (!sailnet_in_domain(input, known)) {
         return SAILNET_OUTSIDE_DOMAIN;
     }
     return tau < SAILNET_ARRIVAL_THRESHOLD ? SAILNET_ARRIVED : SAILNET_OK;

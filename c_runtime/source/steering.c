@@ -109,7 +109,8 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
     /* The memory may hold any bits. */
     memory->beta = sailnet_clamped(memory->beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
     command->beta = memory->beta;
-    const int32_t timed = (period > R(0.0)) & sailnet_is_finite(period);
+    const sailnet_real given = sailnet_is_finite(period) ? sailnet_clamped(period, R(0.0), R(1e30)) : R(0.0);
+    const int32_t timed = given > R(0.0);
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (timed & (state != NULL)) {
         const int32_t finite =
@@ -120,23 +121,19 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
     if (status == SAILNET_INVALID_INPUT) {
         /* The memory stays as it was, but the next state is not what came of the last command. */
         memory->held = R(0.0);
-        command->hold = timed ? period : R(0.0);
+        command->hold = given;
         return status;
     }
 
     const sailnet_real tau = command->time_of_flight;
-    const sailnet_real longest = period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
+    const sailnet_real longest = given > SAILNET_ARRIVAL_THRESHOLD ? given : SAILNET_ARRIVAL_THRESHOLD;
     const sailnet_real now[3] = {state->r, state->u, state->v};
-    int32_t there = 1;
-    for (int32_t i = 0; i < 3; i++) {
-        const sailnet_real missing = sailnet_deviation(now[i], i);
-        there &= (missing <= SAILNET_ARRIVAL_TOLERANCE) & (missing >= -SAILNET_ARRIVAL_TOLERANCE);
-    }
+    const int32_t there = sailnet_at_target(now);
     const int32_t inside = status != SAILNET_OUTSIDE_DOMAIN;
     /* Within one command of the target; or on it, and past the nearest point. */
     const int32_t last = inside & (tau <= longest);
     const int32_t past = inside & there & (memory->periods > 0) & (tau >= memory->time_of_flight);
-    command->hold = last ? sailnet_clamped(tau, R(0.0), longest) : (past ? R(0.0) : period);
+    command->hold = last ? sailnet_clamped(tau, R(0.0), longest) : (past ? R(0.0) : given);
 
     memory->state = *state;
     memory->cone_angle = command->cone_angle;

@@ -478,14 +478,140 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real b
     output[0] = s * sailnet_exp2(sailnet_clamped(output[0], R(-64.0), R(64.0)));
 }
 
-/* Inside the box of states the networks were trained on. */
-SAILNET_INLINE int32_t sailnet_in_domain(const sailnet_real state[3])
+/* The trained domain: bounds at the knots, of the direction and then of speed and energy. */
+#define SAILNET_KNOTS 10
+#define SAILNET_PER_TARGET_R2 R(0.43055641666838884)
+#define SAILNET_SMALLEST_SQUARE R(1e-12)
+#define SAILNET_PER_SIZE_STEP R(0.6134141732445122)
+#define SAILNET_MOMENTUM_MIN R(0.7409505137059387)
+#define SAILNET_PER_MOMENTUM_STEP R(12.256964157110302)
+static const sailnet_real sailnet_domain_lower[SAILNET_KNOTS][11] =
 {
-    int32_t inside = 1;
+ {R(0.42995), R(-0.716955), R(-0.888089), R(-0.212168), R(0.383082), R(-0.610275), R(0.104787), R(-0.994141), R(-0.988532), R(-0.001586), R(-0.729006)},
+ {R(-0.899677), R(-0.736624), R(-1.005404), R(-0.844936), R(-1.811401), R(-1.353626), R(-0.544237), R(-1.19819), R(-0.820217), R(-0.300604), R(-0.757693)},
+ {R(-1.080686), R(-0.707136), R(-0.724818), R(-1.558704), R(-1.260806), R(-1.184474), R(-1.549326), R(-0.993378), R(-0.693742), R(-0.215439), R(-0.607603)},
+ {R(-0.972305), R(-0.890248), R(-0.713108), R(-1.277336), R(-1.258733), R(-1.106532), R(-1.267873), R(-1.013012), R(-1.165524), R(-0.290353), R(-0.515882)},
+ {R(-0.53768), R(-1.154232), R(-0.712707), R(-1.165244), R(-1.148411), R(-0.280489), R(-1.217944), R(-1.137333), R(-1.215436), R(-0.684815), R(-0.440149)},
+ {R(-0.441868), R(-0.97023), R(-0.708391), R(-1.040033), R(-1.055372), R(-0.256209), R(-1.176252), R(-1.208858), R(-1.245505), R(-0.618065), R(-0.379256)},
+ {R(-0.334306), R(-1.051307), R(-0.736857), R(-1.292836), R(-0.737012), R(-0.330371), R(-1.157413), R(-1.271081), R(-1.14057), R(-0.468454), R(-0.33178)},
+ {R(-0.206865), R(-0.692777), R(-0.723234), R(-0.676674), R(-0.260922), R(-0.30866), R(-1.101397), R(-1.236094), R(-1.386513), R(-0.247645), R(-0.287008)},
+ {R(0.401859), R(-0.443042), R(-0.700272), R(-0.026221), R(0.105442), R(-0.248443), R(1.046723), R(-1.09606), R(0.210493), R(-0.299084), R(-0.238608)},
+ {R(0.54241), R(-0.087423), R(-0.676907), R(0.478431), R(0.49914), R(-0.121083), R(1.211053), R(-0.766251), R(0.590818), R(-0.255316), R(-0.188293)}
+};
+static const sailnet_real sailnet_domain_upper[SAILNET_KNOTS][11] =
+{
+ {R(1.067875), R(0.133251), R(0.513438), R(0.892582), R(1.257346), R(1.178786), R(1.287054), R(0.19808), R(1.277081), R(0.120216), R(-0.72947)},
+ {R(0.753296), R(0.929201), R(0.14005), R(0.866095), R(1.262085), R(0.729603), R(1.227688), R(0.308116), R(1.460685), R(0.138024), R(-0.63054)},
+ {R(0.588358), R(1.009698), R(0.587894), R(1.078707), R(1.221096), R(0.42861), R(1.236348), R(1.057992), R(1.387425), R(0.346633), R(-0.543211)},
+ {R(0.591166), R(1.010188), R(0.867103), R(1.083734), R(1.160189), R(0.520899), R(1.237634), R(1.263691), R(1.293148), R(0.33865), R(-0.44737)},
+ {R(0.598246), R(1.009655), R(0.881037), R(1.091824), R(1.074485), R(0.692141), R(1.239457), R(1.320906), R(1.243235), R(0.291344), R(-0.16412)},
+ {R(0.618865), R(1.034063), R(0.88709), R(1.076881), R(1.03414), R(0.675959), R(1.243891), R(1.310757), R(1.21557), R(0.424804), R(-0.152817)},
+ {R(0.651296), R(0.87359), R(0.847466), R(1.059841), R(1.021687), R(0.552669), R(1.250176), R(1.372587), R(1.191328), R(0.456769), R(-0.149998)},
+ {R(0.657549), R(0.610922), R(0.918596), R(0.964914), R(0.95066), R(0.740827), R(1.250707), R(0.693793), R(1.168832), R(0.503567), R(-0.147297)},
+ {R(0.658637), R(0.372291), R(-0.597216), R(0.850023), R(0.859114), R(0.010504), R(1.251511), R(-0.271146), R(1.015728), R(0.513577), R(-0.10532)},
+ {R(0.609437), R(0.068879), R(-0.60982), R(0.636898), R(0.654127), R(0.026924), R(1.242841), R(-0.603337), R(0.741095), R(-0.261518), R(-0.097497)}
+};
+
+/*
+ * The trained domain: the box of trained states and, within it, the tube of sailnet/trained_domain.py.
+ * Where nothing is out of bounds, nothing overflows: states are clamped to the box before they are used.
+ */
+#define SAILNET_DIRECTIONS 9
+#define SAILNET_ORBITS 2
+
+/* Each of r, u and v within the arrival tolerance of the target. */
+SAILNET_INLINE int32_t sailnet_at_target(const sailnet_real state[3])
+{
+    int32_t there = 1;
     for (int32_t i = 0; i < 3; i++) {
-        inside &= (state[i] >= sailnet_domain_min[i]) & (state[i] <= sailnet_domain_max[i]);
+        const sailnet_real missing = sailnet_deviation(state[i], i);
+        there &= (missing <= SAILNET_ARRIVAL_TOLERANCE) & (missing >= -SAILNET_ARRIVAL_TOLERANCE);
+    }
+    return there;
+}
+
+/* value^(-1/2), for value in [1e-12, 1e6]. Half of the exponent, taken off bitwise, starts within 3.5 %;
+   Newton's steps square the error: to a unit of rounding (float), to 4e-11 (double). */
+SAILNET_INLINE sailnet_real sailnet_inverse_root(sailnet_real value)
+{
+#ifdef SAILNET_FLOAT64
+    const sailnet_bits start = UINT64_C(0x5FE6EB50C7B537A9);
+#else
+    const sailnet_bits start = UINT32_C(0x5F375A86);
+#endif
+    sailnet_bits bits;
+    sailnet_real root;
+    memcpy(&bits, &value, sizeof bits);
+    bits = start - (bits >> 1);
+    memcpy(&root, &bits, sizeof root);
+    for (int32_t i = 0; i < 3; i++) {
+        root *= R(1.5) - R(0.5) * (value * root) * root;
+    }
+    return root;
+}
+
+/*
+ * Values within the bounds of `count` columns from `first` on, interpolated at `position`, which counts
+ * knots. A comparison with a NaN is false: outside.
+ */
+SAILNET_INLINE int32_t sailnet_in_bounds(sailnet_real position, int32_t first, int32_t count,
+                                         const sailnet_real *values)
+{
+    const sailnet_real last = (sailnet_real)(SAILNET_KNOTS - 1);
+    const sailnet_real within = sailnet_clamped(position, R(0.0), last);
+    const int32_t before = (int32_t)within;
+    const int32_t knot = before < SAILNET_KNOTS - 2 ? before : SAILNET_KNOTS - 2;
+    const sailnet_real weight = within - (sailnet_real)knot;
+    const sailnet_real *const low = &sailnet_domain_lower[knot][first];
+    const sailnet_real *const next_low = &sailnet_domain_lower[knot + 1][first];
+    const sailnet_real *const high = &sailnet_domain_upper[knot][first];
+    const sailnet_real *const next_high = &sailnet_domain_upper[knot + 1][first];
+    int32_t inside = (position >= R(0.0)) & (position <= last);
+    for (int32_t i = 0; i < count; i++) {
+        inside &= values[i] >= low[i] + weight * (next_low[i] - low[i]);
+        inside &= values[i] <= high[i] + weight * (next_high[i] - high[i]);
     }
     return inside;
+}
+
+/* Whether the networks were trained on such a state, which is finite, and such a sail, any number. */
+SAILNET_INLINE int32_t sailnet_in_domain(const sailnet_real state[3], sailnet_real beta)
+{
+    int32_t inside = (beta >= SAILNET_BETA_MIN) & (beta <= SAILNET_BETA_MAX);
+    sailnet_real known[3];
+    sailnet_real missing[3];
+    for (int32_t i = 0; i < 3; i++) {
+        known[i] = sailnet_clamped(state[i], sailnet_domain_min[i], sailnet_domain_max[i]);
+        missing[i] = sailnet_deviation(known[i], i);
+        inside &= (state[i] >= sailnet_domain_min[i]) & (state[i] <= sailnet_domain_max[i]);
+    }
+    const sailnet_real sail = sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+    const sailnet_real acceleration = sail * SAILNET_PER_TARGET_R2;
+    /* One division for both. */
+    const sailnet_real per_both = R(1.0) / (acceleration * known[0]);
+
+    const sailnet_real speed2 = missing[1] * missing[1] + missing[2] * missing[2];
+    const sailnet_real fall = R(2.0) * acceleration * missing[0];
+    const sailnet_real sum = speed2 + (fall < R(0.0) ? -fall : fall);
+    const sailnet_real square = sum > SAILNET_SMALLEST_SQUARE ? sum : SAILNET_SMALLEST_SQUARE;
+    const sailnet_real per_q = sailnet_inverse_root(square);
+    const sailnet_real x_r = (fall * per_q) * per_q;
+    const sailnet_real x_u = missing[1] * per_q;
+    const sailnet_real x_v = missing[2] * per_q;
+    const sailnet_real direction[SAILNET_DIRECTIONS] = {x_r,       x_u,       x_v,       x_r + x_u, x_r - x_u,
+                                                        x_r + x_v, x_r - x_v, x_u + x_v, x_u - x_v};
+    const sailnet_real size = (square * per_q) * (per_both * known[0]);
+
+    const sailnet_real momentum = known[0] * known[2];
+    const sailnet_real energy =
+        R(0.5) * (known[1] * known[1] + known[2] * known[2]) - per_both * acceleration;
+    const sailnet_real orbit[SAILNET_ORBITS] = {known[1], energy};
+
+    const int32_t in_tube =
+        sailnet_in_bounds(size * SAILNET_PER_SIZE_STEP, 0, SAILNET_DIRECTIONS, direction) &
+        sailnet_in_bounds((momentum - SAILNET_MOMENTUM_MIN) * SAILNET_PER_MOMENTUM_STEP, SAILNET_DIRECTIONS,
+                          SAILNET_ORBITS, orbit);
+    return inside & (sailnet_at_target(known) | in_tube);
 }
 
 /* The safe command. Its time of flight is long, so that nobody mistakes it for an arrival. */
@@ -524,7 +650,7 @@ sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, s
     command->cone_angle = tau_alpha_pre_lambda_v[2] > R(0.0) ? -bounded : bounded;
     command->time_of_flight = tau;
 
-    if (!sailnet_in_domain(input)) {
+    if (!sailnet_in_domain(input, known)) {
         return SAILNET_OUTSIDE_DOMAIN;
     }
     return tau < SAILNET_ARRIVAL_THRESHOLD ? SAILNET_ARRIVED : SAILNET_OK;
@@ -640,11 +766,7 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
     const sailnet_real tau = command->time_of_flight;
     const sailnet_real longest = period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
     const sailnet_real now[3] = {state->r, state->u, state->v};
-    int32_t there = 1;
-    for (int32_t i = 0; i < 3; i++) {
-        const sailnet_real missing = sailnet_deviation(now[i], i);
-        there &= (missing <= SAILNET_ARRIVAL_TOLERANCE) & (missing >= -SAILNET_ARRIVAL_TOLERANCE);
-    }
+    const int32_t there = sailnet_at_target(now);
     const int32_t inside = status != SAILNET_OUTSIDE_DOMAIN;
     /* Within one command of the target; or on it, and past the nearest point. */
     const int32_t last = inside & (tau <= longest);

@@ -1,0 +1,263 @@
+"""The checks of the flight file pass on an export of either form, and each catches the defects it is for."""
+
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from c_runtime.checks import coverage, misra
+from c_runtime.checks.flight_file import defines, places, tags
+from tests.conftest import Exported
+
+C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
+TARGETS = ("fuzz", "valgrind", "misra", "coverage-c", "warnings")
+BUDGET = (
+    "FUZZ_RUNS=3000",
+    "MEMCHECK_RUNS=300",
+    "MEMCHECK_CASES=100",
+)
+
+
+def make(target: str, exported: Path, build: Path, *settings: str) -> subprocess.CompletedProcess[str]:
+    """Run a target of c_runtime; skips the test if its tool is not here."""
+    command = ["make", "-s", target, f"EXPORTED={exported}", f"BUILD={build}", "REQUIRE=", *BUDGET, *settings]
+    run = subprocess.run(
+        command, cwd=C_RUNTIME, capture_output=True, text=True, check=False, errors="replace", timeout=300
+    )
+    left_out = re.search(r"left out: .*", run.stdout)
+    if left_out and run.returncode == 0:
+        pytest.skip(left_out[0])
+    return run
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_nothing_is_found(exported: Exported, tmp_path: Path, target: str) -> None:
+    builds = "f64-simd" if exported.networks.approach else "f32-compact"
+    run = make(target, exported.folder, tmp_path, f"BUILDS={builds}")
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def mutated(exported: Exported, folder: Path, old: str, new: str) -> Path:
+    """A copy of the export with one defect in it."""
+    shutil.copytree(exported.folder, folder)
+    path = folder / "sailnet_guidance.c"
+    source = path.read_text()
+    assert source.count(old) == 1, f"the flight file has {source.count(old)} of: {old}"
+    path.write_text(source.replace(old, new))
+    return folder
+
+
+MUTANTS = {
+    "twice the cone angle, without its bound": (
+        "fuzz",
+        "bounded = size < SAILNET_PHI_MAX ? size : SAILNET_PHI_MAX;",
+        "bounded = R(2.0) * size;",
+        "promise broken: command->cone_angle",
+    ),
+    "a NaN let through": (
+        "fuzz",
+        "sailnet_is_finite(input[1]) &",
+        "1 &",
+        "promise broken",
+    ),
+    "held too long": (
+        "fuzz",
+        "(past ? R(0.0) : period);",
+        "(past ? R(0.0) : R(2.0) * period);",
+        "promise broken",
+    ),
+    "an arrival outside the domain": (
+        "fuzz",
+        "const int32_t inside = status != SAILNET_OUTSIDE_DOMAIN;",
+        "const int32_t inside = 1;",
+        "promise broken: (of_law == SAILNET_OUTSIDE_DOMAIN)",
+    ),
+    "something remembered from call to call": (
+        "fuzz",
+        "    command->time_of_flight = tau;\n",
+        "    static int32_t calls = 0;\n    calls = 1 - calls;\n"
+        "    command->time_of_flight = tau + (sailnet_real)calls;\n",
+        "promise broken",
+    ),
+    "index out of bounds": (
+        "fuzz",
+        "sailnet_target_rest[i]",
+        "sailnet_target_rest[i + 1]",
+        "SUMMARY: ",
+    ),
+    "signed overflow": (
+        "fuzz",
+        "    int32_t there = 1;\n",
+        "    int32_t there = INT32_MAX;\n    there = (there + 2) & 1;\n",
+        "signed integer overflow",
+    ),
+    "undefined output": (
+        "valgrind",
+        "    command->hold = R(0.0);\n}",
+        "}",
+        "uninitialised value",
+    ),
+    "undefined variable": (
+        "valgrind",
+        "    sailnet_status status = SAILNET_INVALID_INPUT;\n",
+        "    volatile int32_t unset[2];\n    volatile int32_t *volatile at = unset;\n"
+        "    sailnet_status status = *at == 7 ? SAILNET_OK : SAILNET_INVALID_INPUT;\n",
+        "uninitialised value",
+    ),
+    "octal constant": (
+        "misra",
+        "for (int32_t k = 18;",
+        "for (int32_t k = 022;",
+        "misra-c2012-7.1",
+    ),
+    "a listed rule broken elsewhere": (
+        "misra",
+        "    if (memory != NULL) {\n",
+        "    if (memory == NULL) {\n        return;\n    } else {\n",
+        "(in sailnet_start): misra-c2012-15.5",
+    ),
+    "a variable without use": (
+        "misra",
+        "    int32_t there = 1;\n",
+        "    int32_t unread = 3;\n    int32_t there = 1;\n",
+        "unreadVariable",
+    ),
+    "dead branch of an expression": (
+        "coverage-c",
+        "    command->time_of_flight = tau;\n",
+        "    command->time_of_flight = tau > R(1e30) ? R(1e30) : tau;\n",
+        "0 line(s), 1 branch(es) of: command->time_of_flight",
+    ),
+    "dead line": (
+        "coverage-c",
+        "    command->time_of_flight = tau;\n",
+        "    command->time_of_flight = tau;\n"
+        "    if (tau > R(1e30)) {\n        command->beta = R(0.0);\n    }\n",
+        "1 line(s), 0 branch(es) of: command->beta = R(0.0);",
+    ),
+    "constant of the wrong precision": (
+        "warnings",
+        "const sailnet_real half = R(0.5) * angle;",
+        "const sailnet_real half = 0.5 * angle;",
+        "double",
+    ),
+    "a type of 64 bit on some machines": (
+        "warnings",
+        "    if (memory != NULL) {\n",
+        "    if (memory != NULL && (1L << 40) != 0) {\n",
+        "shift",
+    ),
+}
+
+
+@pytest.mark.parametrize("mutant", MUTANTS)
+def test_defects_are_found(approach_exported: Exported, tmp_path: Path, mutant: str) -> None:
+    target, old, new, message = MUTANTS[mutant]
+    folder = mutated(approach_exported, tmp_path / "exported", old, new)
+    run = make(target, folder, tmp_path, "BUILDS=f32-compact", "FUZZ_RUNS=50000")
+    assert run.returncode != 0, run.stdout
+    assert message in run.stdout + run.stderr
+
+
+def test_a_listed_deviation_that_is_gone_fails(approach_exported: Exported, tmp_path: Path) -> None:
+    listed = (C_RUNTIME / "MISRA.md").read_text()
+    row = "| 12.1 | advisory |"
+    assert row in listed
+    table = tmp_path / "MISRA.md"
+    table.write_text(listed.replace(row, f"| 7.1 | required | `sailnet_start` | all | none |\n{row}"))
+    run = make("misra", approach_exported.folder, tmp_path, f"DEVIATIONS={table}", "BUILDS=f32-compact")
+    assert run.returncode != 0
+    assert (
+        run.stdout.strip() == "MISRA.md lists a deviation from rule 7.1 in sailnet_start, but there is none"
+    )
+
+
+def test_a_missing_tool_is_told_in_a_line_and_fails_only_where_it_is_required(
+    approach_exported: Exported, tmp_path: Path
+) -> None:
+    command = [
+        "make",
+        "-s",
+        "fuzz",
+        f"EXPORTED={approach_exported.folder}",
+        f"BUILD={tmp_path}",
+        "CLANG=absent",
+    ]
+    for required, status in (("", 0), ("1", 2)):
+        run = subprocess.run(
+            [*command, f"REQUIRE={required}"], cwd=C_RUNTIME, capture_output=True, text=True, check=False
+        )
+        assert run.stdout == "left out: fuzz (to have it: apt-get install clang libclang-rt-14-dev)\n"
+        assert run.returncode == status
+
+
+def test_deviations_need_a_reason() -> None:
+    heading = "| Rule | Category | Where | In | Why |\n|---|---|---|---|---|\n"
+    table = heading + "| 8.9 | advisory | `a`, `b*` | f64 | {} |\n"
+    (row,) = misra.read_deviations(table.format("tables"))
+    assert row == misra.Deviation("8.9", ("a", "b*"), frozenset({"f64"}))
+    with pytest.raises(ValueError, match="needs all of"):
+        misra.read_deviations(table.format(""))
+    with pytest.raises(ValueError, match="one table"):
+        misra.read_deviations("nothing\n")
+
+
+def test_deviations_are_told_apart_by_place_and_build() -> None:
+    row = misra.Deviation("8.9", ("sailnet_*_layer",), frozenset({"compact"}))
+    compact = frozenset({"f32", "compact", "approach"})
+    assert row.covers("8.9", "sailnet_tau_layer", compact)
+    assert not row.covers("8.9", "sailnet_start", compact)
+    assert not row.covers("8.7", "sailnet_tau_layer", compact)
+    assert not row.covers("8.9", "sailnet_tau_layer", frozenset({"f32", "simd", "approach"}))
+    # Where the row does not apply it need not occur.
+    assert misra.judge({"f32-simd": []}, [row], {"f32-simd": frozenset({"f32", "simd"})}) == []
+    assert len(misra.judge({"f32-compact": []}, [row], {"f32-compact": compact})) == 1
+
+
+def test_gaps_need_a_reason_and_go_when_they_are_filled() -> None:
+    text = '[[gap]]\nfunction = "f"\ntext = "x = 1;"\nlines = 1\nin = ["paper"]\nreason = "{}"\n'
+    listed = coverage.explained(text.format("it is dead"))
+    gap = coverage.Gap("f", "x = 1;", lines=1)
+    paper, approach = frozenset({"f32", "paper"}), frozenset({"f32", "approach"})
+    assert coverage.judge([gap], listed, paper) == []
+    assert coverage.judge([gap], listed, approach) == [str(gap)]
+    assert "not so any more" in coverage.judge([], listed, paper)[0]
+    assert coverage.judge([], listed, approach) == []
+    with pytest.raises(ValueError, match="needs a reason"):
+        coverage.explained(text.format(""))
+
+
+def test_conditions_that_no_branch_counts_are_gaps() -> None:
+    source = ["int f(int a) {", "    return a < 3 ? 1 : 0; /* why ? */", "    a = 2; /* if ? */", "}"]
+
+    def report(*counts: int) -> str:
+        lines = [
+            {"function_name": "f", "line_number": 2, "count": 5, "branches": [{"count": n} for n in counts]},
+            {"function_name": "f", "line_number": 3, "count": 5, "branches": []},
+        ]
+        return json.dumps({"files": [{"file": "x/f.c", "lines": lines}]})
+
+    folded = coverage.Coverage()
+    folded.add(report(), "f.c")
+    assert folded.gaps(source) == [coverage.Gap("f", "return a < 3 ? 1 : 0; /* why ? */", uncounted=True)]
+    counted = coverage.Coverage()
+    counted.add(report(5, 0), "f.c")
+    assert [gap.branches for gap in counted.gaps(source)] == [1]
+    # Another program takes the other branch.
+    counted.add(report(0, 1), "f.c")
+    assert counted.gaps(source) == []
+
+
+def test_lines_know_their_function_and_builds_their_tags(exported: Exported) -> None:
+    path = exported.folder / "sailnet_guidance.c"
+    source = path.read_text()
+    where = dict(zip(source.splitlines(), places(source), strict=True))
+    assert where["    command->time_of_flight = tau;"] == "sailnet_guidance"
+    assert where["    s *= half;"] == "sailnet_cosine_sine"
+    assert where["static const sailnet_real sailnet_target[3] ="] == "file"
+    form = "approach" if exported.networks.approach else "paper"
+    assert tags("f64-compact", path) == {"f64", "compact", form}
+    assert defines("f64-simd") == ["-DSAILNET_FLOAT64", "-USAILNET_COMPACT"]
