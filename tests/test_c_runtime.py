@@ -1,7 +1,5 @@
-import json
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -101,18 +99,3 @@ def test_flight_file_needs_nothing_and_writes_nothing_static(
         "sailnet_start",
         "sailnet_steer",
     }
-
-
-def test_benchmark_prints_one_json_object(exported: Exported) -> None:
-    run = subprocess.run(
-        [sys.executable, "-m", "c_runtime.bench", str(exported.folder), "--json"],
-        cwd=C_RUNTIME.parent,
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    report = json.loads(run.stdout)
-    assert {"machine", "date", "compiler", "flags"} <= report.keys()
-    for what in ("exported C", "exported C, steering"):
-        assert [row["what"] for row in report["rows"]].count(what) == 2
-    assert all(0.0 < row["min_ns"] <= row["median_ns"] for row in report["rows"])
