@@ -64,10 +64,11 @@ typedef uint32_t sailnet_bits;
 /* What `export` guarantees of the sums of hidden layers. */
 #define SAILNET_LARGEST_OCTAVES R(1000.0)
 
-/* Both comparisons are false for a NaN in the first place, which therefore becomes `lower`. */
+/* A NaN, which alone differs from itself, becomes `lower`. */
 SAILNET_INLINE sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper)
 {
-    const sailnet_real raised = value > lower ? value : lower;
+    const sailnet_real known = value == value ? value : lower;
+    const sailnet_real raised = known > lower ? known : lower;
     return raised < upper ? raised : upper;
 }
 
@@ -507,7 +508,7 @@ SAILNET_INLINE void sailnet_approach_networks(const sailnet_real input[APPROACH_
 /* Approach coordinates: the direction and the size s [TU] of what is missing to the target, and beta. */
 
 /*
- * value^(-1/4), for value in [1e-24, 1e30], to a unit of rounding. A quarter of the exponent, taken off
+ * value^(-1/4), for value in [1e-24, 1e24], to a unit of rounding. A quarter of the exponent, taken off
  * bitwise, starts within 3.2 %; each step of third order cubes the error.
  */
 SAILNET_INLINE sailnet_real sailnet_inverse_fourth_root(sailnet_real value)
@@ -554,11 +555,12 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real b
     const sailnet_real speed2 = missing[1] * missing[1] + missing[2] * missing[2];
     const sailnet_real distance = R(2.0) * missing[0];
     const sailnet_real sum = speed2 * speed2 + distance * distance;
-    const sailnet_real s4 = sailnet_clamped(sum, SAILNET_SMALLEST_S4, R(1e30));
+    const sailnet_real s4 = sailnet_clamped(sum, SAILNET_SMALLEST_S4, R(1e24));
 
     const sailnet_real per_s = sailnet_inverse_fourth_root(s4);
     const sailnet_real per_s2 = per_s * per_s;
-    const sailnet_real s = (s4 * per_s) * per_s2;
+    /* s4 tells the bound; the clamp tells it to an analyser of intervals. */
+    const sailnet_real s = sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6));
     const sailnet_real input[APPROACH_INPUTS] = {missing[0] * per_s2, missing[1] * per_s,
                                                  missing[2] * per_s, s, beta};
     sailnet_approach_networks(input, output);
@@ -857,7 +859,8 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
     /* The memory may hold any bits. */
     memory->beta = sailnet_clamped(memory->beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
     command->beta = memory->beta;
-    const int32_t timed = (period > R(0.0)) & sailnet_is_finite(period);
+    const sailnet_real given = sailnet_is_finite(period) ? sailnet_clamped(period, R(0.0), R(1e30)) : R(0.0);
+    const int32_t timed = given > R(0.0);
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (timed & (state != NULL)) {
         const int32_t finite =
@@ -868,19 +871,19 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
     if (status == SAILNET_INVALID_INPUT) {
         /* The memory stays as it was, but the next state is not what came of the last command. */
         memory->held = R(0.0);
-        command->hold = timed ? period : R(0.0);
+        command->hold = given;
         return status;
     }
 
     const sailnet_real tau = command->time_of_flight;
-    const sailnet_real longest = period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
+    const sailnet_real longest = given > SAILNET_ARRIVAL_THRESHOLD ? given : SAILNET_ARRIVAL_THRESHOLD;
     const sailnet_real now[3] = {state->r, state->u, state->v};
     const int32_t there = sailnet_at_target(now);
     const int32_t inside = status != SAILNET_OUTSIDE_DOMAIN;
     /* Within one command of the target; or on it, and past the nearest point. */
     const int32_t last = inside & (tau <= longest);
     const int32_t past = inside & there & (memory->periods > 0) & (tau >= memory->time_of_flight);
-    command->hold = last ? sailnet_clamped(tau, R(0.0), longest) : (past ? R(0.0) : period);
+    command->hold = last ? sailnet_clamped(tau, R(0.0), longest) : (past ? R(0.0) : given);
 
     memory->state = *state;
     memory->cone_angle = command->cone_angle;
