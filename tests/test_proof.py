@@ -1,4 +1,4 @@
-"""The proof of bounded, finite commands: it holds for either form of networks, and guards taken away break it."""
+"""The proof of bounded, finite commands holds for either form of networks, and guards taken away break it."""
 
 import shutil
 from pathlib import Path
