@@ -59,7 +59,7 @@ def judge(options: argparse.Namespace, folder: Path) -> report.Found:
     networks = load_guidance_networks(options.networks or options.exported)
     builds = compile_builds(find_compiler(), options.exported.resolve(), folder)
     one = Judge(networks, builds, Domain.of(read_facts(options.exported)), options.seed)
-    kinds = {UNIFORM: one.domain.uniform(options.states, options.seed)}
+    kinds = {UNIFORM: one.uniform(options.states)}
     if options.dataset:
         kinds[FLIGHTS] = one.domain.along_flights(options.dataset, options.states, options.seed)
     tallies = {kind: one.count(blocks, options.states, kind) for kind, blocks in kinds.items()}
@@ -70,7 +70,7 @@ def judge(options: argparse.Namespace, folder: Path) -> report.Found:
         }
         for build in builds
     }
-    some = [next(one.domain.uniform(CHECKED, options.seed))]
+    some = [*one.uniform(CHECKED)]
     some += [starts[build.name][quantity] for build in builds for quantity in QUANTITIES]
     origin = software()
     return {

@@ -58,8 +58,9 @@ def compare(networks: GuidanceNetworks, libraries: Sequence[Library], inputs: Ar
     wanted = np.clip(given[:, 3], *networks.beta_range)
     found = []
     for library in libraries:
-        angle, tau, beta, status = library.evaluate(rounded).astype(float).T
-        inside = (status == GuidanceStatus.OK) | (status == GuidanceStatus.ARRIVED)
+        outputs = library.evaluate(rounded).astype(float)
+        inside = in_domain(outputs)
+        angle, tau, beta = outputs.T[:3]
         found.append(
             Compared(
                 inside,
@@ -71,6 +72,11 @@ def compare(networks: GuidanceNetworks, libraries: Sequence[Library], inputs: Ar
             )
         )
     return found
+
+
+def in_domain(outputs: Reals) -> NDArray[np.bool_]:
+    """(n,) whether the guard accepts the state, by (n, 4) outputs of the C."""
+    return np.isin(outputs[:, 3], [GuidanceStatus.OK, GuidanceStatus.ARRIVED])
 
 
 def differences(cone_angle: Reals, time_of_flight: Reals, right: Answers) -> dict[str, Array]:

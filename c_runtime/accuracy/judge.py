@@ -8,9 +8,17 @@ from pathlib import Path
 import numpy as np
 from tqdm import tqdm
 
-from c_runtime.accuracy.errors import QUANTITIES, Tally, at_sign_change, compare, differences, refine
+from c_runtime.accuracy.errors import (
+    QUANTITIES,
+    Tally,
+    at_sign_change,
+    compare,
+    differences,
+    in_domain,
+    refine,
+)
 from c_runtime.accuracy.reference import extended, reference
-from c_runtime.accuracy.states import BLOCK, Domain
+from c_runtime.accuracy.states import Domain
 from c_runtime.bench.compiled import Library
 from c_runtime.bench.exported_c import NATIVE, PRECISIONS, compile_exported
 from c_runtime.shared_library import FLAGS, LAYOUTS
@@ -24,7 +32,7 @@ PAIRS = 1_000
 CHECKED = 400
 """States at which the reference itself is judged."""
 
-UNIFORM, FLIGHTS = "uniform in the trained box", "along optimal flights"
+UNIFORM, FLIGHTS = "uniform in the trained domain", "along optimal flights"
 
 
 @dataclass(frozen=True)
@@ -86,8 +94,13 @@ class Judge:
                     found = compare(self.networks, [build.library for build in builds], block)
                     for build, compared in zip(builds, found, strict=True):
                         tallies[build.name].add(compared)
-                bar.update(min(BLOCK, states - bar.n))
+                bar.update(len(block))
         return tallies
+
+    def uniform(self, states: int) -> Iterator[Array]:
+        """Blocks of states, uniform in the box of the domain, that the guard of the C accepts."""
+        judge = next(build.library for build in self.builds if build.precision == "float64")
+        return self.domain.uniform_inside(lambda rows: in_domain(judge.evaluate(rows)), states, self.seed)
 
     def refined(self, starts: Mapping[str, Mapping[str, Array]], rounds: int) -> dict[str, dict[str, float]]:
         """Largest errors near the worst states of each build and quantity.

@@ -1,16 +1,20 @@
 """Where commands are judged: blocks of states of the trained domain, so that memory stays bounded."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sailnet.dataset import open_dataset
 from sailnet.dynamics import Array
 from sailnet.guidance_facts import GuidanceFacts
 
+Mask = NDArray[np.bool_]
+
 BLOCK = 20_000
+MOST_TRIES = 1_000
 
 
 @dataclass(frozen=True)
@@ -35,6 +39,19 @@ class Domain:
         rng = np.random.default_rng(seed)
         for first in range(0, count, BLOCK):
             yield rng.uniform(self.lowest, self.highest, (min(BLOCK, count - first), 4))
+
+    def uniform_inside(self, inside: Callable[[Array], Mask], count: int, seed: int) -> Iterator[Array]:
+        """The same of those states that ``inside`` accepts: the trained domain is a part of its box.
+
+        Fewer than ``count`` where it accepts less than one in ``MOST_TRIES``.
+        """
+        left = count
+        for block in self.uniform(MOST_TRIES * count, seed):
+            accepted = block[inside(block)][:left]
+            left -= len(accepted)
+            yield accepted
+            if left == 0:
+                return
 
     def along_flights(self, dataset: Path, count: int, seed: int) -> Iterator[Array]:
         """Blocks of consecutive samples from random places of a data set, those outside the box left out."""

@@ -81,8 +81,8 @@ def draw(facts: GuidanceFacts, guidance: Library, count: int, seed: int) -> Subj
     tried = rng.uniform(lowest, highest, (TRIES, 4)).astype(np.float32).astype(float)
     inside: list[Array] = []
     for block in np.array_split(tried, 100):
-        status = guidance.evaluate(block)[:, 3].astype(int)
-        inside.extend(block[(status == GuidanceStatus.OK) | (status == GuidanceStatus.ARRIVED)])
+        status = guidance.evaluate(block)[:, 3]
+        inside.extend(block[np.isin(status, [GuidanceStatus.OK, GuidanceStatus.ARRIVED])])
         if len(inside) >= count:
             break
     if not inside:
