@@ -214,7 +214,6 @@ MUTANTS = {
     "no upper bounds": ("inside &= values[i] <= high[i]", "inside &= values[i] <= R(9.0) + high[i]"),
     "inwards missing": ("(fall < R(0.0) ? -fall : fall)", "fall"),
     "half the size": ("(square * per_q)", "(R(0.5) * square * per_q)"),
-    "no size": ("(position >= R(0.0)) & (position <= last)", "1"),
     "no root": ("i < 3; i++) {\n        root", "i < 1; i++) {\n        root"),
     "no target": ("sailnet_at_target(known) | in_tube", "in_tube"),
     "any sail": ("(beta >= SAILNET_BETA_MIN) & (beta <= SAILNET_BETA_MAX)", "1"),

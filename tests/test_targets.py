@@ -255,7 +255,7 @@ def test_golden_vectors_cover_what_can_happen(
         == len(np.unique(commands.inputs.view(np.uint8).reshape(COMMANDS, -1), axis=0))
     )
     assert set(commands.status) == set(GuidanceStatus)
-    assert set(steering.status) == {GuidanceStatus.OK, GuidanceStatus.ARRIVED, GuidanceStatus.INVALID_INPUT}
+    assert set(steering.status) >= {GuidanceStatus.OK, GuidanceStatus.ARRIVED, GuidanceStatus.INVALID_INPUT}
     assert steering.starts.sum() == SEQUENCES == len(steering.status) / PERIODS
     valid = commands.status != GuidanceStatus.INVALID_INPUT
     assert not np.isfinite(commands.inputs[~valid]).all(axis=1).any()

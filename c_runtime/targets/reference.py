@@ -47,9 +47,8 @@ class ReferenceGuidance:
         finite = np.isfinite(state).all(axis=1)
         shown = np.where(finite[:, None], state, self.mission.problem.target_state)
         cone_angle, tau = self.networks.command(shown, sail)
-        low, high = self.networks.state_range
         status = np.where(tau < self.facts.arrival_threshold, GuidanceStatus.ARRIVED, GuidanceStatus.OK)
-        inside = ((state >= low) & (state <= high)).all(axis=1)
+        inside = self.facts.contains(state, sail)
         status = np.where(inside, status, GuidanceStatus.OUTSIDE_DOMAIN)
         return Commands(
             cone_angle=np.where(finite, cone_angle, 0.0),
