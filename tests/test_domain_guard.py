@@ -22,7 +22,14 @@ from sailnet.guidance import GuidanceStatus, Precision
 from sailnet.guidance_facts import GuidanceFacts, describe
 from sailnet.networks import GuidanceNetworks, load_network, save_network
 from sailnet.trained_domain import AXES, KNOTS, TrainedDomain, size_and_direction
-from tests.random_networks import STATE_MAX, STATE_MIN, random_guidance, random_network, save_guidance
+from tests.random_networks import (
+    NO_TUBE,
+    STATE_MAX,
+    STATE_MIN,
+    random_guidance,
+    random_network,
+    save_guidance,
+)
 from training.hull import MARGIN, Extremes, add_domain, fit_domain
 from training.samples import split_trajectories
 
@@ -52,7 +59,7 @@ def samples(stored: Path) -> Array:
 @pytest.fixture(scope="module", params=[False, True], ids=["paper", "approach"])
 def networks(request: pytest.FixtureRequest, domain: TrainedDomain) -> GuidanceNetworks:
     """Random networks of either form with the domain of the small data set."""
-    plain = random_guidance((4,), (4,), (4,), approach=request.param)
+    plain = random_guidance((4, 4), (4, 4), (4, 4), approach=request.param)
     tau = dataclasses.replace(plain.tau, provenance={**plain.tau.provenance, "domain": asdict(domain)})
     return dataclasses.replace(plain, tau=tau)
 
@@ -251,7 +258,7 @@ def test_every_build_draws_the_same_line(
 def test_mutants_of_the_guard_are_noticed(
     samples: Array, domain: TrainedDomain, tmp_path: Path, mutant: str
 ) -> None:
-    plain = random_guidance((4,), (4,), (4,), approach=True)
+    plain = random_guidance((4, 4), (4, 4), (4, 4), approach=True)
     tau = dataclasses.replace(plain.tau, provenance={**plain.tau.provenance, "domain": asdict(domain)})
     networks = dataclasses.replace(plain, tau=tau)
     facts = describe(networks, MISSION)
@@ -265,6 +272,23 @@ def test_mutants_of_the_guard_are_noticed(
     sure = certain(facts, states, beta, 1e-12)
     outside = outside_in_c(tmp_path, states, beta, "-DSAILNET_FLOAT64")
     assert (outside == facts.contains(states, beta))[sure].any()
+
+
+@pytest.mark.parametrize("change", [{"size_step": 0.5}, {"momentum_min": 0.0, "momentum_step": 0.12}])
+def test_beyond_the_last_knot_is_outside(change: dict[str, float], tmp_path: Path) -> None:
+    plain = random_guidance((4, 4), (4, 4), (4, 4), approach=True)
+    short = {**plain.tau.provenance, "domain": NO_TUBE | change}
+    networks = dataclasses.replace(plain, tau=dataclasses.replace(plain.tau, provenance=short))
+    facts = describe(networks, MISSION)
+    states = np.random.default_rng(8).uniform(STATE_MIN, STATE_MAX, (5000, 3))
+    beta = np.full(len(states), BETA)
+    size, _ = size_and_direction(states, beta, TARGET)
+    beyond = size > 0.5 * (KNOTS - 1) if "size_step" in change else states[:, 0] * states[:, 2] > 1.2
+    assert KNOTS == 11
+    assert 0.1 < beyond.mean() < 0.9
+    np.testing.assert_array_equal(~facts.contains(states, beta), beyond)
+    write_c(networks, facts, tmp_path)
+    np.testing.assert_array_equal(outside_in_c(tmp_path, states, beta, "-DSAILNET_FLOAT64"), beyond)
 
 
 def test_a_domain_survives_storage(domain: TrainedDomain, networks: GuidanceNetworks) -> None:

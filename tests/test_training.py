@@ -68,6 +68,7 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "lambda_v": lambda_v,
         "alpha": alpha,
         "alpha_pre": np.where(tau > 5.0, -alpha, alpha),
+        "beta": np.full(shape, _mission().sail.beta),
     }
     zeros = np.zeros(TRAJECTORIES)
     names = ("lambda_r0", "lambda_u0", "lambda_v0", "jump_time", "flags")
@@ -229,6 +230,7 @@ def test_command_trains_in_parallel_and_reports_bad_input(dataset: Path, tmp_pat
         f"{name}.{suffix}" for name in ("tau", "alpha") for suffix in ("safetensors", "history.json")
     }
     assert load_network(tmp_path / "alpha.safetensors").provenance["epochs"] == 3
+    assert "domain" in load_network(tmp_path / "tau.safetensors").provenance
     missing = run(str(tmp_path / "none.h5"), str(tmp_path))
     assert missing.returncode == 1
     assert "none.h5" in missing.stderr
