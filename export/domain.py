@@ -33,4 +33,5 @@ def domain_tables(facts: GuidanceFacts) -> str:
 
 def _table(name: str, rows: Table) -> str:
     written = ",\n".join(f" {{{', '.join(f'R({literal(value)})' for value in row)}}}" for row in rows)
-    return f"static const sailnet_real sailnet_domain_{name}[SAILNET_KNOTS][{len(rows[0])}] =\n{{\n{written}\n}};"
+    declared = f"sailnet_domain_{name}[SAILNET_KNOTS][{len(rows[0])}]"
+    return f"static const sailnet_real {declared} =\n{{\n{written}\n}};"

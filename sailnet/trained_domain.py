@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike
 from sailnet.dynamics import Array
 from sailnet.errors import NetworkError
 
-KNOTS = 10
+KNOTS = 11
 AXES = np.array(
     [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, -1, 0], [1, 0, 1], [1, 0, -1], [0, 1, 1], [0, 1, -1]]
 )
@@ -75,8 +75,9 @@ class TrainedDomain:
         """
         try:
             given = dict(content)  # type: ignore[call-overload]
-            tables = {name: tuple(tuple(map(float, row)) for row in given.pop(name)) for name in _TABLES}
-            return cls(**tables, **{name: float(value) for name, value in given.items()})
+            lower, upper = (tuple(tuple(map(float, row)) for row in given.pop(n)) for n in ("lower", "upper"))
+            scales = {name: float(value) for name, value in given.items()}
+            return cls(lower=lower, upper=upper, **scales)
         except (TypeError, ValueError, KeyError) as error:
             raise NetworkError(f"the trained domain is damaged: {error}") from error
 
@@ -108,9 +109,6 @@ class TrainedDomain:
         beyond = np.maximum(-position, position - (KNOTS - 1))
         worst = np.maximum(low - values, values - high).max(axis=1)
         return np.asarray(np.maximum(worst, beyond))
-
-
-_TABLES = ("lower", "upper")
 
 
 def interval(position: Array) -> tuple[Array, Array]:

@@ -9,8 +9,18 @@ from scipy.special import expit
 from sailnet import Mission, load_mission
 from sailnet.approach import APPROACH_INPUTS
 from sailnet.networks import COMMAND_INPUTS, STATE_INPUTS, GuidanceNetworks, Network, save_network
+from sailnet.trained_domain import AXES, KNOTS
 
 STATE_MIN, STATE_MAX = (0.35, -0.45, 0.59), (1.56, 0.45, 1.85)
+WIDE = [[100.0] * (len(AXES) + 2)] * KNOTS
+NO_TUBE = {
+    "size_step": 10.0,
+    "momentum_min": -10.0,
+    "momentum_step": 10.0,
+    "lower": (-np.array(WIDE)).tolist(),
+    "upper": WIDE,
+}
+"""A trained domain that is as wide as the box."""
 BETA_SHARES = (0.8, 1.2)
 """Range of beta of approach networks, in units of the mission's."""
 OUTPUT_RANGE = {
@@ -64,7 +74,12 @@ def random_network(
         output_min=output_min,
         output_max=output_max,
         mission=mission,
-        provenance={"dataset": "random */ weights", "state_min": STATE_MIN, "state_max": STATE_MAX},
+        provenance={
+            "dataset": "random */ weights",
+            "state_min": STATE_MIN,
+            "state_max": STATE_MAX,
+            "domain": NO_TUBE,
+        },
     )
 
 

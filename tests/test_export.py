@@ -26,7 +26,14 @@ from sailnet.guidance_facts import METADATA_KEY, GuidanceFacts, describe, round_
 from sailnet.guidance_onnx import OnnxGuidance
 from sailnet.networks import GuidanceNetworks, load_network, save_network
 from tests.conftest import Exported
-from tests.random_networks import STATE_MAX, STATE_MIN, random_guidance, random_network, save_guidance
+from tests.random_networks import (
+    NO_TUBE,
+    STATE_MAX,
+    STATE_MIN,
+    random_guidance,
+    random_network,
+    save_guidance,
+)
 
 MISSION = load_mission("earth_mars")
 
@@ -38,9 +45,11 @@ def some_states(n: int, margin: float = 0.05) -> Array:
 
 
 def some_sails(networks: GuidanceNetworks, n: int) -> Sails:
-    """In the box and a little around it, and the same of beta, which is clamped to its range."""
+    """In the box and a little around it; one beta in ten may be outside its range, to which it is clamped."""
     low, high = networks.beta_range
-    return Sails(some_states(n), np.random.default_rng(2).uniform(0.97 * low, 1.03 * high, n))
+    rng = np.random.default_rng(2)
+    around = rng.uniform(0.97 * low, 1.03 * high, n)
+    return Sails(some_states(n), np.where(rng.random(n) < 0.1, around, rng.uniform(low, high, n)))
 
 
 def clamped(networks: GuidanceNetworks, sails: Sails) -> Sails:
@@ -199,7 +208,8 @@ def test_approach_networks_must_say_what_states_they_know() -> None:
 
 def test_paper_networks_without_a_recorded_box_know_their_inputs() -> None:
     networks = random_guidance((4,), (4,), (4,))
-    bare = dataclasses.replace(networks, tau=dataclasses.replace(networks.tau, provenance={}))
+    provenance = {"domain": NO_TUBE}
+    bare = dataclasses.replace(networks, tau=dataclasses.replace(networks.tau, provenance=provenance))
     facts = describe(bare, MISSION)
     assert (facts.state_min, facts.state_max) == (STATE_MIN, STATE_MAX)
     assert facts.beta_min == facts.beta_max == facts.beta == MISSION.sail.beta

@@ -9,6 +9,7 @@ from pathlib import Path
 from sailnet.dataset import open_dataset
 from sailnet.errors import NetworkError, SailnetError
 from sailnet.mission import Mission, load_mission
+from training.hull import add_domain
 from training.parallel import train_networks
 from training.targets import TARGETS
 
@@ -90,6 +91,9 @@ def main() -> int:
             resume=options.resume,
             quiet=options.quiet,
         )
+        # A network that --resume found finished may have it already.
+        if any(n.name == "tau" and "domain" not in n.provenance for n in networks):
+            add_domain(options.dataset, options.output, quiet=options.quiet)
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

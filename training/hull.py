@@ -7,13 +7,14 @@ programme, and the highest below. Held-out trajectories then tell how often the 
 
 import argparse
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linprog
+from tqdm import tqdm
 
 from sailnet.dataset import Dataset, open_dataset
 from sailnet.dynamics import Array
@@ -102,7 +103,8 @@ def fit_domain(data: Dataset, seed: int) -> TrainedDomain:
     """
     problem = data.mission.problem
     momenta, sizes = [], []
-    for states, beta in _training_samples(data, seed):
+    training = split_trajectories(data.trajectories, seed) == 0
+    for states, beta in _samples(data, training):
         if len(states):
             sizes.append(size_and_direction(states, beta, problem.target_state)[0].max())
             momentum = momentum_and_orbit(states)[0]
@@ -115,7 +117,7 @@ def fit_domain(data: Dataset, seed: int) -> TrainedDomain:
     momentum_step = (max(momenta) + widened - momentum_min) / (KNOTS - 1)
 
     by_size, by_momentum = Extremes.none(len(AXES)), Extremes.none(2)
-    for states, beta in _training_samples(data, seed):
+    for states, beta in _samples(data, training):
         size, direction = size_and_direction(states, beta, problem.target_state)
         by_size.include(size / size_step, direction)
         momentum, orbit = momentum_and_orbit(states)
@@ -128,12 +130,8 @@ def fit_domain(data: Dataset, seed: int) -> TrainedDomain:
     return TrainedDomain(size_step, float(momentum_min), float(momentum_step), lower, upper)
 
 
-def _training_samples(data: Dataset, seed: int) -> Iterator[tuple[Array, Array]]:
-    """Blocks of (n, 3) states and (n,) beta, without those within the arrival tolerance of the target."""
-    yield from _samples(data, split_trajectories(data.trajectories, seed) == 0)
-
-
 def _samples(data: Dataset, trajectories: NDArray[np.bool_]) -> Iterator[tuple[Array, Array]]:
+    """Blocks of (n, 3) states and (n,) beta, without those within the arrival tolerance of the target."""
     target, tolerance = np.array(data.mission.problem.target_state), data.mission.flight.arrival_tolerance
     wanted = np.repeat(trajectories, np.diff(data.first_sample))
     for start in range(0, data.samples, ROWS_READ):
@@ -153,13 +151,13 @@ def share_outside(data: Dataset, domain: TrainedDomain, trajectories: NDArray[np
     return outside / max(samples, 1)
 
 
-def add_domain(dataset: Path, folder: Path, report: Callable[[str], object] = lambda _: None) -> Network:
+def add_domain(dataset: Path, folder: Path, *, quiet: bool = False) -> Network:
     """Store the trained domain with the ``tau`` network in a folder; its weights stay as they are.
 
     Args:
         dataset: the HDF5 file the networks were trained on.
         folder: holds ``tau.safetensors``.
-        report: called with a line that says what was found.
+        quiet: show no progress bar.
 
     Raises:
         DatasetError: the data set cannot be used.
@@ -169,18 +167,22 @@ def add_domain(dataset: Path, folder: Path, report: Callable[[str], object] = la
     tau = load_network(path)
     seed = tau.provenance.get("seed")
     with open_dataset(dataset) as data:
-        if tau.provenance.get("dataset") != data.digest or not isinstance(seed, int):
+        learned = tau.provenance.get("dataset")
+        if learned != data.digest or not isinstance(seed, int):
             raise NetworkError(
-                f"{path} was trained on data set {tau.provenance.get('dataset')}, and {dataset} is {data.digest}: "
+                f"{path} was trained on data set {learned}, and {dataset} is {data.digest}: "
                 "name the one it was trained on"
             )
-        data.verify()
-        domain = fit_domain(data, seed)
-        held_out = share_outside(data, domain, split_trajectories(data.trajectories, seed) != 0)
+        with tqdm(total=4, desc="trained domain", disable=True if quiet else None, file=sys.stderr) as bar:
+            data.verify()
+            bar.update()
+            domain = fit_domain(data, seed)
+            bar.update(2)
+            held_out = share_outside(data, domain, split_trajectories(data.trajectories, seed) != 0)
+            bar.update()
     record = {"domain": asdict(domain), "held_out_outside_domain": held_out}
     described = replace(tau, provenance={**tau.provenance, **record})
     save_network(described, path)
-    report(f"{path}: trained domain added; {held_out:.4%} of the samples of held-out trajectories are outside")
     return described
 
 
@@ -196,10 +198,12 @@ def main() -> int:
     parser.add_argument("networks", type=Path, help="folder of tau.safetensors, which is rewritten")
     options = parser.parse_args()
     try:
-        add_domain(options.dataset, options.networks, print)
+        tau = add_domain(options.dataset, options.networks)
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
+    share = tau.provenance["held_out_outside_domain"]
+    print(f"trained domain added; {share:.4%} of the samples of held-out trajectories are outside it")
     return 0
 
 

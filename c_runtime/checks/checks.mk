@@ -1,7 +1,6 @@
 # The checks of the flight file, each in every build of it: make check EXPORTED=<folder>. A check whose tool
 # is missing is left out with a line that says so; with REQUIRE=1, or CI set, it fails instead.
 
-BUILDS ?= f32-simd f32-compact f64-simd f64-compact
 REQUIRE ?= $(CI)
 FUZZ_RUNS ?= 200000
 # Pseudo-random inputs of the fuzz harness under memcheck and for coverage, and cases of the unit tests there.

@@ -8,18 +8,21 @@ _READS_BETA = re.compile(r"^#define SAILNET_READS_BETA (\d)$", re.MULTILINE)
 
 
 def tags(build: str, flight_file: Path) -> frozenset[str]:
-    """Precision and layout of a build such as ``f32-simd``, and the form of the networks in the file."""
+    """Precision and layout of a build such as ``f32_compact``, and the form of the networks in the file."""
     header = flight_file.with_suffix(".h")
     found = _READS_BETA.search(header.read_text())
     if found is None:
         raise ValueError(f"{header} does not define SAILNET_READS_BETA: export it anew")
-    return frozenset((*build.split("-"), "approach" if found[1] == "1" else "paper"))
+    layout = "compact" if build.endswith("_compact") else "simd"
+    return frozenset((build.split("_")[0], layout, "approach" if found[1] == "1" else "paper"))
 
 
 def defines(build: str) -> list[str]:
-    """Compiler options of a build such as ``f64-compact``."""
-    precision, layout = build.split("-")
-    chosen = {"SAILNET_FLOAT64": precision == "f64", "SAILNET_COMPACT": layout == "compact"}
+    """Compiler options of a build such as ``f64_compact``."""
+    chosen = {
+        "SAILNET_FLOAT64": build.startswith("f64"),
+        "SAILNET_COMPACT": build.endswith("_compact"),
+    }
     return [f"-{'D' if given else 'U'}{name}" for name, given in chosen.items()]
 
 

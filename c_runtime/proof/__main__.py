@@ -21,7 +21,7 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns its exit status."""
     parser = argparse.ArgumentParser(
         prog="python -m c_runtime.proof",
-        description="Prove that the commands of an exported guidance are bounded and finite for any input bits.",
+        description="Prove that an exported guidance commands bounded and finite numbers, always.",
         epilog="example: python -m c_runtime.proof sailnet/shipped/earth_mars --mutants",
     )
     parser.add_argument("exported", type=Path, help="folder written by python -m export")

@@ -95,8 +95,9 @@ typedef enum {
     /* From sailnet_guidance: the predicted time of flight is below SAILNET_ARRIVAL_THRESHOLD.
        From sailnet_steer: the flight ends once the command was held for `hold`. */
     SAILNET_ARRIVED = 1,
-    /* The state is not in the box the networks were trained on: the command is what they make of it.
-       Never reported as an arrival, whatever the predicted time of flight. */
+    /* The networks were not trained on such a state or such a beta: the state is outside the box of trained
+       states or the tube within it, and not at the target, or beta outside its range. The command is what
+       the networks make of it. Never reported as an arrival, whatever the predicted time of flight. */
     SAILNET_OUTSIDE_DOMAIN = 2,
     /* NaN, infinity, a null pointer or a period that is not positive: cone angle 0, time of flight
        SAILNET_LARGEST_TIME_OF_FLIGHT. */

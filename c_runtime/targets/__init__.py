@@ -1,0 +1,1 @@
+"""The flight file on the processors it is for, in emulation: golden vectors, sizes, instruction counts."""

@@ -1,0 +1,18 @@
+/* A program of an operating system: the host itself, and user-mode emulation. */
+#include "platform.h"
+
+#include <stdio.h>
+
+void platform_print(const char *text)
+{
+    (void)fputs(text, stdout);
+}
+
+void platform_stop(void)
+{
+}
+
+uint32_t platform_retired(void)
+{
+    return 0;
+}
