@@ -13,6 +13,7 @@ from c_runtime.checks.flight_file import defines, places, tags
 from tests.conftest import Exported
 
 C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
+SHIPPED = C_RUNTIME.parent / "sailnet" / "shipped" / "earth_mars"
 TARGETS = ("fuzz", "valgrind", "misra", "coverage-c", "warnings")
 BUDGET = (
     "FUZZ_RUNS=3000",
@@ -40,9 +41,9 @@ def test_nothing_is_found(exported: Exported, tmp_path: Path, target: str) -> No
     assert run.returncode == 0, run.stdout + run.stderr
 
 
-def mutated(exported: Exported, folder: Path, old: str, new: str) -> Path:
+def mutated(exported: Path, folder: Path, old: str, new: str) -> Path:
     """A copy of the export with one defect in it."""
-    shutil.copytree(exported.folder, folder)
+    shutil.copytree(exported, folder)
     path = folder / "sailnet_guidance.c"
     source = path.read_text()
     assert source.count(old) == 1, f"the flight file has {source.count(old)} of: {old}"
@@ -65,8 +66,8 @@ MUTANTS = {
     ),
     "held too long": (
         "fuzz",
-        "(past ? R(0.0) : period);",
-        "(past ? R(0.0) : R(2.0) * period);",
+        "(past ? R(0.0) : given);",
+        "(past ? R(0.0) : R(2.0) * given);",
         "promise broken",
     ),
     "an arrival outside the domain": (
@@ -156,10 +157,19 @@ MUTANTS = {
 @pytest.mark.parametrize("mutant", MUTANTS)
 def test_defects_are_found(approach_exported: Exported, tmp_path: Path, mutant: str) -> None:
     target, old, new, message = MUTANTS[mutant]
-    folder = mutated(approach_exported, tmp_path / "exported", old, new)
+    folder = mutated(approach_exported.folder, tmp_path / "exported", old, new)
     run = make(target, folder, tmp_path, "BUILDS=f32_compact", "FUZZ_RUNS=50000")
     assert run.returncode != 0, run.stdout
     assert message in run.stdout + run.stderr
+
+
+def test_a_knot_beyond_the_last_is_found(tmp_path: Path) -> None:
+    """Of the networks that ship: the tube of random ones holds every state."""
+    old = "before < SAILNET_KNOTS - 2 ? before : SAILNET_KNOTS - 2;"
+    folder = mutated(SHIPPED, tmp_path / "exported", old, "before;")
+    run = make("fuzz", folder, tmp_path, "BUILDS=f32_compact", "FUZZ_RUNS=50000")
+    assert run.returncode != 0
+    assert "out of bounds" in run.stdout
 
 
 def test_a_listed_deviation_that_is_gone_fails(approach_exported: Exported, tmp_path: Path) -> None:
