@@ -38,7 +38,8 @@ setup: $(READY)
 $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance.c)
 	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }
-	$(PYTHON3) -m venv $(VENV)
+	@$(PYTHON) --version >/dev/null 2>&1 || $(PYTHON3) -m venv $(VENV) || \
+	    { echo "no environment could be made with $(PYTHON3): on Debian, apt install python3-venv"; exit 1; }
 	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[train,report,cluster,dev]'
 	@touch $@
 
@@ -107,9 +108,9 @@ lint: | $(READY)
 test: lint
 	$(PYTHON) -m pytest
 
-# Fuzzing, memcheck, MISRA, coverage and warnings of the C that ships; a tool that is missing is named.
-checks:
-	$(MAKE) -C c_runtime check EXPORTED=$(abspath sailnet/shipped/$(MISSION))
+# Proof, fuzzing, memcheck, MISRA, coverage and warnings of the C that ships; a tool that is missing is named.
+checks: | $(READY)
+	$(MAKE) -C c_runtime check PYTHON=$(abspath $(PYTHON)) EXPORTED=$(abspath sailnet/shipped/$(MISSION))
 
 clean:
 	rm -rf build
