@@ -1,0 +1,267 @@
+"""Single shooting on the initial costates, with variational derivatives and continuation."""
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sailnet.dynamics import Array
+from sailnet.errors import SailnetError
+from sailnet.ocp.continuation import Schedule, follow
+from sailnet.ocp.flow import TOLERANCE, Flow, LostError, first_modes, names
+from sailnet.ocp.functions import ProblemFunctions
+from sailnet.ocp.newton import Root, solve_equations
+from sailnet.ocp.problem import Problem
+from sailnet.ocp.smoothing import Exact, L2Norm, Smoothing
+from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch
+from sailnet.ocp.switching import zero_crossings
+
+GOAL = 1e-10
+"""Largest residual of an accepted solution."""
+
+
+class Shooting:
+    """The shooting equations of a problem under one form of the law.
+
+    Unknowns, in order: initial costates, initial values of states that are free there, multipliers of
+    the initial and of the final equations, the final time if it is free.
+
+    Args:
+        problem: the problem.
+        smoothing: the form of the law; :class:`Exact` locates the switches as events.
+        tolerance: local error of the propagation.
+    """
+
+    def __init__(self, problem: Problem, smoothing: Smoothing, tolerance: float = TOLERANCE) -> None:
+        self.problem, self.exact = problem, isinstance(smoothing, Exact)
+        self.flow = Flow(problem, smoothing, tolerance)
+        self.functions = self.flow.functions
+        states = problem.states
+        self._free = [i for i, x in enumerate(states) if x not in problem.initial]
+        self._fixed = np.array([problem.initial.get(x, 0.0) for x in states])
+        # A state that is given at t = 0 is put there; no equation needs to say so.
+        given = {i for i, x in enumerate(states) if x in problem.initial}
+        self._initial_rows = [i for i in range(len(self.functions.ends.initial)) if i not in given]
+        n, f = len(states), len(self._free)
+        self._tangents = np.zeros((2 * n, n + f))
+        self._tangents[n:, :n] = np.eye(n)
+        self._tangents[self._free, n + np.arange(f)] = 1.0
+        self._parts = np.cumsum(
+            [n, f, len(problem.initial_equations), len(problem.final_equations), int(problem.time_is_free)]
+        )
+
+    def guess(self, costates: ArrayLike, final_time: float | None = None) -> Array:
+        """Unknowns from initial costates, with zeros for free states and multipliers."""
+        z = np.zeros(self._parts[-1])
+        z[: self._parts[0]] = costates
+        if self.problem.time_is_free:
+            z[-1] = self.problem.time_guess if final_time is None else final_time
+        return z
+
+    def start(self, z: Array) -> Array:
+        """(2n,) states and costates at t = 0."""
+        x = self._fixed.copy()
+        x[self._free] = z[self._parts[0] : self._parts[1]]
+        return np.concatenate([x, z[: self._parts[0]]])
+
+    def final_time(self, z: Array) -> float:
+        """The final time of these unknowns."""
+        return float(z[-1]) if self.problem.time_is_free else self.problem.time_guess
+
+    def multipliers(self, z: Array) -> tuple[Array, Array]:
+        """Multipliers of the initial and of the final equations."""
+        return z[self._parts[1] : self._parts[2]], z[self._parts[2] : self._parts[3]]
+
+    def extras(self, z: Array, rho: float) -> Array:
+        """The smoothing parameter, or the first modes of the exact law."""
+        return first_modes(self.functions, self.start(z)) if self.exact else np.array([rho])
+
+    def residual(self, z: Array, rho: float) -> Array:
+        """Residuals of the end conditions; raises LostError where there is no trajectory."""
+        return self._shoot(z, rho, False)[0]
+
+    def linearise(self, z: Array, rho: float) -> tuple[Array, Array]:
+        """Residuals and their exact Jacobian."""
+        return self._shoot(z, rho, True)
+
+    def _shoot(self, z: Array, rho: float, derivatives: bool) -> tuple[Array, Array]:
+        stop, extras, y_0 = self.final_time(z), self.extras(z, rho), self.start(z)
+        if not stop > 0.0:
+            raise LostError("the final time must stay positive; begin at a larger one")
+        nu_0, nu_f = self.multipliers(z)
+        first, first_y, first_nu = self.functions.initial_residual(y_0, nu_0, extras)
+        tangents = self._tangents if derivatives else None
+        y, moved, extras = self.flow(0.0, stop, y_0, extras, tangents)
+        last, last_y, last_nu, last_t = self.functions.final_residual(stop, y, nu_f, extras)
+        value = np.concatenate([first[self._initial_rows], last])
+        if not derivatives:
+            return value, np.empty((0, 0))
+        jacobian = np.zeros((len(value), len(z)))
+        split, (_, b, c, d, _) = len(self._initial_rows), self._parts
+        jacobian[:split, :b] = (first_y @ self._tangents)[self._initial_rows]
+        jacobian[:split, b:c] = first_nu[self._initial_rows]
+        jacobian[split:, :b] = last_y @ moved
+        jacobian[split:, c:d] = last_nu
+        if self.problem.time_is_free:
+            jacobian[split:, -1] = last_y @ self.functions.slopes(stop, y, extras)[0] + last_t
+        return value, jacobian
+
+    def root(self, z: Array, rho: float, goal: float, iterations: int) -> Root:
+        """Solve the shooting equations at one value of the smoothing parameter."""
+        return solve_equations(
+            lambda u: self.residual(u, rho), lambda u: self.linearise(u, rho), z, goal, iterations
+        )
+
+
+@dataclass(frozen=True)
+class RandomCostates:
+    """Initial costates drawn uniformly from a box around zero.
+
+    Attributes:
+        scale: half the box's width, one number or one a state.
+        seed: of the generator.
+    """
+
+    scale: float | Sequence[float] = 1.0
+    seed: int = 0
+
+    def draws(self, problem: Problem, count: int) -> list[Array]:
+        """That many draws."""
+        rng = np.random.default_rng(self.seed)
+        return [rng.uniform(-1.0, 1.0, len(problem.states)) * np.asarray(self.scale) for _ in range(count)]
+
+
+def solve(
+    problem: Problem,
+    smoothing: Smoothing | None = None,
+    schedule: Schedule | float | None = None,
+    guess: ArrayLike | Solution | RandomCostates | None = None,
+    starts: int = 20,
+    goal: float = GOAL,
+    iterations: int = 100,
+    samples: int = 200,
+    tolerance: float = TOLERANCE,
+) -> Solution:
+    """Solve a problem by single shooting.
+
+    Args:
+        problem: the problem.
+        smoothing: how bang-bang and clipped controls are smoothed; :class:`L2Norm` by default.
+            :class:`Exact` solves the limit itself from a good guess; it has no schedule.
+        schedule: smoothing parameters to follow, or one value of it.
+        guess: initial costates, a solution to begin from, or random ones; by default the problem's own,
+            else random ones.
+        starts: most random draws.
+        goal: largest residual of an accepted solution.
+        iterations: most trial points of Newton's method at one smoothing parameter.
+        samples: points of the solution, at least.
+        tolerance: local error of the propagation.
+
+    Returns:
+        An extremal whose residuals are below ``goal``.
+
+    Raises:
+        ConvergenceError: if none was found from any start.
+    """
+    began = time.perf_counter()
+    form = smoothing or L2Norm()
+    equations = Shooting(problem, form, tolerance)
+    if schedule is None or isinstance(form, Exact):
+        schedule = 0.0 if isinstance(form, Exact) else Schedule()
+    if not isinstance(schedule, Schedule):
+        schedule = Schedule(schedule, schedule)
+
+    def solve_at(rho: float, z: Array) -> tuple[Array, Step]:
+        try:
+            root = equations.root(z, rho, goal, iterations)
+        except LostError:
+            return z, Step(rho, np.inf, 0, False)
+        return root.z, Step(rho, float(np.abs(root.residual).max()), root.iterations, root.converged)
+
+    what = f"shooting ({form.name}) on {problem.name}"
+    failure: ConvergenceError | None = None
+    for z in _guesses(equations, guess, starts):
+        try:
+            found, history = follow(solve_at, schedule, z, what)
+        except ConvergenceError as error:
+            if failure is None or len(error.history) > len(failure.history):
+                failure = error
+            continue
+        solution = extremal(equations, found, history[-1].rho, samples, goal)
+        solution.history, solution.wall_time = history, time.perf_counter() - began
+        return solution
+    raise failure or ConvergenceError(f"{what} was given no start; let starts be at least 1")
+
+
+def _guesses(
+    equations: Shooting, guess: ArrayLike | Solution | RandomCostates | None, starts: int
+) -> list[Array]:
+    problem = equations.problem
+    if guess is None:
+        guess = RandomCostates() if problem.costate_guess is None else np.asarray(problem.costate_guess, float)
+    if isinstance(guess, RandomCostates):
+        return [equations.guess(draw) for draw in guess.draws(problem, starts)]
+    if isinstance(guess, Solution):
+        z = equations.guess(guess.costate[0], guess.final_time)
+        free = [i for i, x in enumerate(problem.states) if x not in problem.initial]
+        n = len(problem.states)
+        z[n : n + len(free)] = guess.state[0, free]
+        if len(guess.multipliers):
+            z[n + len(free) : n + len(free) + len(guess.multipliers)] = guess.multipliers
+        return [z]
+    costates = np.asarray(guess, float)
+    if costates.shape != (len(problem.states),):
+        raise SailnetError(f"{problem.name} needs {len(problem.states)} initial costates, got {costates.shape}")
+    return [equations.guess(costates)]
+
+
+def extremal(equations: Shooting, z: Array, rho: float, samples: int, goal: float) -> Solution:
+    """Tabulate the extremal of these unknowns; at a switch of an exact law both sides are given."""
+    flow, functions, problem = equations.flow, equations.functions, equations.problem
+    stop, y, extras = equations.final_time(z), equations.start(z), equations.extras(z, rho)
+    switches: list[Switch] = []
+    modes = [extras]
+    if equations.exact:
+        switches, modes = flow.arcs(0.0, stop, y, extras)
+    edges = [0.0, *(switch.time for switch in switches), stop]
+    times, rows, controls, switching, hamiltonian, cost = [], [], [], [], [], 0.0
+    for first, last, mode in zip(edges[:-1], edges[1:], modes, strict=True):
+        clock = np.linspace(first, last, max(3, round(samples * (last - first) / stop)))
+        table, running = flow.sample(clock, y, mode)
+        y, cost = table[-1], cost + running
+        times.append(clock)
+        rows.append(table)
+        controls.append(functions.control(clock, table, mode))
+        switching.append(functions.switching(clock, table, mode))
+        hamiltonian.append(functions.hamiltonian(clock, table, mode))
+    clock, table, s = np.concatenate(times), np.vstack(rows), np.vstack(switching)
+    n = len(problem.states)
+    if not equations.exact:
+        switches = zero_crossings(problem, clock, s)
+    value = equations.residual(z, rho)
+    kinds = np.array([functions.ends.initial_kinds[i] for i in equations._initial_rows] + functions.ends.final_kinds)
+    residuals = {
+        kind: float(np.abs(value[kinds == kind]).max(initial=0.0)) for kind in ("boundary", "transversality")
+    }
+    residuals["dynamics"] = flow.tolerance
+    cost += float(ProblemFunctions(problem).terminal_cost(stop, table[-1:, :n])[0])
+    return Solution(
+        problem=problem.name,
+        solver=f"shooting, {flow.form.name}",  # type: ignore[union-attr]
+        time=clock,
+        state=table[:, :n],
+        costate=table[:, n:],
+        control=np.vstack(controls),
+        switching=s,
+        hamiltonian=np.concatenate(hamiltonian),
+        cost=cost,
+        residuals=residuals,
+        switches=switches,
+        rho=rho,
+        names=names(problem),
+        multipliers=np.concatenate(equations.multipliers(z)),
+        converged=bool(np.abs(value).max() <= goal),
+        message=f"{len(switches)} switches",
+    )
