@@ -191,6 +191,7 @@ class Flow:
         extras: Array | float,
         tangents: Array | None = None,
         watch: _Watch | None = None,
+        held: bool = False,
     ) -> tuple[Array, Array, Array]:
         """Fly from ``start`` to ``stop``.
 
@@ -200,6 +201,7 @@ class Flow:
             extras: smoothing parameter, or modes.
             tangents: (2n, c) derivatives of y to be carried along.
             watch: keeps the modes; made here if the law is exact.
+            held: keep the modes of an exact law as they are, whatever its switching functions do.
 
         Returns:
             y, tangents and extras at the end.
@@ -209,7 +211,8 @@ class Flow:
         """
         columns = 0 if tangents is None else tangents.shape[1]
         engine = _integrator(self.equations, self.form, columns, False, self.tolerance)
-        engine.watching = watch or (_Watch(self.functions) if isinstance(self.form, Exact) else None)
+        follow = isinstance(self.form, Exact) and not held
+        engine.watching = watch or (_Watch(self.functions) if follow else None)
         pars = np.concatenate([np.atleast_1d(np.asarray(extras, float)), self._values])
         engine.fly(start, stop, y, tangents, pars)
         size = engine.size

@@ -43,11 +43,11 @@ class Shooting:
         self._fixed = np.array([problem.initial.get(x, 0.0) for x in states])
         # A state that is given at t = 0 is put there; no equation needs to say so.
         given = {i for i, x in enumerate(states) if x in problem.initial}
-        self._initial_rows = [i for i in range(len(self.functions.ends.initial)) if i not in given]
+        self.initial_rows = [i for i in range(len(self.functions.ends.initial)) if i not in given]
         n, f = len(states), len(self._free)
-        self._tangents = np.zeros((2 * n, n + f))
-        self._tangents[n:, :n] = np.eye(n)
-        self._tangents[self._free, n + np.arange(f)] = 1.0
+        self.tangents = np.zeros((2 * n, n + f))
+        self.tangents[n:, :n] = np.eye(n)
+        self.tangents[self._free, n + np.arange(f)] = 1.0
         self._parts = np.cumsum(
             [n, f, len(problem.initial_equations), len(problem.final_equations), int(problem.time_is_free)]
         )
@@ -58,6 +58,15 @@ class Shooting:
         z[: self._parts[0]] = costates
         if self.problem.time_is_free:
             z[-1] = self.problem.time_guess if final_time is None else final_time
+        return z
+
+    def unknowns(self, solution: Solution) -> Array:
+        """Unknowns from a solution of this problem or of a near one."""
+        z = self.guess(solution.costate[0], solution.final_time)
+        _, b, _, d, _ = self._parts
+        z[self._parts[0] : b] = solution.state[0, self._free]
+        if len(solution.multipliers):
+            z[b:d] = solution.multipliers
         return z
 
     def start(self, z: Array) -> Array:
@@ -72,7 +81,17 @@ class Shooting:
 
     def multipliers(self, z: Array) -> tuple[Array, Array]:
         """Multipliers of the initial and of the final equations."""
-        return z[self._parts[1] : self._parts[2]], z[self._parts[2] : self._parts[3]]
+        return z[self.initial_multipliers], z[self.final_multipliers]
+
+    @property
+    def initial_multipliers(self) -> slice:
+        """Where the multipliers of the initial equations are among the unknowns."""
+        return slice(int(self._parts[1]), int(self._parts[2]))
+
+    @property
+    def final_multipliers(self) -> slice:
+        """Where those of the final equations are."""
+        return slice(int(self._parts[2]), int(self._parts[3]))
 
     def extras(self, z: Array, rho: float) -> Array:
         """The smoothing parameter, or the first modes of the exact law."""
@@ -92,18 +111,18 @@ class Shooting:
             raise LostError("the final time must stay positive; begin at a larger one")
         nu_0, nu_f = self.multipliers(z)
         first, first_y, first_nu = self.functions.initial_residual(y_0, nu_0, extras)
-        tangents = self._tangents if derivatives else None
+        tangents = self.tangents if derivatives else None
         y, moved, extras = self.flow(0.0, stop, y_0, extras, tangents)
         last, last_y, last_nu, last_t = self.functions.final_residual(stop, y, nu_f, extras)
-        value = np.concatenate([first[self._initial_rows], last])
+        value = np.concatenate([first[self.initial_rows], last])
         if not derivatives:
             return value, np.empty((0, 0))
         jacobian = np.zeros((len(value), len(z)))
-        split, (_, b, c, d, _) = len(self._initial_rows), self._parts
-        jacobian[:split, :b] = (first_y @ self._tangents)[self._initial_rows]
-        jacobian[:split, b:c] = first_nu[self._initial_rows]
+        split, b = len(self.initial_rows), self._parts[1]
+        jacobian[:split, :b] = (first_y @ self.tangents)[self.initial_rows]
+        jacobian[:split, self.initial_multipliers] = first_nu[self.initial_rows]
         jacobian[split:, :b] = last_y @ moved
-        jacobian[split:, c:d] = last_nu
+        jacobian[split:, self.final_multipliers] = last_nu
         if self.problem.time_is_free:
             jacobian[split:, -1] = last_y @ self.functions.slopes(stop, y, extras)[0] + last_t
         return value, jacobian
@@ -204,13 +223,7 @@ def _guesses(
     if isinstance(guess, RandomCostates):
         return [equations.guess(draw) for draw in guess.draws(problem, starts)]
     if isinstance(guess, Solution):
-        z = equations.guess(guess.costate[0], guess.final_time)
-        free = [i for i, x in enumerate(problem.states) if x not in problem.initial]
-        n = len(problem.states)
-        z[n : n + len(free)] = guess.state[0, free]
-        if len(guess.multipliers):
-            z[n + len(free) : n + len(free) + len(guess.multipliers)] = guess.multipliers
-        return [z]
+        return [equations.unknowns(guess)]
     costates = np.asarray(guess, float)
     if costates.shape != (len(problem.states),):
         raise SailnetError(f"{problem.name} needs {len(problem.states)} initial costates, got {costates.shape}")
@@ -241,7 +254,7 @@ def extremal(equations: Shooting, z: Array, rho: float, samples: int, goal: floa
     if not equations.exact:
         switches = zero_crossings(problem, clock, s)
     value = equations.residual(z, rho)
-    kinds = np.array([functions.ends.initial_kinds[i] for i in equations._initial_rows] + functions.ends.final_kinds)
+    kinds = np.array([functions.ends.initial_kinds[i] for i in equations.initial_rows] + functions.ends.final_kinds)
     residuals = {
         kind: float(np.abs(value[kinds == kind]).max(initial=0.0)) for kind in ("boundary", "transversality")
     }
