@@ -16,9 +16,11 @@ from sailnet.ocp.flow import Flow, LostError, names
 from sailnet.ocp.functions import ProblemFunctions, evaluate, jacobian
 from sailnet.ocp.newton import solve_equations
 from sailnet.ocp.problem import Problem
-from sailnet.ocp.shooting import GOAL, Shooting
+from sailnet.ocp.shooting import GOAL
+from sailnet.ocp.shooting_equations import Shooting
 from sailnet.ocp.smoothing import Exact
 from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch
+from sailnet.ocp.switching import structure_of
 
 MODES = {"+": 1.0, "-": -1.0, "0": 0.0, "s": 0.0}
 """Upper bound, lower bound, between (a control quadratic in H), singular."""
@@ -38,12 +40,16 @@ class Arcs:
     def __init__(self, problem: Problem, structure: Sequence[str], order: int = 1) -> None:
         width = len(problem.bounded)
         if not structure or any(len(arc) != width or set(arc) - set(MODES) for arc in structure):
-            raise SailnetError(f"{problem.name}: every arc needs {width} letters of {' '.join(MODES)}: {structure}")
+            raise SailnetError(
+                f"{problem.name}: every arc needs {width} letters of {' '.join(MODES)}: {structure}"
+            )
         if any(arc.count("s") > 1 for arc in structure):
             raise SailnetError(f"{problem.name}: two controls singular at once have no closed form here")
         self.problem, self.structure = problem, list(structure)
         self.ends = Shooting(problem, Exact())
-        self.flows = [Flow(problem, Singular(arc.index("s"), order) if "s" in arc else Exact()) for arc in structure]
+        self.flows = [
+            Flow(problem, Singular(arc.index("s"), order) if "s" in arc else Exact()) for arc in structure
+        ]
         self.modes = [np.array([MODES[letter] for letter in arc]) for arc in structure]
 
     def residual(self, z: Array) -> Array:
@@ -109,43 +115,6 @@ class Arcs:
         return evaluate(rows, arguments, inputs)[0], by_y
 
 
-def structure_of(problem: Problem, solution: Solution, margin: float = 0.05, shortest: float = 0.02) -> list[tuple[float, str]]:
-    """Read the sequence of arcs off a smoothed solution: (time of begin, letters) each.
-
-    Args:
-        problem: its problem.
-        solution: smoothed, at a small parameter.
-        margin: share of a control's range that still counts as its bound.
-        shortest: share of the flight below which an interior stretch is a switch, not a singular arc.
-    """
-    begins: dict[float, list[tuple[int, str]]] = {}
-    first = []
-    columns = [problem.control_variables.index(control.variable) for control in problem.bounded]
-    for i, (control, column) in enumerate(zip(problem.bounded, columns, strict=True)):
-        share = (solution.control[:, column] - control.lower) / (control.upper - control.lower)
-        letters = np.where(share > 1.0 - margin, "+", np.where(share < margin, "-", "s"))
-        cuts = [0, *(np.flatnonzero(letters[1:] != letters[:-1]) + 1), len(letters)]
-        runs = [(str(letters[a]), float(solution.time[a]), float(solution.time[min(b, len(letters) - 1)]))
-                for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
-        kept: list[tuple[str, float]] = []
-        pending: float | None = None
-        for letter, begin, end in runs:
-            if letter == "s" and end - begin < shortest * solution.final_time:
-                pending = 0.5 * (begin + end)
-            elif not kept or kept[-1][0] != letter:
-                kept.append((letter, begin if pending is None else pending))
-                pending = None
-        first.append(kept[0][0])
-        for letter, begin in kept[1:]:
-            begins.setdefault(begin, []).append((i, letter))
-    arcs, word = [(0.0, "".join(first))], list(first)
-    for begin in sorted(begins):
-        for i, letter in begins[begin]:
-            word[i] = letter
-        arcs.append((begin, "".join(word)))
-    return arcs
-
-
 def solve(
     problem: Problem,
     guess: Solution,
@@ -181,10 +150,14 @@ def solve(
         raise ConvergenceError(f"{what}: the guess itself fails; give a nearer one") from error
     step = Step(0.0, float(np.abs(root.residual).max()), root.iterations, root.converged)
     if not root.converged:
-        raise ConvergenceError(f"{what} do not meet; another structure may", {"largest": step.residual}, [step])
+        raise ConvergenceError(
+            f"{what} do not meet; another structure may", {"largest": step.residual}, [step]
+        )
     solution = _tabulate(equations, root.z, samples)
     kinds = _kinds(equations)
-    solution.residuals |= {kind: float(np.abs(root.residual[kinds == kind]).max(initial=0.0)) for kind in set(kinds)}
+    solution.residuals |= {
+        kind: float(np.abs(root.residual[kinds == kind]).max(initial=0.0)) for kind in set(kinds)
+    }
     solution.history, solution.wall_time = [step], time.perf_counter() - began
     return solution
 
@@ -208,8 +181,14 @@ def _tabulate(equations: Arcs, z: Array, samples: int) -> Solution:
         clock = np.linspace(edges[k], edges[k + 1], max(3, round(samples * (edges[k + 1] - edges[k]) / stop)))
         rows, running = flow.sample(clock, y, equations.modes[k])
         y, cost, functions = rows[-1], cost + running, flow.functions
-        made = [clock, rows, *(f(clock, rows, equations.modes[k])
-                for f in (functions.control, functions.switching, functions.hamiltonian))]
+        made = [
+            clock,
+            rows,
+            *(
+                f(clock, rows, equations.modes[k])
+                for f in (functions.control, functions.switching, functions.hamiltonian)
+            ),
+        ]
         for table, part in zip(tables, made, strict=True):
             table.append(part)
     clock, rows, control, switching, hamiltonian = (np.concatenate(table) for table in tables)

@@ -4,6 +4,7 @@ The sign convention is the minimum principle's with a cost multiplier of one: H 
 lambda' = -dH/dx, and a control affine in H sits at its upper bound where its switching function is negative.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -12,7 +13,7 @@ import heyoka as hy
 
 from sailnet.dynamics import Expression
 from sailnet.errors import SailnetError
-from sailnet.ocp.problem import TIME, ZERO, Bounded, Direction, Law, Problem, costate, dot, total
+from sailnet.ocp.problem import TIME, ZERO, Bounded, Direction, Problem, costate, dot, total
 from sailnet.ocp.smoothing import Exact, Smoothing
 
 RHO: Expression = hy.expression("rho")
@@ -48,7 +49,8 @@ class Canonical:
         hamiltonian: H with the law in it.
         law: control -> expression of states and costates.
         switching: names and expressions of the switching functions, dH/du / scale.
-        corners: for each of these, an expression whose zeros change the control's mode.
+        corners: for each of these, an expression whose zeros change the control's mode; a constant
+            where nothing does.
         slopes: time derivatives of states, then costates, with the law in them.
         running_cost: with the law in it.
         surface: for a singular arc, the expressions that vanish on it.
@@ -98,7 +100,7 @@ def canonical(problem: Problem, form: Form) -> Canonical:
 @cache
 def _derive(
     dynamics: tuple[tuple[Expression, Expression], ...],
-    controls: tuple[Bounded | Direction | Law, ...],
+    controls: tuple[Bounded | Direction, ...],
     running_cost: Expression,
     parameters: tuple[str, ...],
     form: Form,
@@ -109,7 +111,7 @@ def _derive(
     free = running_cost + dot(costates, slopes)
     costate_slopes = [-hy.diff(free, x) for x in states]
     bounded = [control for control in controls if isinstance(control, Bounded)]
-    law = _given(controls) | _directions(controls, free)
+    law = _directions(controls, free)
     steered = hy.subs(free, law)
     one_rho = not isinstance(form, Exact | Singular)
     extras = [RHO] if one_rho else [hy.expression(f"mode_{i}") for i in range(len(bounded))]
@@ -150,11 +152,7 @@ def _derive(
     )
 
 
-def _given(controls: Sequence[Bounded | Direction | Law]) -> dict[Expression, Expression]:
-    return {control.variable: control.optimal for control in controls if isinstance(control, Law)}
-
-
-def _directions(controls: Sequence[Bounded | Direction | Law], free: Expression) -> dict[Expression, Expression]:
+def _directions(controls: Sequence[Bounded | Direction], free: Expression) -> dict[Expression, Expression]:
     law: dict[Expression, Expression] = {}
     for control in controls:
         if not isinstance(control, Direction):
@@ -165,8 +163,8 @@ def _directions(controls: Sequence[Bounded | Direction | Law], free: Expression)
         banned = {str(a) for a in control.variables} | {str(control.throttle)}
         if any(banned & set(hy.get_variables(p)) for p in primer):
             raise SailnetError(
-                f"the Hamiltonian is not linear in {', '.join(map(str, control.variables))} (times its throttle);"
-                " give its law instead"
+                f"the Hamiltonian is not linear in {', '.join(map(str, control.variables))} (times its"
+                " throttle); use other controls"
             )
         size = hy.sqrt(total([p**2 for p in primer]))
         law |= {a: -p / size for a, p in zip(control.variables, primer, strict=True)}
@@ -180,18 +178,26 @@ def _minimiser(
     u = control.variable
     if str(u) not in hy.get_variables(slope):
         return smoothing.switch(slope, control.lower, control.upper, extra), slope, slope
-    curvature = hy.diff(slope, u)
-    if str(u) in hy.get_variables(curvature):
-        raise SailnetError(f"the Hamiltonian is neither affine nor quadratic in {u}; give its law instead")
-    bar = -hy.subs(slope, {u: ZERO}) / curvature
+    bar = control.minimiser
+    if bar is None:
+        curvature = hy.diff(slope, u)
+        if str(u) in hy.get_variables(curvature):
+            raise SailnetError(f"the Hamiltonian is neither affine nor quadratic in {u}; give its minimiser")
+        bar = -hy.subs(slope, {u: ZERO}) / curvature
     law = smoothing.clip(bar, control.lower, control.upper, extra)
-    # Where bounds are infinite there are no corners, and the square is never zero.
-    corner = (bar - control.lower) * (bar - control.upper)
+    corner = hy.expression(1.0)
+    for bound in (control.lower, control.upper):
+        if math.isfinite(bound):
+            corner = corner * (bar - bound)
     return law, corner, hy.subs(slope, {u: law})
 
 
 def _singular(
-    switching: Expression, variables: list[Expression], motion: list[Expression], control: Expression, order: int
+    switching: Expression,
+    variables: list[Expression],
+    motion: list[Expression],
+    control: Expression,
+    order: int,
 ) -> tuple[list[Expression], Expression]:
     """Differentiate the switching function until the control appears; the surface and the control."""
     surface = [switching]

@@ -95,7 +95,9 @@ class Collocation:
         def ends(first: Array, last: Array, p: Array) -> Array:
             nu_0, nu_f = self.multipliers(p)
             start = functions.initial_residual(first, nu_0, extras)[0]
-            return np.concatenate([start, functions.final_residual(self.final_time(p), last, nu_f, extras)[0]])
+            return np.concatenate(
+                [start, functions.final_residual(self.final_time(p), last, nu_f, extras)[0]]
+            )
 
         def ends_jacobian(first: Array, last: Array, p: Array) -> tuple[Array, Array, Array]:
             nu_0, nu_f = self.multipliers(p)
@@ -190,10 +192,15 @@ def _solution(
     cost += float(ProblemFunctions(problem).terminal_cost(stop, y[-1:, :n])[0])
     nu_0, nu_f = equations.multipliers(mesh.unknowns)
     value = np.concatenate(
-        [functions.initial_residual(y[0], nu_0, extras)[0], functions.final_residual(stop, y[-1], nu_f, extras)[0]]
+        [
+            functions.initial_residual(y[0], nu_0, extras)[0],
+            functions.final_residual(stop, y[-1], nu_f, extras)[0],
+        ]
     )
     kinds = np.array(functions.ends.initial_kinds + functions.ends.final_kinds)
-    residuals = {kind: float(np.abs(value[kinds == kind]).max(initial=0.0)) for kind in ("boundary", "transversality")}
+    residuals = {
+        kind: float(np.abs(value[kinds == kind]).max(initial=0.0)) for kind in ("boundary", "transversality")
+    }
     residuals["dynamics"] = float(np.max(result.rms_residuals))
     switches = zero_crossings(problem, clock, switching)
     return Solution(

@@ -37,7 +37,9 @@ def ends(problem: Problem, equations: Canonical) -> Ends:
     nu_0 = [hy.expression(f"nu_initial_{i}") for i in range(len(problem.initial_equations))]
     nu_f = [hy.expression(f"nu_final_{i}") for i in range(len(problem.final_equations))]
     start = dot(nu_0, [hy.expression(e) for e in problem.initial_equations])
-    finish = hy.expression(problem.terminal_cost) + dot(nu_f, [hy.expression(e) for e in problem.final_equations])
+    finish = hy.expression(problem.terminal_cost) + dot(
+        nu_f, [hy.expression(e) for e in problem.final_equations]
+    )
     initial, initial_kinds = _rows(problem, problem.initial, -start)
     final, final_kinds = _rows(problem, problem.final, finish)
     initial += problem.initial_equations

@@ -8,6 +8,7 @@ a step must end at the layer's edge.
 
 from collections.abc import Sequence
 from functools import cache
+from itertools import pairwise
 from typing import Any
 
 import heyoka as hy
@@ -68,7 +69,9 @@ class _Integrator:
         if isinstance(self.form, Singular):
             return []
         if isinstance(self.form, Exact):
-            return [(i, corner) for i, corner in enumerate(self.equations.corners) if _finite(corner)]
+            return [
+                (i, corner) for i, corner in enumerate(self.equations.corners) if hy.get_variables(corner)
+            ]
         found = []
         for i, (_, s) in enumerate(self.equations.switching):
             # A control quadratic in H has no layer: its switching function is that of the law itself.
@@ -231,7 +234,7 @@ class Flow:
         engine.watching = None
         pars = np.concatenate([np.atleast_1d(np.asarray(extras, float)), self._values])
         rows, cost = [np.asarray(y, float)], 0.0
-        for start, stop in zip(times[:-1], times[1:], strict=True):
+        for start, stop in pairwise(times):
             if stop > start:
                 engine.fly(float(start), float(stop), rows[-1], None, pars)
                 cost += float(engine.state[engine.size - 1])
@@ -239,10 +242,6 @@ class Flow:
             else:
                 rows.append(rows[-1])
         return np.array(rows), cost
-
-
-def _finite(corner: Expression) -> bool:
-    return bool(hy.get_variables(corner)) and "inf" not in str(corner)
 
 
 def names(problem: Problem) -> dict[str, list[str]]:

@@ -39,7 +39,10 @@ def evaluate(expressions: Sequence[Expression], variables: Sequence[Expression],
 
 
 def jacobian(
-    expressions: Sequence[Expression], variables: Sequence[Expression], by: Sequence[Expression], inputs: Array
+    expressions: Sequence[Expression],
+    variables: Sequence[Expression],
+    by: Sequence[Expression],
+    inputs: Array,
 ) -> Array:
     """(m, e, b) derivatives of expressions by some of the variables at (m, v) points."""
     rows = derivatives(tuple(hy.expression(e) for e in expressions), tuple(by))
@@ -63,7 +66,9 @@ class ProblemFunctions:
         columns = [np.atleast_2d(np.asarray(table, float)) for table in tables]
         count = max(len(c) for c in columns)
         values = np.array(list(self.problem.parameters.values()), float)
-        return np.hstack([*(np.broadcast_to(c, (count, c.shape[1])) for c in columns), np.tile(values, (count, 1))])
+        return np.hstack(
+            [*(np.broadcast_to(c, (count, c.shape[1])) for c in columns), np.tile(values, (count, 1))]
+        )
 
     def _point(self, time: ArrayLike, state: ArrayLike, control: ArrayLike) -> Array:
         return self._inputs(np.reshape(np.asarray(time, float), (-1, 1)), state, control)
@@ -97,7 +102,9 @@ class ProblemFunctions:
         inputs = np.hstack([np.atleast_2d(np.asarray(costate, float)), self._point(time, state, control)])
         return evaluate([self.equations.free_hamiltonian], self._adjoint, inputs)[:, 0]
 
-    def costate_slopes(self, time: ArrayLike, state: ArrayLike, costate: ArrayLike, control: ArrayLike) -> Array:
+    def costate_slopes(
+        self, time: ArrayLike, state: ArrayLike, costate: ArrayLike, control: ArrayLike
+    ) -> Array:
         """(m, n) -dH/dx at the controls given."""
         inputs = np.hstack([np.atleast_2d(np.asarray(costate, float)), self._point(time, state, control)])
         return evaluate(self.equations.costate_slopes, self._adjoint, inputs)
@@ -136,11 +143,18 @@ class ExtremalFunctions:
         values = np.tile(np.array(list(self.problem.parameters.values()), float), (count, 1))
         return np.hstack([clock, table, more, values])
 
-    def _evaluate(self, expressions: Sequence[Expression], time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
+    def _evaluate(
+        self, expressions: Sequence[Expression], time: ArrayLike, y: ArrayLike, extras: ArrayLike
+    ) -> Array:
         return evaluate(expressions, self.equations.arguments, self.inputs(time, y, extras))
 
     def _jacobian(
-        self, expressions: Sequence[Expression], by: Sequence[Expression], time: ArrayLike, y: ArrayLike, extras: ArrayLike
+        self,
+        expressions: Sequence[Expression],
+        by: Sequence[Expression],
+        time: ArrayLike,
+        y: ArrayLike,
+        extras: ArrayLike,
     ) -> Array:
         return jacobian(expressions, self.equations.arguments, by, self.inputs(time, y, extras))
 
@@ -175,7 +189,9 @@ class ExtremalFunctions:
 
     def initial_residual(self, y: Array, multipliers: Array, extras: ArrayLike) -> tuple[Array, Array, Array]:
         """Residuals at t = 0, and their derivatives by y and by the multipliers."""
-        value, by_y, by_nu, _ = self._end(self.ends.initial, self.ends.initial_multipliers, 0.0, y, multipliers, extras)
+        value, by_y, by_nu, _ = self._end(
+            self.ends.initial, self.ends.initial_multipliers, 0.0, y, multipliers, extras
+        )
         return value, by_y, by_nu
 
     def final_residual(
@@ -185,7 +201,13 @@ class ExtremalFunctions:
         return self._end(self.ends.final, self.ends.final_multipliers, time, y, multipliers, extras)
 
     def _end(
-        self, rows: list[Expression], nu: list[Expression], time: float, y: Array, multipliers: Array, extras: ArrayLike
+        self,
+        rows: list[Expression],
+        nu: list[Expression],
+        time: float,
+        y: Array,
+        multipliers: Array,
+        extras: ArrayLike,
     ) -> tuple[Array, Array, Array, Array]:
         variables = [*self.equations.arguments, *nu]
         inputs = np.hstack([self.inputs(time, y, extras), np.reshape(multipliers, (1, -1))])

@@ -52,17 +52,17 @@ def solve_equations(
     while count < iterations and np.abs(value).max() > goal:
         scale = np.maximum(scale, np.linalg.norm(jacobian, axis=0))
         weights = np.where(scale > 0.0, scale, 1.0)
-        step = _step(jacobian / weights, value, damping) / weights
+        step = np.asarray(_step(jacobian / weights, value, damping) / weights)
         count += 1
         trial = z + step
         try:
             new = residual(trial)
         except SailnetError:
             new = np.full_like(value, np.inf)
-        predicted = value @ value - np.sum((value + jacobian @ step) ** 2)
-        gained = value @ value - new @ new if np.all(np.isfinite(new)) else -np.inf
+        predicted = float(value @ value - np.sum((value + jacobian @ step) ** 2))
+        gained = float(value @ value - new @ new) if np.all(np.isfinite(new)) else -np.inf
         if gained > 0.0:
-            ratio = gained / max(predicted, np.finfo(float).tiny)
+            ratio = gained / max(predicted, 1e-300)
             try:
                 value, jacobian = linearise(trial)
             except SailnetError:

@@ -49,6 +49,8 @@ class Bounded:
         lower, upper: its bounds.
         switching: name of its switching function.
         scale: what the paper divides dH/du by; a smoothing parameter is measured in its units.
+        minimiser: where H is neither: its minimiser without bounds, of states and costates
+            (see :func:`costate`); it is clipped.
     """
 
     variable: Expression
@@ -56,6 +58,7 @@ class Bounded:
     upper: float = math.inf
     switching: str = "S"
     scale: float = 1.0
+    minimiser: Expression | None = None
 
 
 @dataclass(frozen=True)
@@ -70,19 +73,6 @@ class Direction:
 
     variables: tuple[Expression, ...]
     throttle: Expression | None = None
-
-
-@dataclass(frozen=True)
-class Law:
-    """A control whose minimiser is given, not derived.
-
-    Attributes:
-        variable: the control.
-        optimal: the minimiser as an expression of states and costates (see :func:`costate`).
-    """
-
-    variable: Expression
-    optimal: Expression
 
 
 @dataclass(frozen=True)
@@ -117,7 +107,7 @@ class Problem:
     name: str
     source: str
     dynamics: Mapping[Expression, Expression]
-    controls: Sequence[Bounded | Direction | Law]
+    controls: Sequence[Bounded | Direction]
     final_time: float | FreeTime
     initial: Mapping[Expression, float]
     final: Mapping[Expression, float] = field(default_factory=dict)

@@ -23,6 +23,8 @@ class Smoothing(Protocol):
     A Taylor step that begins outside such a layer would pass over it, so it must end there.
     """
 
+    def __hash__(self) -> int: ...
+
     def switch(self, s: Expression, lower: float, upper: float, rho: Expression) -> Expression:
         """The control for a switching function."""
         ...

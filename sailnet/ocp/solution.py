@@ -57,7 +57,9 @@ class ConvergenceError(SailnetError):
         reached = [step for step in self.history if step.converged]
         parts = [message, *(f"{kind} residual {value:.2e}" for kind, value in self.residuals.items())]
         if self.history:
-            parts.append(f"last step that converged: rho = {reached[-1].rho:.3e}" if reached else "none converged")
+            parts.append(
+                f"last step that converged: rho = {reached[-1].rho:.3e}" if reached else "none converged"
+            )
         super().__init__("; ".join(parts))
 
 
@@ -112,7 +114,11 @@ class Solution:
 
     def __getitem__(self, name: str) -> Array:
         """(m,) history of a state, costate (``lambda_x``), control or switching function by name."""
-        for kind, table in (("states", self.state), ("controls", self.control), ("switching", self.switching)):
+        for kind, table in (
+            ("states", self.state),
+            ("controls", self.control),
+            ("switching", self.switching),
+        ):
             if name in self.names[kind]:
                 return np.asarray(table[:, self.names[kind].index(name)])
         if name.removeprefix("lambda_") in self.names["states"]:

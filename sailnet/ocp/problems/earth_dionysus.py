@@ -1,4 +1,4 @@
-"""Fuel-optimal low-thrust rendezvous from the Earth to asteroid Dionysus. Paper 003, Sections IV-A and V-A."""
+"""Fuel-optimal low-thrust rendezvous, Earth to asteroid Dionysus. Paper 003, Sections IV-A and V-A."""
 
 import math
 

@@ -1,7 +1,5 @@
 """Minimum time-energy intercept of an accelerating target. Paper 002, Section 3."""
 
-from collections.abc import Sequence
-
 from sailnet.ocp.problem import TIME, Bounded, FreeTime, Problem, dot, symbols
 
 POSITION = (500.0, -600.0, 500.0)
@@ -24,7 +22,7 @@ def problem(weight: float = 1.0, bound: float = float("inf")) -> Problem:
         weight: Gamma, what a second costs; a parameter named ``Gamma``.
         bound: largest acceleration of the interceptor in each component [m/s^2].
     """
-    r: Sequence = symbols("r_x r_y r_z")
+    r = symbols("r_x r_y r_z")
     v, a = symbols("v_x v_y v_z"), symbols("a_x a_y a_z")
     (gamma,) = symbols("Gamma")
     accelerations = zip(v, TARGET_ACCELERATION, a, strict=True)
