@@ -11,9 +11,10 @@ The solvers are :mod:`~sailnet.ocp.shooting`, :mod:`~sailnet.ocp.collocation` an
 :class:`~sailnet.ocp.solution.ConvergenceError`. Problems are a file each in :mod:`sailnet.ocp.problems`.
 """
 
+from sailnet.ocp import arcs, collocation, shooting
 from sailnet.ocp.continuation import Schedule
 from sailnet.ocp.problem import TIME, Bounded, Direction, FreeTime, Problem, costate, symbols
-from sailnet.ocp.smoothing import Exact, HyperbolicTangent, L2Norm, Saturation
+from sailnet.ocp.smoothing import Exact, HyperbolicTangent, L2Norm, Saturation, Smoothing
 from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch
 
 __all__ = [
@@ -28,9 +29,13 @@ __all__ = [
     "Problem",
     "Saturation",
     "Schedule",
+    "Smoothing",
     "Solution",
     "Step",
     "Switch",
+    "arcs",
+    "collocation",
     "costate",
+    "shooting",
     "symbols",
 ]

@@ -6,14 +6,15 @@ singular arc it flies the control that the derivatives of the switching function
 
 import time
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.canonical import Singular
-from sailnet.ocp.flow import Flow, LostError, names
-from sailnet.ocp.functions import ProblemFunctions, evaluate, jacobian
+from sailnet.ocp.flow import Flow, LostError
+from sailnet.ocp.functions import evaluate, jacobian
 from sailnet.ocp.newton import solve_equations
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.shooting import GOAL
@@ -21,6 +22,7 @@ from sailnet.ocp.shooting_equations import Shooting
 from sailnet.ocp.smoothing import Exact
 from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch
 from sailnet.ocp.switching import structure_of
+from sailnet.ocp.tabulate import Arc, largest, tabulate
 
 MODES = {"+": 1.0, "-": -1.0, "0": 0.0, "s": 0.0}
 """Upper bound, lower bound, between (a control quadratic in H), singular."""
@@ -50,6 +52,8 @@ class Arcs:
         self.flows = [
             Flow(problem, Singular(arc.index("s"), order) if "s" in arc else Exact()) for arc in structure
         ]
+        split, kinds = len(self.ends.initial_rows), self.ends.kinds
+        self.kinds = [*kinds[:split], *["switching"] * (len(structure) - 1), *kinds[split:]]
         self.modes = [np.array([MODES[letter] for letter in arc]) for arc in structure]
 
     def residual(self, z: Array) -> Array:
@@ -154,64 +158,30 @@ def solve(
             f"{what} do not meet; another structure may", {"largest": step.residual}, [step]
         )
     solution = _tabulate(equations, root.z, samples)
-    kinds = _kinds(equations)
-    solution.residuals |= {
-        kind: float(np.abs(root.residual[kinds == kind]).max(initial=0.0)) for kind in set(kinds)
-    }
+    solution.residuals |= largest(root.residual, equations.kinds)
     solution.history, solution.wall_time = [step], time.perf_counter() - began
     return solution
 
 
-def _kinds(equations: Arcs) -> Array:
-    """The kind of every residual."""
-    functions = equations.ends.functions
-    initial = [functions.ends.initial_kinds[i] for i in equations.ends.initial_rows]
-    switches = len(equations.flows) - 1
-    return np.array([*initial, *["switching"] * switches, *functions.ends.final_kinds])
-
-
 def _tabulate(equations: Arcs, z: Array, samples: int) -> Solution:
-    problem, count = equations.problem, len(equations.flows) - 1
+    problem, ends, count = equations.problem, equations.ends, len(equations.flows) - 1
     own, times = z[: len(z) - count], z[len(z) - count :]
-    stop, y, n = equations.ends.final_time(own), equations.ends.start(own), len(problem.states)
-    edges = [0.0, *times, stop]
-    tables: list[list[Array]] = [[], [], [], [], []]
-    cost = 0.0
-    for k, flow in enumerate(equations.flows):
-        clock = np.linspace(edges[k], edges[k + 1], max(3, round(samples * (edges[k + 1] - edges[k]) / stop)))
-        rows, running = flow.sample(clock, y, equations.modes[k])
-        y, cost, functions = rows[-1], cost + running, flow.functions
-        made = [
-            clock,
-            rows,
-            *(
-                f(clock, rows, equations.modes[k])
-                for f in (functions.control, functions.switching, functions.hamiltonian)
-            ),
-        ]
-        for table, part in zip(tables, made, strict=True):
-            table.append(part)
-    clock, rows, control, switching, hamiltonian = (np.concatenate(table) for table in tables)
-    cost += float(ProblemFunctions(problem).terminal_cost(stop, rows[-1:, :n])[0])
+    flown = zip(equations.flows, equations.modes, [*times, ends.final_time(own)], strict=True)
+    table, cost = tabulate([Arc(*arc) for arc in flown], ends.start(own), samples)
     switches = [
         Switch(float(when), problem.bounded[i].switching, MODES[b] > MODES[a])
-        for when, now, then in zip(times, equations.structure[:-1], equations.structure[1:], strict=True)
+        for when, (now, then) in zip(times, pairwise(equations.structure), strict=True)
         for i, (a, b) in enumerate(zip(now, then, strict=True))
         if a != b
     ]
     return Solution(
         problem=problem.name,
         solver="arcs",
-        time=clock,
-        state=rows[:, :n],
-        costate=rows[:, n:],
-        control=control,
-        switching=switching,
-        hamiltonian=hamiltonian,
+        **table,
         cost=cost,
         residuals={"dynamics": equations.flows[0].tolerance},
         switches=switches,
-        names=names(problem),
-        multipliers=np.concatenate(equations.ends.multipliers(own)),
+        names=problem.names,
+        multipliers=np.concatenate(ends.multipliers(own)),
         message="arcs " + " ".join(equations.structure),
     )

@@ -14,12 +14,12 @@ from scipy.integrate import solve_bvp
 
 from sailnet.dynamics import Array
 from sailnet.ocp.continuation import Schedule, follow
-from sailnet.ocp.flow import names
 from sailnet.ocp.functions import ExtremalFunctions, ProblemFunctions
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.smoothing import L2Norm, Smoothing
 from sailnet.ocp.solution import Solution, Step
 from sailnet.ocp.switching import zero_crossings
+from sailnet.ocp.tabulate import largest
 
 MOST_NODES = 20_000
 """A smoothed switch needs some tens of nodes; a mesh of this size is chasing a discontinuity."""
@@ -182,7 +182,7 @@ def _solution(
     problem, functions, rho = equations.problem, equations.functions, history[-1].rho
     stop, n = equations.final_time(mesh.unknowns), len(problem.states)
     clock, y, extras = mesh.clock * stop, mesh.y.T, np.array([rho])
-    switching = functions.switching(clock, y, extras)
+    table = functions.table(clock, y, extras)
     # Three-point Gauss quadrature on the collocation polynomial, exact to its order.
     nodes, weights = np.polynomial.legendre.leggauss(3)
     width = np.diff(mesh.clock)[:, None]
@@ -197,28 +197,20 @@ def _solution(
             functions.final_residual(stop, y[-1], nu_f, extras)[0],
         ]
     )
-    kinds = np.array(functions.ends.initial_kinds + functions.ends.final_kinds)
-    residuals = {
-        kind: float(np.abs(value[kinds == kind]).max(initial=0.0)) for kind in ("boundary", "transversality")
-    }
+    residuals = largest(value, [*functions.ends.initial_kinds, *functions.ends.final_kinds])
     residuals["dynamics"] = float(np.max(result.rms_residuals))
-    switches = zero_crossings(problem, clock, switching)
+    switches = zero_crossings(problem, clock, table["switching"])
     return Solution(
         problem=problem.name,
         solver=f"collocation, {equations.smoothing.name}",
-        time=clock,
-        state=y[:, :n],
-        costate=y[:, n:],
-        control=functions.control(clock, y, extras),
-        switching=switching,
-        hamiltonian=functions.hamiltonian(clock, y, extras),
+        **table,
         cost=cost,
         residuals=residuals,
         switches=switches,
         history=history,
         wall_time=wall_time,
         rho=rho,
-        names=names(problem),
+        names=problem.names,
         multipliers=np.concatenate([nu_0, nu_f]),
         message=f"{len(mesh.clock)} nodes",
     )

@@ -6,7 +6,6 @@ smoothed law a step sees the coming layer only while its tail is above rounding;
 a step must end at the layer's edge.
 """
 
-from collections.abc import Sequence
 from functools import cache
 from itertools import pairwise
 from typing import Any
@@ -242,13 +241,3 @@ class Flow:
             else:
                 rows.append(rows[-1])
         return np.array(rows), cost
-
-
-def names(problem: Problem) -> dict[str, list[str]]:
-    """Names of states, controls and switching functions, as a solution carries them."""
-    kinds: dict[str, Sequence[object]] = {
-        "states": problem.states,
-        "controls": problem.control_variables,
-        "switching": [control.switching for control in problem.bounded],
-    }
-    return {kind: [str(member) for member in members] for kind, members in kinds.items()}

@@ -17,6 +17,7 @@ from sailnet.ocp.canonical import Canonical, Form, canonical
 from sailnet.ocp.ends import Ends, ends
 from sailnet.ocp.problem import TIME, Problem
 from sailnet.ocp.smoothing import Exact
+from sailnet.ocp.solution import Table
 
 
 @cache
@@ -186,6 +187,18 @@ class ExtremalFunctions:
     def running_cost(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m,) integrand of the cost."""
         return self._evaluate([self.equations.running_cost], time, y, extras)[:, 0]
+
+    def table(self, clock: Array, y: Array, extras: ArrayLike) -> Table:
+        """The columns of a :class:`~sailnet.ocp.solution.Solution` along (m, 2n) points."""
+        n = len(self.problem.states)
+        return {
+            "time": clock,
+            "state": y[:, :n],
+            "costate": y[:, n:],
+            "control": self.control(clock, y, extras),
+            "switching": self.switching(clock, y, extras),
+            "hamiltonian": self.hamiltonian(clock, y, extras),
+        }
 
     def initial_residual(self, y: Array, multipliers: Array, extras: ArrayLike) -> tuple[Array, Array, Array]:
         """Residuals at t = 0, and their derivatives by y and by the multipliers."""

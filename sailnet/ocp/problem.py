@@ -165,6 +165,15 @@ class Problem:
         return [control for control in self.controls if isinstance(control, Bounded)]
 
     @property
+    def names(self) -> dict[str, list[str]]:
+        """Names of states, controls and switching functions, as a solution carries them."""
+        return {
+            "states": [str(x) for x in self.states],
+            "controls": [str(u) for u in self.control_variables],
+            "switching": [control.switching for control in self.bounded],
+        }
+
+    @property
     def time_is_free(self) -> bool:
         """Whether the final time is optimised."""
         return isinstance(self.final_time, FreeTime)

@@ -10,13 +10,13 @@ from numpy.typing import ArrayLike
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.continuation import Schedule, follow
-from sailnet.ocp.flow import TOLERANCE, LostError, names
-from sailnet.ocp.functions import ProblemFunctions
+from sailnet.ocp.flow import TOLERANCE, LostError
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.shooting_equations import Shooting
 from sailnet.ocp.smoothing import Exact, L2Norm, Smoothing
 from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch
 from sailnet.ocp.switching import zero_crossings
+from sailnet.ocp.tabulate import Arc, largest, tabulate
 
 GOAL = 1e-10
 """Largest residual of an accepted solution."""
@@ -124,50 +124,27 @@ def _guesses(
 
 def extremal(equations: Shooting, z: Array, rho: float, samples: int, goal: float) -> Solution:
     """Tabulate the extremal of these unknowns; at a switch of an exact law both sides are given."""
-    flow, functions, problem = equations.flow, equations.functions, equations.problem
+    flow, problem = equations.flow, equations.problem
     stop, y, extras = equations.final_time(z), equations.start(z), equations.extras(z, rho)
     switches: list[Switch] = []
     modes = [extras]
     if equations.exact:
         switches, modes = flow.arcs(0.0, stop, y, extras)
-    edges = [0.0, *(switch.time for switch in switches), stop]
-    times, rows, controls, switching, hamiltonian, cost = [], [], [], [], [], 0.0
-    for first, last, mode in zip(edges[:-1], edges[1:], modes, strict=True):
-        clock = np.linspace(first, last, max(3, round(samples * (last - first) / stop)))
-        table, running = flow.sample(clock, y, mode)
-        y, cost = table[-1], cost + running
-        times.append(clock)
-        rows.append(table)
-        controls.append(functions.control(clock, table, mode))
-        switching.append(functions.switching(clock, table, mode))
-        hamiltonian.append(functions.hamiltonian(clock, table, mode))
-    clock, table, s = np.concatenate(times), np.vstack(rows), np.vstack(switching)
-    n = len(problem.states)
+    stops = [*(switch.time for switch in switches), stop]
+    arcs = [Arc(flow, mode, end) for mode, end in zip(modes, stops, strict=True)]
+    table, cost = tabulate(arcs, y, samples)
     if not equations.exact:
-        switches = zero_crossings(problem, clock, s)
+        switches = zero_crossings(problem, table["time"], table["switching"])
     value = equations.residual(z, rho)
-    kinds = np.array(
-        [functions.ends.initial_kinds[i] for i in equations.initial_rows] + functions.ends.final_kinds
-    )
-    residuals = {
-        kind: float(np.abs(value[kinds == kind]).max(initial=0.0)) for kind in ("boundary", "transversality")
-    }
-    residuals["dynamics"] = flow.tolerance
-    cost += float(ProblemFunctions(problem).terminal_cost(stop, table[-1:, :n])[0])
     return Solution(
         problem=problem.name,
-        solver=f"shooting, {flow.form.name}",  # type: ignore[union-attr]
-        time=clock,
-        state=table[:, :n],
-        costate=table[:, n:],
-        control=np.vstack(controls),
-        switching=s,
-        hamiltonian=np.concatenate(hamiltonian),
+        solver=f"shooting, {equations.smoothing.name}",
+        **table,
         cost=cost,
-        residuals=residuals,
+        residuals={**largest(value, equations.kinds), "dynamics": flow.tolerance},
         switches=switches,
         rho=rho,
-        names=names(problem),
+        names=problem.names,
         multipliers=np.concatenate(equations.multipliers(z)),
         converged=bool(np.abs(value).max() <= goal),
         message=f"{len(switches)} switches",

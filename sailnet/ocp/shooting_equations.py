@@ -24,7 +24,8 @@ class Shooting:
     """
 
     def __init__(self, problem: Problem, smoothing: Smoothing, tolerance: float = TOLERANCE) -> None:
-        self.problem, self.exact = problem, isinstance(smoothing, Exact)
+        self.problem, self.smoothing = problem, smoothing
+        self.exact = isinstance(smoothing, Exact)
         self.flow = Flow(problem, smoothing, tolerance)
         self.functions = self.flow.functions
         states = problem.states
@@ -33,6 +34,8 @@ class Shooting:
         # A state that is given at t = 0 is put there; no equation needs to say so.
         given = {i for i, x in enumerate(states) if x in problem.initial}
         self.initial_rows = [i for i in range(len(self.functions.ends.initial)) if i not in given]
+        ends = self.functions.ends
+        self.kinds = [*(ends.initial_kinds[i] for i in self.initial_rows), *ends.final_kinds]
         n, f = len(states), len(self._free)
         self.tangents = np.zeros((2 * n, n + f))
         self.tangents[n:, :n] = np.eye(n)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TypedDict
 
 import numpy as np
 
@@ -61,6 +62,17 @@ class ConvergenceError(SailnetError):
                 f"last step that converged: rho = {reached[-1].rho:.3e}" if reached else "none converged"
             )
         super().__init__("; ".join(parts))
+
+
+class Table(TypedDict):
+    """Columns of a :class:`Solution`, as ``Solution(**table, ...)`` takes them."""
+
+    time: Array
+    state: Array
+    costate: Array
+    control: Array
+    switching: Array
+    hamiltonian: Array
 
 
 @dataclass

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import heyoka as hy
 import numpy as np
+from numpy.typing import ArrayLike
 
 from sailnet.dynamics import Array, Expression
 from sailnet.ocp.problem import symbols
@@ -53,7 +54,7 @@ def motion(at: Elements, acceleration: Sequence[Expression]) -> dict[Expression,
     }
 
 
-def from_position(r: Sequence[float], v: Sequence[float]) -> Array:
+def from_position(r: ArrayLike, v: ArrayLike) -> Array:
     """(6,) elements of a position and velocity, 0 <= L < 2 pi."""
     position, velocity = np.asarray(r, float), np.asarray(v, float)
     momentum = np.cross(position, velocity)
@@ -68,9 +69,9 @@ def from_position(r: Sequence[float], v: Sequence[float]) -> Array:
     return np.array([momentum @ momentum, eccentricity @ first, eccentricity @ second, h, k, longitude])
 
 
-def to_position(elements: Sequence[float]) -> tuple[Array, Array]:
+def to_position(elements: ArrayLike) -> tuple[Array, Array]:
     """Position and velocity of elements."""
-    p, f, g, h, k, longitude = elements
+    p, f, g, h, k, longitude = np.asarray(elements, float)
     sin, cos = np.sin(longitude), np.cos(longitude)
     scale = 1.0 + h**2 + k**2
     first = np.array([1.0 + h**2 - k**2, 2.0 * h * k, -2.0 * k]) / scale
