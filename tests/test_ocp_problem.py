@@ -23,7 +23,7 @@ from sailnet.ocp import (
 )
 from sailnet.ocp.canonical import Form, Singular
 from sailnet.ocp.flow import first_modes
-from sailnet.ocp.functions import ExtremalFunctions, ProblemFunctions, evaluate
+from sailnet.ocp.functions import ExtremalFunctions, ProblemFunctions
 from sailnet.ocp.problems import (
     earth_dionysus,
     earth_mars,
@@ -212,8 +212,7 @@ def test_a_singular_control_keeps_its_switching_function_at_zero() -> None:
     y = np.array([h, v, m, lh, lv, lm])
 
     def surface(at: Array) -> Array:
-        inputs = functions.inputs(0.0, at, 0.0)
-        return np.asarray(evaluate(functions.equations.surface, functions.equations.arguments, inputs)[0])
+        return np.asarray(functions.evaluate("surface", (0.0, at, 0.0), functions.equations.surface)[0])
 
     np.testing.assert_allclose(surface(y), 0.0, atol=1e-10)
     slope = functions.slopes(0.0, y, 0.0)[0]

@@ -14,7 +14,6 @@ from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.canonical import Singular
 from sailnet.ocp.flow import Flow, LostError
-from sailnet.ocp.functions import evaluate, jacobian
 from sailnet.ocp.newton import solve_equations
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.shooting import GOAL
@@ -112,11 +111,9 @@ class Arcs:
             else:
                 rows.append(functions.equations.corners[i])
         modes = self.modes[k + 1] if functions is self.flows[k + 1].functions else self.modes[k]
-        inputs, arguments = functions.inputs(when, y, modes), functions.equations.arguments
-        if not rows:
-            return np.zeros(0), np.zeros((0, len(y)))
-        by_y = jacobian(rows, arguments, functions.equations.variables, inputs)[0]
-        return evaluate(rows, arguments, inputs)[0], by_y
+        at, variables = (when, y, modes), functions.equations.variables
+        value = functions.evaluate(("condition", k), at, rows)[0]
+        return value, functions.evaluate(("condition by y", k), at, rows, variables)[0]
 
 
 def solve(

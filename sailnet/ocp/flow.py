@@ -128,8 +128,8 @@ class _Watch:
             rows = engine.state[engine.size :].reshape(engine.size, engine.columns)
             old, new = (functions.slopes(time, y, modes)[0] for modes in (before, after))
             if np.any(old != new):
-                corner = [equations.corners[index]]
-                gradient = functions._jacobian(corner, equations.variables, time, y, before)[0, 0]
+                corner, at = [equations.corners[index]], (time, y, before)
+                gradient = functions.evaluate(("corner", index), at, corner, equations.variables)[0, 0]
                 # Saltation: along a neighbouring extremal the switch comes earlier or later.
                 rows += np.outer(new - old, gradient @ rows) / (gradient @ old)
         engine.extras = after
@@ -147,7 +147,8 @@ def turned(functions: ExtremalFunctions, index: int, time: float, y: Array, mode
     if modes[index] != 0.0:
         return 0.0
     control = functions.problem.bounded[index]
-    bar = functions._evaluate([functions.equations.law[control.variable]], time, y, modes)[0, 0]
+    law = [functions.equations.law[control.variable]]
+    bar = functions.evaluate(("law", index), (time, y, modes), law)[0, 0]
     return 1.0 if abs(bar - control.upper) < abs(bar - control.lower) else -1.0
 
 
@@ -160,7 +161,8 @@ def first_modes(functions: ExtremalFunctions, y: Array) -> Array:
         if equations.corners[i] == equations.switching[i][1]:
             modes[i] = 1.0 if switching[i] < 0.0 else -1.0
         else:
-            bar = functions._evaluate([equations.law[control.variable]], 0.0, y, modes)[0, 0]
+            law = [equations.law[control.variable]]
+            bar = functions.evaluate(("law", i), (0.0, y, modes), law)[0, 0]
             modes[i] = float(bar > control.upper) - float(bar < control.lower)
     return modes
 

@@ -4,50 +4,18 @@ Tables hold one point a row: states and costates (m, n), controls (m, k). Nothin
 first use, and what is compiled is shared by all problems that differ in numbers alone.
 """
 
-from collections.abc import Sequence
-from functools import cache
-from typing import Any
+from collections.abc import Hashable, Sequence
 
-import heyoka as hy
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sailnet.dynamics import Array, Expression
 from sailnet.ocp.canonical import Canonical, Form, canonical
 from sailnet.ocp.ends import Ends, ends
+from sailnet.ocp.kernels import Kernels
 from sailnet.ocp.problem import TIME, Problem
 from sailnet.ocp.smoothing import Exact
 from sailnet.ocp.solution import Table
-
-
-@cache
-def compiled(expressions: tuple[Expression, ...], variables: tuple[Expression, ...]) -> Any:
-    """One compiled function of many expressions; compiled once."""
-    return hy.cfunc(list(expressions), vars=list(variables), compact_mode=len(expressions) > 40)
-
-
-@cache
-def derivatives(expressions: tuple[Expression, ...], by: tuple[Expression, ...]) -> tuple[Expression, ...]:
-    """The Jacobian of expressions, row by row."""
-    tensors = hy.diff_tensors(list(expressions), list(by))
-    return tuple(np.asarray(tensors.jacobian).ravel())
-
-
-def evaluate(expressions: Sequence[Expression], variables: Sequence[Expression], inputs: Array) -> Array:
-    """(m, e) values of expressions at (m, v) points."""
-    function = compiled(tuple(hy.expression(e) for e in expressions), tuple(variables))
-    return np.asarray(function(np.ascontiguousarray(inputs.T))).T
-
-
-def jacobian(
-    expressions: Sequence[Expression],
-    variables: Sequence[Expression],
-    by: Sequence[Expression],
-    inputs: Array,
-) -> Array:
-    """(m, e, b) derivatives of expressions by some of the variables at (m, v) points."""
-    rows = derivatives(tuple(hy.expression(e) for e in expressions), tuple(by))
-    return evaluate(rows, variables, inputs).reshape(len(inputs), len(expressions), len(by))
 
 
 class ProblemFunctions:
@@ -60,8 +28,10 @@ class ProblemFunctions:
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
         self.equations = canonical(problem, Exact())
-        self._free = [TIME, *problem.states, *problem.control_variables, *self.equations.parameters]
-        self._adjoint = [*problem.costates, *self._free]
+        free = [TIME, *problem.states, *problem.control_variables, *self.equations.parameters]
+        self._free, self._adjoint = Kernels(free), Kernels([*problem.costates, *free])
+        self._ends = Kernels([TIME, *problem.states, *self.equations.parameters])
+        self._slopes = list(problem.dynamics.values())
 
     def _inputs(self, *tables: ArrayLike) -> Array:
         columns = [np.atleast_2d(np.asarray(table, float)) for table in tables]
@@ -76,47 +46,51 @@ class ProblemFunctions:
 
     def dynamics(self, time: ArrayLike, state: ArrayLike, control: ArrayLike) -> Array:
         """(m, n) time derivatives f of the states."""
-        return evaluate(list(self.problem.dynamics.values()), self._free, self._point(time, state, control))
+        return self._free("f", self._point(time, state, control), self._slopes)
 
     def dynamics_by_state(self, time: ArrayLike, state: ArrayLike, control: ArrayLike) -> Array:
         """(m, n, n) df/dx."""
-        f, x = list(self.problem.dynamics.values()), self.problem.states
-        return jacobian(f, self._free, x, self._point(time, state, control))
+        return self._free("df/dx", self._point(time, state, control), self._slopes, self.problem.states)
 
     def dynamics_by_control(self, time: ArrayLike, state: ArrayLike, control: ArrayLike) -> Array:
         """(m, n, k) df/du."""
-        f, u = list(self.problem.dynamics.values()), self.problem.control_variables
-        return jacobian(f, self._free, u, self._point(time, state, control))
+        by = self.problem.control_variables
+        return self._free("df/du", self._point(time, state, control), self._slopes, by)
 
     def running_cost(self, time: ArrayLike, state: ArrayLike, control: ArrayLike) -> Array:
         """(m,) integrand of the cost."""
-        return evaluate([self.problem.running_cost], self._free, self._point(time, state, control))[:, 0]
+        return self._free("L", self._point(time, state, control), [self.problem.running_cost])[:, 0]
 
     def terminal_cost(self, time: ArrayLike, state: ArrayLike) -> Array:
         """(m,) terminal cost of final times and (m, n) final states."""
         inputs = self._inputs(np.reshape(np.asarray(time, float), (-1, 1)), state)
-        variables = [TIME, *self.problem.states, *self.equations.parameters]
-        return evaluate([self.problem.terminal_cost], variables, inputs)[:, 0]
+        return self._ends("phi", inputs, [self.problem.terminal_cost])[:, 0]
 
     def hamiltonian(self, time: ArrayLike, state: ArrayLike, costate: ArrayLike, control: ArrayLike) -> Array:
         """(m,) H = L + lambda . f."""
-        inputs = np.hstack([np.atleast_2d(np.asarray(costate, float)), self._point(time, state, control)])
-        return evaluate([self.equations.free_hamiltonian], self._adjoint, inputs)[:, 0]
+        inputs = self._with_costate(time, state, costate, control)
+        return self._adjoint("H", inputs, [self.equations.free_hamiltonian])[:, 0]
 
     def costate_slopes(
         self, time: ArrayLike, state: ArrayLike, costate: ArrayLike, control: ArrayLike
     ) -> Array:
         """(m, n) -dH/dx at the controls given."""
-        inputs = np.hstack([np.atleast_2d(np.asarray(costate, float)), self._point(time, state, control)])
-        return evaluate(self.equations.costate_slopes, self._adjoint, inputs)
+        inputs = self._with_costate(time, state, costate, control)
+        return self._adjoint("-dH/dx", inputs, self.equations.costate_slopes)
 
     def hamiltonian_by_control(
         self, time: ArrayLike, state: ArrayLike, costate: ArrayLike, control: ArrayLike
     ) -> Array:
         """(m, k) dH/du at the controls given (directions as if their components were free)."""
-        inputs = np.hstack([np.atleast_2d(np.asarray(costate, float)), self._point(time, state, control)])
-        u = self.problem.control_variables
-        return jacobian([self.equations.free_hamiltonian], self._adjoint, u, inputs)[:, 0]
+        inputs, u = self._with_costate(time, state, costate, control), self.problem.control_variables
+        return self._adjoint("dH/du", inputs, [self.equations.free_hamiltonian], u)[:, 0]
+
+    def _with_costate(
+        self, time: ArrayLike, state: ArrayLike, costate: ArrayLike, control: ArrayLike
+    ) -> Array:
+        point = self._point(time, state, control)
+        table = np.atleast_2d(np.asarray(costate, float))
+        return np.hstack([np.broadcast_to(table, (len(point), table.shape[1])), point])
 
 
 class ExtremalFunctions:
@@ -134,6 +108,9 @@ class ExtremalFunctions:
         self.problem, self.form = problem, form
         self.equations: Canonical = canonical(problem, form)
         self.ends: Ends = ends(problem, self.equations)
+        self._kernels = Kernels(self.equations.arguments)
+        self._initial = Kernels([*self.equations.arguments, *self.ends.initial_multipliers])
+        self._final = Kernels([*self.equations.arguments, *self.ends.final_multipliers])
 
     def inputs(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m, v) all arguments of the equations."""
@@ -144,49 +121,53 @@ class ExtremalFunctions:
         values = np.tile(np.array(list(self.problem.parameters.values()), float), (count, 1))
         return np.hstack([clock, table, more, values])
 
-    def _evaluate(
-        self, expressions: Sequence[Expression], time: ArrayLike, y: ArrayLike, extras: ArrayLike
-    ) -> Array:
-        return evaluate(expressions, self.equations.arguments, self.inputs(time, y, extras))
-
-    def _jacobian(
+    def evaluate(
         self,
+        key: Hashable,
+        at: tuple[ArrayLike, ArrayLike, ArrayLike],
         expressions: Sequence[Expression],
-        by: Sequence[Expression],
-        time: ArrayLike,
-        y: ArrayLike,
-        extras: ArrayLike,
+        by: Sequence[Expression] | None = None,
     ) -> Array:
-        return jacobian(expressions, self.equations.arguments, by, self.inputs(time, y, extras))
+        """(m, e) values of further expressions at (time, y, extras), or (m, e, b) derivatives.
+
+        Args:
+            key: a name of one's own for what is evaluated.
+            at: times, states with costates, and extras.
+            expressions: of the arguments of the equations.
+            by: variables to differentiate by.
+        """
+        return self._kernels(key, self.inputs(*at), expressions, by)
 
     def slopes(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m, 2n) dy/dt."""
-        return self._evaluate(self.equations.slopes, time, y, extras)
+        return self.evaluate("dy/dt", (time, y, extras), self.equations.slopes)
 
     def slopes_jacobian(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m, 2n, 2n) derivatives of the slopes by y."""
-        return self._jacobian(self.equations.slopes, self.equations.variables, time, y, extras)
+        at, equations = (time, y, extras), self.equations
+        return self.evaluate("d(dy/dt)/dy", at, equations.slopes, equations.variables)
 
     def control(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m, k) optimal control."""
         law = [self.equations.law[u] for u in self.equations.controls]
-        return self._evaluate(law, time, y, extras)
+        return self.evaluate("u", (time, y, extras), law)
 
     def switching(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m, s) switching functions, one a bounded control."""
-        return self._evaluate([s for _, s in self.equations.switching], time, y, extras)
+        return self.evaluate("S", (time, y, extras), [s for _, s in self.equations.switching])
 
     def hamiltonian(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m,) Hamiltonian."""
-        return self._evaluate([self.equations.hamiltonian], time, y, extras)[:, 0]
+        return self.evaluate("H", (time, y, extras), [self.equations.hamiltonian])[:, 0]
 
     def hamiltonian_gradient(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m, 2n) derivatives of the Hamiltonian by y, the law's included."""
-        return self._jacobian([self.equations.hamiltonian], self.equations.variables, time, y, extras)[:, 0]
+        at, equations = (time, y, extras), self.equations
+        return self.evaluate("dH/dy", at, [equations.hamiltonian], equations.variables)[:, 0]
 
     def running_cost(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m,) integrand of the cost."""
-        return self._evaluate([self.equations.running_cost], time, y, extras)[:, 0]
+        return self.evaluate("L", (time, y, extras), [self.equations.running_cost])[:, 0]
 
     def table(self, clock: Array, y: Array, extras: ArrayLike) -> Table:
         """The columns of a :class:`~sailnet.ocp.solution.Solution` along (m, 2n) points."""
@@ -202,19 +183,19 @@ class ExtremalFunctions:
 
     def initial_residual(self, y: Array, multipliers: Array, extras: ArrayLike) -> tuple[Array, Array, Array]:
         """Residuals at t = 0, and their derivatives by y and by the multipliers."""
-        value, by_y, by_nu, _ = self._end(
-            self.ends.initial, self.ends.initial_multipliers, 0.0, y, multipliers, extras
-        )
-        return value, by_y, by_nu
+        rows, nu = self.ends.initial, self.ends.initial_multipliers
+        return self._end(self._initial, rows, nu, 0.0, y, multipliers, extras)[:3]
 
     def final_residual(
         self, time: float, y: Array, multipliers: Array, extras: ArrayLike
     ) -> tuple[Array, Array, Array, Array]:
         """Residuals at the final time, and their derivatives by y, the multipliers and that time."""
-        return self._end(self.ends.final, self.ends.final_multipliers, time, y, multipliers, extras)
+        rows, nu = self.ends.final, self.ends.final_multipliers
+        return self._end(self._final, rows, nu, time, y, multipliers, extras)
 
     def _end(
         self,
+        kernels: Kernels,
         rows: list[Expression],
         nu: list[Expression],
         time: float,
@@ -222,10 +203,7 @@ class ExtremalFunctions:
         multipliers: Array,
         extras: ArrayLike,
     ) -> tuple[Array, Array, Array, Array]:
-        variables = [*self.equations.arguments, *nu]
         inputs = np.hstack([self.inputs(time, y, extras), np.reshape(multipliers, (1, -1))])
-        by = [*self.equations.variables, *nu, TIME]
-        value = evaluate(rows, variables, inputs)[0]
-        slope = jacobian(rows, variables, by, inputs)[0]
+        slope = kernels("by", inputs, rows, [*self.equations.variables, *nu, TIME])[0]
         size = len(self.equations.variables)
-        return value, slope[:, :size], slope[:, size:-1], slope[:, -1]
+        return kernels("value", inputs, rows)[0], slope[:, :size], slope[:, size:-1], slope[:, -1]
