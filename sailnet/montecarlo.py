@@ -9,10 +9,11 @@ from functools import partial
 import numpy as np
 from tqdm import tqdm
 
+from sailnet.disturbances import Disturbance
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.executors import Workers
-from sailnet.flight import Disturbance, Flights, fly
+from sailnet.flight import Flights, fly
 from sailnet.guidance import Guidance
 from sailnet.mission import Mission
 

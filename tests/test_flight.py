@@ -9,10 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import ArrayLike
 
+from sailnet.disturbances import Disturbance
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.expert import sample, solve
-from sailnet.flight import Disturbance, Flights, History, fly
+from sailnet.flight import Flights, History, fly
 from sailnet.guidance import Commands, GuidanceStatus, Steering
 from sailnet.mission import load_mission
 from sailnet.steering import ReferenceSteering
