@@ -276,13 +276,14 @@ def _evaluate(options: argparse.Namespace) -> Result:
 
     mission = load_mission(options.mission)
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
+    disturbance = _disturbance(options, mission)
     alone = options.workers == 1 and options.scheduler is None
     with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:
         campaign = fly_campaign(
             mission,
             guidance,
             options.flights,
-            _disturbance(options, mission),
+            disturbance,
             period=options.period,
             workers=pool,
         )
