@@ -276,7 +276,7 @@ def test_each_disturbance_changes_a_flight() -> None:
     }
     for name in NAMES:
         without: dict[str, Any] = companions.get(name, {})
-        with_: dict[str, Any] = without | {name: 0.02}
+        with_: dict[str, Any] = without | {name: 0.1}
         reference, changed = (
             flown(Disturbance(**given), Wobble(), longest=1.0)[1][0] for given in (without, with_)
         )
