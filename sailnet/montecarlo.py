@@ -82,7 +82,7 @@ def evaluate(
         mission: starts, plant and rules of flight.
         guidance: must be picklable if workers are other processes.
         count: number of flights.
-        disturbance: of beta; its seed also fixes the starts.
+        disturbance: of sail, navigation and actuator; its seed also fixes the starts.
         period: guidance period [TU]; the mission's by default.
         workers: who flies the batches; this process by default.
 

@@ -1,4 +1,4 @@
-"""Closed-loop flight: the plant, the stop rule, the disturbances."""
+"""Closed-loop flight: the stop rule, what is refused, disturbances of beta."""
 
 import math
 
