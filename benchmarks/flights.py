@@ -16,13 +16,14 @@ from collections.abc import Callable
 import numpy as np
 
 from sailnet.backends import load_guidance
-from sailnet.disturbances import OPTICS, Disturbance
+from sailnet.disturbances import Disturbance
 from sailnet.dynamics import Array, hold_command
 from sailnet.executors import workers
 from sailnet.flight import fly
 from sailnet.guidance import Guidance
 from sailnet.mission import Mission, load_mission
 from sailnet.montecarlo import BATCH, fly_campaign, random_starts
+from sailnet.optics import OPTICS
 from sailnet.plant import STEER, SideBySide, rules
 from sailnet.provenance import software
 

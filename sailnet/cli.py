@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Literal
 from tqdm import tqdm
 
 from sailnet import __version__, tested_range
-from sailnet.disturbances import OPTICS, Disturbance, catalogue, disturbance_from
+from sailnet.disturbances import Disturbance, catalogue, disturbance_from
 from sailnet.errors import SailnetError, SolveError
 from sailnet.mission import Mission, load_mission
+from sailnet.optics import OPTICS
 
 if TYPE_CHECKING:
     from sailnet.expert import Extremal

@@ -16,9 +16,7 @@ from sailnet.cli import _disturbance, _parser
 from sailnet.disturbances import (
     DEGREES_PER_DAY,
     NAMES,
-    OPTICS,
     Disturbance,
-    Optics,
     catalogue,
     disturbance_from,
     switched_on,
@@ -28,6 +26,7 @@ from sailnet.errors import MissionError, SailnetError
 from sailnet.flight import Flights, History, fly
 from sailnet.guidance import Guidance
 from sailnet.mission import load_mission, parse_mission
+from sailnet.optics import OPTICS, Optics
 from tests.pilots import MISSION, Constant, Wobble
 from tests.test_plant import EVERYTHING, taylor_hold
 
@@ -264,6 +263,20 @@ def test_a_disturbance_leaves_the_draws_of_the_others_alone() -> None:
     for name, kept in own.items():
         alone = Disturbance(seed=quiet.seed, **{key: getattr(quiet, key) for key in kept})
         np.testing.assert_allclose(drawn(alone)[name], whole[name], rtol=0, atol=3e-15, err_msg=name)
+
+
+def test_no_two_disturbances_draw_the_same_numbers() -> None:
+    """Errors that keep nothing from one period to the next, each switched on alone."""
+    drawn = []
+    for kind in ("noise", "wander"):
+        for i, component in enumerate("ruv"):
+            given: dict[str, Any] = {f"{component}_{kind}": 1.0, "navigation_wander_time": 1e-4}
+            histories = flown(Disturbance(**given), count=10)[1]
+            drawn.append((column(histories, "seen") - column(histories, "states")[:, :, [0, 2, 3]])[:, :, i])
+    for given in ({"beta_noise": 0.1}, {"beta_wander": 0.1, "beta_wander_time": 1e-4}):
+        drawn.append(column(flown(Disturbance(**given), count=10)[1], "beta"))
+    among = np.corrcoef([values.ravel() for values in drawn])
+    np.testing.assert_allclose(among, np.eye(len(drawn)), atol=0.07)
 
 
 def test_each_disturbance_changes_a_flight() -> None:

@@ -19,11 +19,12 @@ from scipy.stats import kstest
 import sailnet.plant
 from c_runtime.shared_library import plant_digest, plant_sources
 from sailnet.backends import load_guidance
-from sailnet.disturbances import OPTICS, Disturbance, Optics
+from sailnet.disturbances import Disturbance
 from sailnet.dynamics import Array, hold_command, motion
 from sailnet.errors import GuidanceError, SailnetError
 from sailnet.flight import Ending, Flights, History, fly
 from sailnet.guidance import Commands, Guidance, Precision, Steered, Steering
+from sailnet.optics import OPTICS, Optics
 from sailnet.plant import hold_angle, library
 from tests.pilots import MISSION, Constant, Pilot, Wobble
 
