@@ -24,10 +24,11 @@ from sailnet.disturbances import (
 from sailnet.dynamics import Array
 from sailnet.errors import MissionError, SailnetError
 from sailnet.flight import Flights, History, fly
-from sailnet.guidance import Guidance
+from sailnet.guidance import Commands, Guidance, GuidanceStatus
 from sailnet.mission import load_mission, parse_mission
 from sailnet.optics import OPTICS, Optics
-from tests.pilots import MISSION, Constant, Wobble
+from sailnet.plant import hold_angle
+from tests.pilots import MISSION, Constant, Optimum, Wobble
 from tests.test_plant import EVERYTHING, taylor_hold
 
 PERIOD = 0.01
@@ -167,6 +168,16 @@ def test_part_of_a_period_late_the_old_command_is_flown_first() -> None:
     np.testing.assert_allclose(flights.ends[0], np.asarray(state)[[0, 2, 3]], rtol=0, atol=1e-12)
 
 
+def test_a_late_command_does_not_make_the_flight_longer() -> None:
+    """It ends after 0.3 of a period, before the last command could take effect."""
+    total = 10.3 * PERIOD
+    pilot = Optimum(np.array([0.0, total]), np.array([0.4, 0.4]), PERIOD)
+    flight = fly(MISSION, pilot, [CIRCULAR], disturbance=Disturbance(delay=0.8 * PERIOD), period=PERIOD)
+    assert flight.time_of_flight[0] == pytest.approx(total, abs=1e-14)
+    end = taylor_hold([1.0, 0.0, 0.0, 1.0], 0.4, BETA, total)
+    np.testing.assert_allclose(flight.ends[0], end[[0, 2, 3]], rtol=0, atol=1e-13)
+
+
 def test_a_rate_limit_is_never_exceeded_and_reached_where_it_binds() -> None:
     limit = 10.0
     _, (history,) = flown(Disturbance(rate_limit=limit), Wobble())
@@ -180,6 +191,20 @@ def test_a_rate_limit_is_never_exceeded_and_reached_where_it_binds() -> None:
     np.testing.assert_array_equal(history.attitude[~slow], history.cone_angle[~slow])
     moved = (history.attitude - before)[slow]
     np.testing.assert_allclose(moved, np.sign(gap[slow]) * limit * PERIOD, rtol=1e-12)
+
+
+def test_a_limited_sail_turns_steadily_not_in_steps() -> None:
+    limit = 10.0
+    flights, (history,) = flown(Disturbance(rate_limit=limit), Wobble(), longest=1.0)
+    state = np.array([[1.0], [0.0], [0.0], [1.0]])
+    angle = history.cone_angle[0]
+    for wanted in history.cone_angle:
+        turning = min(abs(wanted - angle) / limit, PERIOD)
+        rate = math.copysign(limit, wanted - angle)
+        state = hold_angle(state, BETA, angle, turning, rate=rate)[:4]
+        angle += rate * turning
+        state = hold_angle(state, BETA, angle, PERIOD - turning)[:4]
+    np.testing.assert_allclose(flights.ends[0], state[[0, 2, 3], 0], rtol=0, atol=1e-12)
 
 
 def test_a_fast_actuator_is_none() -> None:
@@ -239,6 +264,32 @@ def test_in_an_outage_the_last_command_is_held() -> None:
     assert begun == pytest.approx(chance, rel=0.06)
 
 
+class Confused(Constant):
+    """Sees the target where it sees nothing, and its domain nowhere."""
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
+        unseen = np.isnan(np.asarray(states)).any(axis=1)
+        status = np.full(len(unseen), GuidanceStatus.OUTSIDE_DOMAIN, np.int32)
+        status[unseen] = GuidanceStatus.ARRIVED
+        return Commands(np.full(len(unseen), 0.1), np.where(unseen, 0.0, 1.0), status)
+
+
+def test_in_an_outage_nothing_that_guidance_says_counts() -> None:
+    given = Disturbance(outage_probability=0.2)
+    flights, (history,) = flown(given, Confused(0.1))
+    assert flights.outages[0] > 20
+    assert flights.outside[0] == flights.periods[0] - flights.outages[0]
+    blind = np.isnan(history.seen[:, 0])
+    np.testing.assert_array_equal(history.status[blind], GuidanceStatus.INVALID_INPUT)
+    np.testing.assert_array_equal(history.status[~blind], GuidanceStatus.OUTSIDE_DOMAIN)
+
+
+def test_beta_is_never_negative() -> None:
+    beta = flown(Disturbance(beta_wander=2.0, beta_wander_time=0.1))[1][0].beta
+    assert beta.min() == 0.0
+    assert beta.max() > 2 * BETA
+
+
 def test_a_disturbance_leaves_the_draws_of_the_others_alone() -> None:
     """Switching each of the others off changes nothing in what one draws."""
     everything = replace(EVERYTHING, outage_probability=0.0, v_wander=1e-6, v_bias=0.0)
@@ -273,8 +324,8 @@ def test_no_two_disturbances_draw_the_same_numbers() -> None:
             given: dict[str, Any] = {f"{component}_{kind}": 1.0, "navigation_wander_time": 1e-4}
             histories = flown(Disturbance(**given), count=10)[1]
             drawn.append((column(histories, "seen") - column(histories, "states")[:, :, [0, 2, 3]])[:, :, i])
-    for given in ({"beta_noise": 0.1}, {"beta_wander": 0.1, "beta_wander_time": 1e-4}):
-        drawn.append(column(flown(Disturbance(**given), count=10)[1], "beta"))
+    for noise in (Disturbance(beta_noise=0.1), Disturbance(beta_wander=0.1, beta_wander_time=1e-4)):
+        drawn.append(column(flown(noise, count=10)[1], "beta"))
     among = np.corrcoef([values.ravel() for values in drawn])
     np.testing.assert_allclose(among, np.eye(len(drawn)), atol=0.07)
 
