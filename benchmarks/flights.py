@@ -104,6 +104,9 @@ def period_costs(mission: Mission, guidance: Guidance, seed: int) -> dict[str, o
     flights = fly(mission, guidance, starts)
     in_c = _seconds(lambda: fly(mission, guidance, starts)) / int(flights.periods.sum())
     in_python = _seconds(lambda: python_loop(mission, guidance, starts)) / periods
+    single = starts[:1]
+    one = [_seconds(lambda: fly(mission, guidance, single))]
+    one.append(_seconds(lambda: python_loop(mission, guidance, single)))
     steering, rows = guidance.steering(BATCH), np.arange(BATCH)
     alone = _seconds(lambda: [steering.steer(starts, mission.flight.period, rows) for _ in range(200)])
     idle = STEER(_idle_steering(0.5, mission.flight.period))
@@ -118,6 +121,7 @@ def period_costs(mission: Mission, guidance: Guidance, seed: int) -> dict[str, o
         "flight_in_C": 1e9 * in_c,
         "flight_in_Python": 1e9 * in_python,
         "times_faster": in_python / in_c,
+        "one_flight_alone_times_faster": one[1] / one[0],
         "of_it_guidance": 1e9 * alone / BATCH / 200,
         "plant_alone": plant(Disturbance()),
         "plant_with_everything": plant(CAMPAIGNS["everything"]),
