@@ -1,4 +1,4 @@
-"""Compiles the shipped guidance when the package is built, so that none is needed at run time."""
+"""Compiles the shipped guidance and the plant when the package is built: no compiler at run time."""
 
 import sys
 from pathlib import Path
@@ -9,9 +9,17 @@ from setuptools.command.build_ext import build_ext
 ROOT = Path(__file__).parent.resolve()
 sys.path.insert(0, str(ROOT))
 
-from c_runtime.shared_library import CHECKSUMS, PRECISIONS, compile_libraries, library_name  # noqa: E402
+from c_runtime.shared_library import (  # noqa: E402
+    CHECKSUMS,
+    PLANT_LIBRARY,
+    PRECISIONS,
+    compile_libraries,
+    compile_plant,
+    library_name,
+)
 
 SHIPPED = sorted(path.parent.relative_to(ROOT) for path in ROOT.glob("sailnet/shipped/*/sailnet_guidance.c"))
+PLANT = Path("sailnet/native")
 
 
 class BuildGuidance(build_ext):
@@ -21,11 +29,14 @@ class BuildGuidance(build_ext):
         """Compile into the build folder, or in place for an editable installation."""
         for folder in SHIPPED:
             compile_libraries(ROOT / folder, self._base() / folder)
+        compile_plant(self._base() / PLANT)
 
     def get_outputs(self) -> list[str]:
         """The files that ``run`` writes."""
         names = [*(library_name(precision) for precision in PRECISIONS), CHECKSUMS]
-        return [str(self._base() / folder / name) for folder in SHIPPED for name in names]
+        written = [folder / name for folder in SHIPPED for name in names]
+        written += [PLANT / name for name in (PLANT_LIBRARY, CHECKSUMS)]
+        return [str(self._base() / file) for file in written]
 
     def get_output_mapping(self) -> dict[str, str]:
         """Nothing is built elsewhere and copied."""
@@ -37,6 +48,6 @@ class BuildGuidance(build_ext):
 
 
 setup(
-    ext_modules=[Extension(".".join(folder.parts), sources=[]) for folder in SHIPPED],
+    ext_modules=[Extension(".".join(folder.parts), sources=[]) for folder in [*SHIPPED, PLANT]],
     cmdclass={"build_ext": BuildGuidance},
 )

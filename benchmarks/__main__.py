@@ -8,7 +8,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from benchmarks import expert, generation, training
+from benchmarks import expert, flights, generation, training
 from sailnet.mission import load_mission
 from sailnet.provenance import software
 
@@ -56,6 +56,7 @@ def main() -> int:
     parser.add_argument("--states", type=int, default=10_000, help="for the expert (%(default)s)")
     parser.add_argument("--peers", type=int, default=100, help="of them for fsolve (%(default)s)")
     parser.add_argument("--starts", type=int, default=1000, help="for the coverage (%(default)s)")
+    parser.add_argument("--flights", type=int, default=10_000, help="of a campaign (%(default)s)")
     parser.add_argument("--training", type=float, default=180.0, help="seconds a network (%(default)s)")
     parser.add_argument("--seed", type=int, default=2, help="of every random number (%(default)s)")
     parser.add_argument("--output", type=Path, default=RESULTS, help="(%(default)s)")
@@ -95,6 +96,13 @@ def main() -> int:
             {**generation.command("domain", 20_000)},
         ),
     ]
+    parts.append(
+        _table(
+            "Closed-loop flights: whole campaigns on all cores, and nanoseconds a guidance period on one",
+            flights.NOTE,
+            flights.measure(mission, options.flights, options.seed),
+        )
+    )
     parts.append(_training(options.seed, options.training))
     for recipe in ("domain", "box"):
         parts.append(

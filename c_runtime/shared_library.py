@@ -1,4 +1,4 @@
-"""Compile an exported guidance into the shared libraries that simulation loads.
+"""Compile an exported guidance, and the plant, into the shared libraries that simulation loads.
 
 Standard library only: the installation of the package runs this before anything else is there.
 """
@@ -56,24 +56,55 @@ def library_name(precision: str) -> str:
 def compile_libraries(sources: Path, target: Path) -> list[Path]:
     """Compile the exported C in ``sources`` in both precisions; returns the files written.
 
-    The libraries and their checksums are built beside the target and renamed into it.
+    Raises:
+        CompilerError: there is no compiler, or it refused the source.
+    """
+    files = [sources / file for file in ("sailnet_guidance.c", "sailnet_batch.c")]
+    options = {library_name(precision): defines for precision, defines in PRECISIONS.items()}
+    return _compile(files, options, target)
+
+
+PLANT = Path(__file__).parent / "plant"
+PLANT_LIBRARY = "plant.so"
+
+
+def plant_sources() -> list[Path]:
+    """The C of the plant, in order."""
+    return sorted(PLANT.glob("*.c"))
+
+
+def plant_digest() -> str:
+    """SHA-256 over the plant's C and header, which its library carries."""
+    content = b"".join(file.read_bytes() for file in [*plant_sources(), *sorted(PLANT.glob("*.h"))])
+    return hashlib.sha256(content).hexdigest()
+
+
+def compile_plant(target: Path) -> list[Path]:
+    """Compile the plant into the folder ``target``; returns the files written.
 
     Raises:
         CompilerError: there is no compiler, or it refused the source.
+    """
+    return _compile(plant_sources(), {PLANT_LIBRARY: (f'-DPLANT_SOURCES_DIGEST="{plant_digest()}"',)}, target)
+
+
+def _compile(files: list[Path], options: dict[str, tuple[str, ...]], target: Path) -> list[Path]:
+    """One library for each name with its own options, and the list of checksums.
+
+    They are built beside the target and renamed into it.
     """
     compiler = find_compiler()
     target.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target, prefix=".compile-") as name:
         beside = Path(name)
         lines = []
-        for precision, defines in PRECISIONS.items():
-            library = beside / library_name(precision)
-            files = [str(sources / file) for file in ("sailnet_guidance.c", "sailnet_batch.c")]
-            command = [*compiler, *FLAGS, *SHARED, *defines, "-I", str(sources), "-o", str(library), *files]
+        for made, own in options.items():
+            library = beside / made
+            inputs = ["-I", str(files[0].parent), "-o", str(library), *map(str, files), "-lm"]
+            command = [*compiler, *FLAGS, *SHARED, *own, *inputs]
             run = subprocess.run(command, capture_output=True, text=True, check=False)
             if run.returncode:
                 raise CompilerError(f"the C compiler failed: {shlex.join(command)}\n{run.stderr.strip()}")
             lines.append(f"{hashlib.sha256(library.read_bytes()).hexdigest()}  {library.name}\n")
         (beside / CHECKSUMS).write_text("".join(lines))
-        written = [*(library_name(precision) for precision in PRECISIONS), CHECKSUMS]
-        return [(beside / file).replace(target / file) for file in written]
+        return [(beside / file).replace(target / file) for file in (*options, CHECKSUMS)]

@@ -10,18 +10,18 @@ import os
 import sys
 import time
 from collections.abc import Mapping
-from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
 
 from sailnet.backends import load_guidance
+from sailnet.disturbances import Disturbance, disturbance_from, switched_on
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.executors import Workers, workers
 from sailnet.expert import solve_states
 from sailnet.files import write_whole
-from sailnet.flight import Disturbance, fly
+from sailnet.flight import fly
 from sailnet.guidance import Guidance
 from sailnet.mission import Mission, load_mission
 from sailnet.montecarlo import Campaign, fly_campaign
@@ -63,7 +63,7 @@ def _campaign(
     campaign = fly_campaign(mission, guidance, flights, disturbance, workers=pool, title=name)
     record: Record = {
         "name": name,
-        "disturbance": asdict(disturbance),
+        "disturbance": switched_on(disturbance),
         "flights": flights,
         "arrived": campaign.arrived,
         "confidence_interval": list(campaign.confidence_interval),
@@ -104,7 +104,7 @@ def accept(mission: Mission, guidance: Guidance, flights: int, seed: int, pool: 
         "seed": seed,
         "period": mission.flight.period,
         "campaigns": [
-            _campaign(mission, guidance, flights, Disturbance(**error, seed=seed), name, pool)
+            _campaign(mission, guidance, flights, disturbance_from({**error, "seed": seed}), name, pool)
             for name, error in CAMPAIGNS.items()
         ],
         "cases": _cases(mission, guidance) if mission.name == "earth_mars" else [],

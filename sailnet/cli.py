@@ -12,12 +12,13 @@ from typing import TYPE_CHECKING, Literal
 from tqdm import tqdm
 
 from sailnet import __version__, tested_range
+from sailnet.disturbances import Disturbance, catalogue, disturbance_from
 from sailnet.errors import SailnetError, SolveError
-from sailnet.mission import load_mission
+from sailnet.mission import Mission, load_mission
+from sailnet.optics import OPTICS
 
 if TYPE_CHECKING:
     from sailnet.expert import Extremal
-    from sailnet.flight import Disturbance
 
 Result = dict[str, object]
 
@@ -81,25 +82,7 @@ def _parser() -> argparse.ArgumentParser:
     backend.add_argument("--precision", choices=("float64", "float32"), default="float64")
     backend.add_argument("--networks", type=Path, metavar="DIR", help="exported networks (default: shipped)")
 
-    loop = argparse.ArgumentParser(add_help=False)
-    loop.add_argument(
-        "--beta-bias", type=float, default=0.0, metavar="X", help="constant relative error of beta"
-    )
-    loop.add_argument(
-        "--beta-spread",
-        type=float,
-        default=0.0,
-        metavar="X",
-        help="half-width of another, drawn for each flight",
-    )
-    loop.add_argument(
-        "--beta-drift", type=float, default=0.0, metavar="X", help="relative change of beta per TU"
-    )
-    loop.add_argument(
-        "--beta-noise", type=float, default=0.0, metavar="X", help="half-width of the noise, e.g. 0.15"
-    )
-    loop.add_argument("--period", type=float, metavar="TU", help="guidance period (default: the mission's)")
-    loop.add_argument("--seed", type=int, default=0, help="of every random number (%(default)s)")
+    loop = _loop_parser()
 
     def command(
         name: str,
@@ -147,7 +130,7 @@ def _parser() -> argparse.ArgumentParser:
         "Closed-loop flights from random starts of the generalisation set.",
         backend,
         loop,
-        example="sailnet evaluate --flights 1000 --beta-noise 0.15",
+        example="sailnet evaluate --flights 1000 --beta-noise 0.15 --rate-limit 5 --optics jpl",
     )
     evaluate.add_argument("--flights", type=int, default=100, metavar="N", help="how many (%(default)s)")
     evaluate.add_argument("--workers", type=int, default=1, metavar="N", help="processes (%(default)s)")
@@ -181,6 +164,24 @@ def _override_parser() -> argparse.ArgumentParser:
     ):
         help_ = f"{meaning} (tested: {low:g} to {high:g})"
         group.add_argument(option, type=float, metavar=metavar, help=help_)
+    return parser
+
+
+def _loop_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("--period", type=float, metavar="TU", help="guidance period (default: the mission's)")
+    parser.add_argument("--seed", type=int, help="of every random number (default: the mission's, or 0)")
+    group = parser.add_argument_group(
+        "disturbances", "All are off unless given here or in the mission file's table [disturbance]."
+    )
+    for quantity in catalogue():
+        option, meaning = f"--{quantity.name.replace('_', '-')}", quantity.meaning
+        if quantity.name == "optics":
+            group.add_argument(option, choices=tuple(OPTICS), help="optical coefficients of the sail")
+        else:
+            unit = "X" if quantity.unit == "1" else quantity.unit
+            default = f" (otherwise {quantity.default:g})" if quantity.default else ""
+            group.add_argument(option, type=float, metavar=unit, help=meaning + default)
     return parser
 
 
@@ -244,12 +245,12 @@ def _guide(options: argparse.Namespace) -> Result:
 def _fly(options: argparse.Namespace) -> Result:
     from sailnet.backends import load_guidance
     from sailnet.expert import solve
-    from sailnet.flight import fly
+    from sailnet.flight import Ending, fly
 
     mission = load_mission(options.mission)
     state = _state(options)
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
-    disturbance = _disturbance(options)
+    disturbance = _disturbance(options, mission)
     flight = fly(mission, guidance, [state], disturbance=disturbance, period=options.period)
     try:
         optimum: float | None = solve(mission.problem, state).time_of_flight
@@ -258,8 +259,10 @@ def _fly(options: argparse.Namespace) -> Result:
         optimum = None
     return {
         "arrived": bool(flight.arrived[0]),
+        "ending": Ending(flight.ending[0]).name.lower(),
         "time_of_flight": float(flight.time_of_flight[0]),
         "terminal_error": flight.terminal_error[0].tolist(),
+        "nearest_error": float(flight.nearest_error[0]),
         "max_cone_angle": float(flight.max_cone_angle[0]),
         "beta_error": float(flight.beta_error[0]),
         "beta_estimate": float(flight.beta_estimate[0]),
@@ -274,10 +277,16 @@ def _evaluate(options: argparse.Namespace) -> Result:
 
     mission = load_mission(options.mission)
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
+    disturbance = _disturbance(options, mission)
     alone = options.workers == 1 and options.scheduler is None
     with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:
         campaign = fly_campaign(
-            mission, guidance, options.flights, _disturbance(options), period=options.period, workers=pool
+            mission,
+            guidance,
+            options.flights,
+            disturbance,
+            period=options.period,
+            workers=pool,
         )
     return {
         "flights": len(campaign.flights.arrived),
@@ -289,15 +298,11 @@ def _evaluate(options: argparse.Namespace) -> Result:
     }
 
 
-def _disturbance(options: argparse.Namespace) -> "Disturbance":
-    from sailnet.flight import Disturbance
-
-    return Disturbance(
-        beta_bias=options.beta_bias,
-        beta_spread=options.beta_spread,
-        beta_drift=options.beta_drift,
-        beta_noise=options.beta_noise,
-        seed=options.seed,
+def _disturbance(options: argparse.Namespace, mission: Mission) -> Disturbance:
+    names = ["seed", *(quantity.name for quantity in catalogue())]
+    given = {name: getattr(options, name) for name in names}
+    return disturbance_from(
+        {name: value for name, value in given.items() if value is not None}, mission.disturbance
     )
 
 

@@ -1,84 +1,94 @@
 """Closed-loop flights: the exported guidance steers the plant, one command a guidance period.
 
-Many sails fly side by side. Each flight draws its disturbances from a stream of its own, so its
-result depends neither on its company nor on the number of workers.
+Many sails fly side by side. Each flight draws its disturbances from streams of its own, so its result
+depends neither on its company nor on the number of workers. The loop is the plant's, in C, for every
+guidance: the exported C is called by it directly, any other back end through a callback.
+
+How a flight ends. The guidance on board ends it, by what it knows: when its predicted time of flight is
+shorter than a period or the mission's threshold, the last command is held for that predicted time, and
+the sail is scored where it really is then; or at once, if by its navigation the sail is within the
+tolerance and the predicted time no longer falls. The truth is never looked at for the best moment; what
+that would have given is reported beside it, as ``nearest_error``.
 """
 
-import itertools
+import ctypes
 from dataclasses import dataclass, fields
+from enum import IntEnum
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sailnet.dynamics import Array, hold_command
+from sailnet.disturbances import Disturbance
+from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.guidance import Guidance, Steered
+from sailnet.guidance import Guidance, GuidanceStatus, Steering
+from sailnet.guidance_c import COMMAND_FIELDS, CSteering
 from sailnet.mission import Mission
+from sailnet.plant import RECORD, STEER, SideBySide, rules
 
-RADII = (0.05, 20.0)
-"""A sail outside these distances from the Sun [AU] is lost."""
-
-DRAWS = 512
-"""Guidance periods for which disturbances are drawn at a time."""
+BLOCK = 256
+"""Guidance periods flown in one call of the plant; between calls an interruption is noticed."""
 
 
-@dataclass(frozen=True)
-class Disturbance:
-    """How the real characteristic acceleration differs from the one guidance was trained for.
+class Ending(IntEnum):
+    """How a flight ended."""
 
-    Attributes:
-        beta_bias: constant relative error of beta.
-        beta_spread: half-width of another constant one, drawn uniformly for each flight.
-        beta_drift: relative change of beta per TU, for instance a slow degradation (negative).
-        beta_noise: half-width of a relative error drawn afresh, uniformly, every guidance period
-            (Section 5.2: 0.15).
-        seed: fixes the noise; flight i draws from stream (seed, i).
-    """
-
-    beta_bias: float = 0.0
-    beta_spread: float = 0.0
-    beta_drift: float = 0.0
-    beta_noise: float = 0.0
-    seed: int = 0
-
-    def __post_init__(self) -> None:
-        if not (np.isfinite(self.beta_bias) and self.beta_bias > -1.0):
-            raise SailnetError(f"the bias of beta must be finite and above -1, not {self.beta_bias}")
-        if not np.isfinite(self.beta_drift):
-            raise SailnetError(f"the drift of beta must be finite, not {self.beta_drift}")
-        left = 1.0 + min(0.0, self.beta_bias)
-        for name in ("spread", "noise"):
-            value = getattr(self, f"beta_{name}")
-            if not 0.0 <= value < left:
-                raise SailnetError(f"the {name} of beta must leave beta positive, not {value}")
-            left -= value
+    STOPPED = 1
+    """By its guidance, wherever that was."""
+    LOST = 2
+    """Out of the plant's distances from the Sun."""
+    TOO_LONG = 3
+    """At the mission's longest flight."""
 
 
 @dataclass(frozen=True)
 class Flights:
     """What became of each flight; arrays of length n.
 
+    Other tolerances than the mission's can be applied to ``stopped`` and ``terminal_error`` afterwards.
+
     Attributes:
         starts: (n, 3) r, u, v at departure.
         ends: (n, 3) the same at the end.
         time_of_flight: duration [TU].
-        stopped: the stop rule ended the flight (else it was lost or took too long).
+        ending: values of ``Ending``.
         terminal_error: (n, 3) size of the deviation from the target state, Section 5.1.
         max_cone_angle: largest size of the command [rad].
-        beta_error: relative error of beta at departure.
+        max_attitude: largest size of the cone angle flown, misalignment and all [rad].
+        beta_error: constant relative error of beta, bias and spread.
         beta_estimate: the guidance's last estimate of beta.
+        nearest_error: smallest largest component of the deviation at the end of any period: what a stop
+            rule that knew the truth would have got.
+        nearest_time: when that was [TU].
+        dose: sunlight that fell on the sail [TU/AU^2].
+        periods: guidance periods flown.
+        outside: of these, with a state outside the domain of the networks.
+        outages: of these, without guidance.
         arrived: stopped, within the mission's tolerance, the cone angle never out of bounds.
     """
 
     starts: Array
     ends: Array
     time_of_flight: Array
-    stopped: NDArray[np.bool_]
+    ending: NDArray[np.int32]
     terminal_error: Array
     max_cone_angle: Array
+    max_attitude: Array
     beta_error: Array
     beta_estimate: Array
+    nearest_error: Array
+    nearest_time: Array
+    dose: Array
+    periods: NDArray[np.uint32]
+    outside: NDArray[np.uint32]
+    outages: NDArray[np.uint32]
     arrived: NDArray[np.bool_]
+
+    @property
+    def stopped(self) -> NDArray[np.bool_]:
+        """(n,) the guidance ended the flight; else it was lost or took too long."""
+        return np.asarray(self.ending == Ending.STOPPED)
 
     @staticmethod
     def join(parts: "list[Flights]") -> "Flights":
@@ -92,18 +102,26 @@ class History:
     """One flight, period by period.
 
     Attributes:
-        time: (k,) [TU].
-        states: (k, 4) r, theta, u, v.
-        cone_angle: (k,) commanded [rad].
-        predicted_time_of_flight: (k,) by the guidance [TU].
+        time: (k,) at the start of each period [TU].
+        states: (k, 4) r, theta, u, v then.
+        seen: (k, 3) r, u, v as navigation showed them; NaN in an outage.
+        cone_angle: (k,) commanded [rad]; in an outage, what was held.
+        attitude: (k,) the cone angle flown at the end of the period [rad].
+        beta: (k,) the sail's real beta in the period.
         beta_estimate: (k,) by the guidance.
+        predicted_time_of_flight: (k,) by the guidance [TU]; NaN in an outage.
+        status: (k,) values of ``GuidanceStatus``.
     """
 
     time: Array
     states: Array
+    seen: Array
     cone_angle: Array
-    predicted_time_of_flight: Array
+    attitude: Array
+    beta: Array
     beta_estimate: Array
+    predicted_time_of_flight: Array
+    status: NDArray[np.int32]
 
 
 def fly(
@@ -122,7 +140,7 @@ def fly(
         mission: the plant's beta, the target, and the rules of flight.
         guidance: a back end of :mod:`sailnet.guidance`.
         starts: (n, 3) rows r [AU], u, v [AU/TU].
-        disturbance: of beta; none by default.
+        disturbance: of sail, navigation and actuator; the mission's by default.
         period: guidance period [TU]; the mission's by default.
         first: number of the first flight, for the random streams.
         recorder: if given, the history of every flight is appended to it.
@@ -134,72 +152,85 @@ def fly(
     if start.shape[1:] != (3,) or not np.isfinite(start).all() or not np.all(start[:, 0] > 0.0):
         raise SailnetError(f"a start needs three finite numbers (r, u, v) with r > 0, not {start.tolist()}")
     held = mission.flight.period if period is None else period
-    if not (np.isfinite(held) and held > 0.0):
-        raise SailnetError(f"the guidance period must be a positive number of TU, not {held}")
-    noise = disturbance or Disturbance()
-    count = len(start)
-    streams = [np.random.default_rng([noise.seed, first + i]) for i in range(count)]
+    plant = rules(mission, mission.disturbance if disturbance is None else disturbance, held)
+    steering = guidance.steering(len(start))
+    if isinstance(steering, CSteering):
+        under_way = SideBySide(plant, start, first, *steering.native())
+        callback = None
+    else:
+        callback = _Callback(steering)
+        under_way = SideBySide(plant, start, first, callback.address, None, "float64")
+        callback.flights = under_way
 
-    bias = noise.beta_bias + noise.beta_spread * np.array([stream.uniform(-1.0, 1.0) for stream in streams])
-    states = np.zeros((4, count))
-    states[[0, 2, 3]] = start.T
-    duration, estimate = np.full((2, count), np.nan)
-    stopped = np.zeros(count, bool)
-    max_cone_angle = np.zeros(count)
-    steering = guidance.steering(count)
-    flying = np.arange(count)
-    log: list[tuple[NDArray[np.intp], float, Array, Steered]] = []
-    draws = np.empty((count, DRAWS))
-    for k in itertools.count():
-        time = k * held
-        if k % DRAWS == 0:
-            for i in flying:
-                draws[i] = streams[i].uniform(-1.0, 1.0, DRAWS)
-        steered = steering.steer(states[[0, 2, 3]][:, flying].T, held, flying)
-        if recorder is not None:
-            log.append((flying, time, states[:, flying], steered))
-        max_cone_angle[flying] = np.maximum(max_cone_angle[flying], np.abs(steered.cone_angle))
-        estimate[flying] = steered.beta
-        error = bias[flying] + noise.beta_noise * draws[flying, k % DRAWS]
-        beta = mission.sail.beta * np.maximum(0.0, (1.0 + error) * (1.0 + noise.beta_drift * time))
-        longest = max(held, mission.flight.arrival_threshold)
-        states[:, flying] = hold_command(states[:, flying], steered.cone_angle, beta, steered.hold, longest)
-        radius = states[0, flying]
-        lost = ~((radius > RADII[0]) & (radius < RADII[1]))
-        duration[flying] = time + steered.hold
-        stopped[flying[steered.arrived & ~lost]] = True
-        flying = flying[~(steered.arrived | lost)]
-        if not len(flying) or (k + 1) * held >= mission.flight.longest:
-            break
+    blocks: list[NDArray[np.void]] = []
+    while under_way.flights.flying:
+        records = None if recorder is None else np.empty((BLOCK, len(start)), RECORD)
+        under_way.fly(BLOCK, records)
+        if callback is not None and callback.error is not None:
+            raise callback.error
+        if records is not None:
+            blocks.append(records)
 
-    ends = states[[0, 2, 3]].T.copy()
+    sails = under_way.sails
+    ends = np.column_stack([sails[component] for component in "ruv"])
     terminal_error = np.abs(ends - np.array(mission.problem.target_state))
     inside = np.all(terminal_error <= mission.flight.arrival_tolerance, axis=1)
-    bounded = max_cone_angle <= mission.problem.phi_max
+    bounded = sails["max_cone_angle"] <= mission.problem.phi_max
     if recorder is not None:
-        recorder.extend(_histories(log, count))
+        whole = np.concatenate(blocks)
+        recorder.extend(_history(whole[: sail["periods"], i]) for i, sail in enumerate(sails))
+    named = {field.name for field in fields(Flights)} & set(sails.dtype.names or ())
     return Flights(
         starts=start,
         ends=ends,
-        time_of_flight=duration,
-        stopped=stopped,
+        time_of_flight=sails["time"].copy(),
         terminal_error=terminal_error,
-        max_cone_angle=max_cone_angle,
-        beta_error=bias,
-        beta_estimate=estimate,
-        arrived=stopped & inside & bounded,
+        arrived=(sails["ending"] == Ending.STOPPED) & inside & bounded,
+        **{name: sails[name].copy() for name in named},
     )
 
 
-def _histories(log: list[tuple[NDArray[np.intp], float, Array, Steered]], count: int) -> list[History]:
-    rows = np.concatenate([flying for flying, *_ in log])
-    time = np.concatenate([np.full(len(flying), t) for flying, t, *_ in log])
-    states = np.concatenate([state.T for _, _, state, _ in log])
-    columns = [
-        np.concatenate([getattr(steered, name) for *_, steered in log])
-        for name in ("cone_angle", "time_of_flight", "beta")
-    ]
-    order = np.argsort(rows, kind="stable")
-    ends = np.cumsum(np.bincount(rows, minlength=count))[:-1]
-    parts = [np.split(column[order], ends) for column in (time, states, *columns)]
-    return [History(*own) for own in zip(*parts, strict=True)]
+class _Callback:
+    """Lets the plant be steered from Python; an error there ends the flights and is kept."""
+
+    def __init__(self, steering: Steering) -> None:
+        self._steering = steering
+        self._function = STEER(self._steer)  # lives as long as the plant may call it
+        self.address = int(ctypes.cast(self._function, ctypes.c_void_p).value or 0)
+        self.flights: SideBySide | None = None
+        self.error: BaseException | None = None
+
+    def _steer(
+        self, count: int, _: object, sails: int, states: int, period: float, commands: int, statuses: int
+    ) -> None:
+        try:
+            rows = _array(sails, ctypes.c_uint64, count)
+            shown = _array(states, ctypes.c_double, count, 3)
+            steered = self._steering.steer(shown.copy(), period, rows.astype(np.intp))
+            given = _array(commands, ctypes.c_double, count, len(COMMAND_FIELDS))
+            given[:] = np.column_stack([getattr(steered, name) for name in COMMAND_FIELDS])
+            status = np.where(steered.arrived, GuidanceStatus.ARRIVED, steered.status)
+            _array(statuses, ctypes.c_int32, count)[:] = status
+        except BaseException as error:  # an interruption too: it must not be lost in the C below
+            self.error = error
+            assert self.flights is not None
+            self.flights.flights.interrupted = 1
+
+
+def _array(address: int, kind: type, *shape: int) -> NDArray[np.generic]:
+    pointer: Any = ctypes.cast(address, ctypes.POINTER(kind))
+    return np.ctypeslib.as_array(pointer, shape)
+
+
+def _history(records: NDArray[np.void]) -> History:
+    return History(
+        time=records["time"].copy(),
+        states=np.column_stack([records[name] for name in ("r", "theta", "u", "v")]),
+        seen=records["seen"].copy(),
+        cone_angle=records["cone_angle"].copy(),
+        attitude=records["attitude"].copy(),
+        beta=records["beta"].copy(),
+        beta_estimate=records["beta_estimate"].copy(),
+        predicted_time_of_flight=records["time_of_flight"].copy(),
+        status=records["status"].astype(np.int32),
+    )

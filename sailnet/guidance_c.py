@@ -84,6 +84,11 @@ class CGuidance:
         self._command(len(array), *(place.ctypes.data for place in places))
         return Commands(cone_angle.astype(np.float64), time_of_flight.astype(np.float64), status)
 
+    @property
+    def steer_address(self) -> int:
+        """Address of ``sailnet_steer_batch``, for a plant that calls it without Python in between."""
+        return ctypes.cast(self._steer, ctypes.c_void_p).value or 0
+
     def steering(self, count: int) -> "CSteering":
         """Memories of ``count`` sails, steered by the C; see ``sailnet.guidance.Guidance``."""
         return CSteering(self, count)
@@ -130,6 +135,10 @@ class CSteering:
     def __init__(self, guidance: CGuidance, count: int) -> None:
         self._guidance = guidance
         self.memories = guidance.started(count)
+
+    def native(self) -> tuple[int, int, Precision]:
+        """Address of the function that steers, of these memories, and the precision of both."""
+        return self._guidance.steer_address, self.memories.ctypes.data, self._guidance.precision
 
     def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
         """See :class:`sailnet.guidance.Steering`."""

@@ -16,9 +16,10 @@ from typing import Annotated, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, field_validator
 
-from sailnet.errors import MissionError
+from sailnet.disturbances import Disturbance, disturbance_from
+from sailnet.errors import MissionError, SailnetError
 
 Positive = Annotated[float, Field(gt=0.0)]
 NotNegative = Annotated[float, Field(ge=0.0)]
@@ -176,8 +177,17 @@ class Training(_Section):
     wide: TrainingRecipe
 
 
+def _read_disturbance(table: object) -> object:
+    if not isinstance(table, dict):
+        return table
+    try:
+        return disturbance_from(table)
+    except SailnetError as error:
+        raise ValueError(str(error)) from error
+
+
 class Mission(_Section):
-    """One transfer, with the recipes for its data set and networks."""
+    """One transfer, how its sails differ from the model, and the recipes for data set and networks."""
 
     schema_version: Annotated[Literal[1], Field(alias="schema")]
     name: Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$")]
@@ -186,6 +196,7 @@ class Mission(_Section):
     transfer: Orbits
     flight: FlightRules
     generalisation: Region
+    disturbance: Annotated[Disturbance, BeforeValidator(_read_disturbance)] = Disturbance()
     dataset: Recipes
     training: Training
 

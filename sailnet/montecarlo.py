@@ -9,10 +9,11 @@ from functools import partial
 import numpy as np
 from tqdm import tqdm
 
+from sailnet.disturbances import Disturbance
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.executors import Workers
-from sailnet.flight import Disturbance, Flights, fly
+from sailnet.flight import Flights, fly
 from sailnet.guidance import Guidance
 from sailnet.mission import Mission
 
@@ -81,7 +82,7 @@ def evaluate(
         mission: starts, plant and rules of flight.
         guidance: must be picklable if workers are other processes.
         count: number of flights.
-        disturbance: of beta; its seed also fixes the starts.
+        disturbance: of sail, navigation and actuator; its seed also fixes the starts.
         period: guidance period [TU]; the mission's by default.
         workers: who flies the batches; this process by default.
 

@@ -84,12 +84,13 @@ def test_negative_numbers_are_numbers(number: str) -> None:
 
 def test_fly_reaches_the_target_with_both_back_ends() -> None:
     keys = {"arrived", "time_of_flight", "terminal_error", "max_cone_angle", "optimal_time_of_flight"}
-    keys |= {"beta_error", "beta_estimate"}
+    keys |= {"beta_error", "beta_estimate", "ending", "nearest_error"}
     ends = []
     for backend in ("c", "onnx"):
         result = _json("fly", "1", "0", "1", "--backend", backend)
         assert set(result) == keys
         assert result["arrived"] is True
+        assert result["ending"] == "stopped"
         assert max(result["terminal_error"]) < 1e-5
         assert result["beta_estimate"] == pytest.approx(0.16892, rel=1e-6)
         assert result["optimal_time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
@@ -126,6 +127,9 @@ def test_evaluate_counts_arrivals() -> None:
         (("guide", "1", "0", "1", "--networks", "no/such/folder"), "no/such/folder"),
         (("fly", "1", "0", "1", "--beta-bias", "-2"), "bias"),
         (("fly", "1", "0", "1", "--period", "0"), "period"),
+        (("fly", "1", "0", "1", "--rate-limit", "-1"), "rate_limit must be from 0"),
+        (("fly", "1", "0", "1", "--delay", "nan"), "delay must be a finite number"),
+        (("fly", "1", "0", "1", "--optics", "mirror"), "jpl"),
         (("evaluate", "--flights", "0"), "flights"),
         (("evaluate", "--flights", "-3"), "flights"),
     ],

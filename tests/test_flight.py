@@ -1,70 +1,17 @@
-"""Closed-loop flight: the plant, the stop rule, the disturbances."""
+"""Closed-loop flight: the stop rule, what is refused, disturbances of beta."""
 
 import math
-from dataclasses import dataclass, field
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array
+from sailnet.disturbances import Disturbance
 from sailnet.errors import SailnetError
 from sailnet.expert import sample, solve
-from sailnet.flight import Disturbance, Flights, History, fly
-from sailnet.guidance import Commands, GuidanceStatus, Steering
-from sailnet.mission import load_mission
-from sailnet.steering import ReferenceSteering
-
-MISSION = load_mission("earth_mars")
-
-
-def _commands(cone_angle: Array, time_of_flight: Array) -> Commands:
-    return Commands(cone_angle, time_of_flight, np.full(len(cone_angle), GuidanceStatus.OK, np.int32))
-
-
-class Pilot:
-    """What every guidance has, besides its commands."""
-
-    mission = MISSION
-    networks_digest = ""
-    beta_range = (0.8 * MISSION.sail.beta, 1.2 * MISSION.sail.beta)
-
-    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        raise NotImplementedError
-
-    def steering(self, count: int) -> Steering:
-        return ReferenceSteering(self, count)
-
-
-@dataclass
-class Optimum(Pilot):
-    """Replays an extremal: the middle of each period, which makes the held command second order."""
-
-    time: Array
-    alpha: Array
-    period: float
-    steps: int = field(default=0)
-
-    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        count = len(np.asarray(states))
-        now = self.steps * self.period
-        self.steps += 1
-        alpha = np.interp(now + self.period / 2, self.time, self.alpha)
-        return _commands(np.full(count, alpha), np.full(count, self.time[-1] - now))
-
-
-@dataclass
-class Constant(Pilot):
-    """One cone angle; arrives when the sail is beyond a radius."""
-
-    alpha: float
-    until: float = 1.2
-
-    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        there = np.asarray(states)[:, 0] > self.until
-        return _commands(np.full(len(there), self.alpha), np.where(there, 0.0, 1.0))
+from sailnet.flight import Flights, History, fly
+from tests.pilots import MISSION, Constant, Optimum
 
 
 def test_flying_the_optimal_command_ends_on_the_target_orbit() -> None:

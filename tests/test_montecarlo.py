@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from scipy.stats import binomtest
 
 from sailnet.backends import load_guidance
+from sailnet.disturbances import Disturbance
 from sailnet.errors import SailnetError
 from sailnet.executors import workers
-from sailnet.flight import Disturbance
 from sailnet.mission import load_mission
 from sailnet.montecarlo import BATCH, evaluate, random_starts, summarise, wilson_interval
 

@@ -7,8 +7,9 @@ import pytest
 
 from export.agreement import compare, sails_of_box
 from sailnet.backends import Backend, load_guidance
+from sailnet.disturbances import Disturbance
 from sailnet.expert import solve
-from sailnet.flight import Disturbance, fly
+from sailnet.flight import fly
 from sailnet.guidance import Precision
 from sailnet.mission import Mission, shipped_missions
 from sailnet.montecarlo import evaluate, summarise

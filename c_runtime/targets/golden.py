@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c_runtime.targets.reference import ReferenceGuidance
+from sailnet.disturbances import Disturbance
 from sailnet.dynamics import Array
 from sailnet.errors import GuidanceError
-from sailnet.flight import Disturbance, History, fly
+from sailnet.flight import History, fly
 from sailnet.guidance import GuidanceStatus, Precision
 from sailnet.montecarlo import random_starts
 

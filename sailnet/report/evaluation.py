@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from sailnet.acceptance import PERIODS
+from sailnet.disturbances import Disturbance
 from sailnet.dynamics import Array
 from sailnet.expert import Extremal, sample, solve
-from sailnet.flight import Disturbance, Flights, History, fly
+from sailnet.flight import Flights, History, fly
 from sailnet.guidance import Guidance
 from sailnet.mission import Mission
 from sailnet.montecarlo import Campaign, evaluate, random_starts, summarise

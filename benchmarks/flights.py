@@ -1,0 +1,177 @@
+"""``python -m benchmarks.flights``: closed-loop flights, whole campaigns and what a guidance period costs.
+
+The peer is the loop as it would be written in Python: the same exported C for all sails at once, and the
+plant compiled from the expressions of Eq. (1) by heyoka, a fourth-order Runge-Kutta step a period.
+"""
+
+import argparse
+import ctypes
+import json
+import os
+import resource
+import sys
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+from sailnet.backends import load_guidance
+from sailnet.disturbances import Disturbance
+from sailnet.dynamics import Array, hold_command
+from sailnet.executors import workers
+from sailnet.flight import fly
+from sailnet.guidance import Guidance
+from sailnet.mission import Mission, load_mission
+from sailnet.montecarlo import BATCH, fly_campaign, random_starts
+from sailnet.optics import OPTICS
+from sailnet.plant import STEER, SideBySide, rules
+from sailnet.provenance import software
+
+NOTE = (
+    "Random starts of the generalisation set, the exported C in double precision, a period of 0.005 TU. The "
+    "loop in Python calls the same C for all sails at once and heyoka's compiled Runge-Kutta step of Eq. (1)."
+)
+
+CAMPAIGNS = {
+    "nominal": Disturbance(),
+    "beta": Disturbance(beta_spread=0.15, beta_noise=0.15),
+    "everything": Disturbance(
+        beta_spread=0.05,
+        beta_noise=0.05,
+        beta_wander=0.02,
+        degradation_loss=0.05,
+        r_noise=1e-6,
+        u_noise=1e-6,
+        v_noise=1e-6,
+        r_wander=1e-6,
+        u_wander=1e-6,
+        v_wander=1e-6,
+        rate_limit=20.0,
+        delay=0.002,
+        resolution=1e-4,
+        misalignment_spread=0.005,
+        outage_probability=0.001,
+        optics=OPTICS["jpl"],
+    ),
+}
+"""Disturbances with which a whole campaign is timed; the last draws ten random numbers a period."""
+
+
+def python_loop(mission: Mission, guidance: Guidance, starts: Array) -> tuple[Array, Array, int]:
+    """(n, 3) ends, (n,) times of flight and the number of periods, without disturbances."""
+    count, held = len(starts), mission.flight.period
+    states = np.zeros((4, count))
+    states[[0, 2, 3]] = starts.T
+    duration, steering, flying, periods = np.zeros(count), guidance.steering(count), np.arange(count), 0
+    while len(flying) and duration.max() < mission.flight.longest:
+        steered = steering.steer(states[[0, 2, 3]][:, flying].T, held, flying)
+        longest = max(held, mission.flight.arrival_threshold)
+        states[:, flying] = hold_command(
+            states[:, flying], steered.cone_angle, mission.sail.beta, steered.hold, longest
+        )
+        duration[flying] += steered.hold
+        periods += len(flying)
+        flying = flying[~steered.arrived]
+    return states[[0, 2, 3]].T, duration, periods
+
+
+def _seconds(run: Callable[[], object], repeats: int = 3) -> float:
+    """Processor time of the fastest of some runs: other work on the machine only adds."""
+    times = []
+    for _ in range(repeats):
+        started = time.process_time()
+        run()
+        times.append(time.process_time() - started)
+    return min(times)
+
+
+def _idle_steering(cone_angle: float, held: float) -> Callable[..., None]:
+    """A steering function in Python that is called once for 500 sails: what is left is the plant."""
+
+    def steer(*given: int) -> None:
+        count, commands, statuses = given[0], given[5], given[6]
+        rows = np.ctypeslib.as_array(ctypes.cast(commands, ctypes.POINTER(ctypes.c_double)), (count, 4))
+        rows[:] = (cone_angle, 1.0, 0.17, held)
+        ctypes.memset(statuses, 0, 4 * count)
+
+    return steer
+
+
+def period_costs(mission: Mission, guidance: Guidance, seed: int) -> dict[str, object]:
+    """Nanoseconds a guidance period of one sail, a batch of flights side by side on one core."""
+    starts = random_starts(mission, BATCH, seed)
+    ends, durations, periods = python_loop(mission, guidance, starts)
+    flights = fly(mission, guidance, starts)
+    in_c = _seconds(lambda: fly(mission, guidance, starts)) / int(flights.periods.sum())
+    in_python = _seconds(lambda: python_loop(mission, guidance, starts)) / periods
+    single = starts[:1]
+    one = [_seconds(lambda: fly(mission, guidance, single))]
+    one.append(_seconds(lambda: python_loop(mission, guidance, single)))
+    steering, rows = guidance.steering(BATCH), np.arange(BATCH)
+    alone = _seconds(lambda: [steering.steer(starts, mission.flight.period, rows) for _ in range(200)])
+    idle = STEER(_idle_steering(0.5, mission.flight.period))
+    address = ctypes.cast(idle, ctypes.c_void_p).value or 0
+
+    def plant(disturbance: Disturbance) -> float:
+        given = rules(mission, disturbance, mission.flight.period)
+        run = _seconds(lambda: SideBySide(given, starts, 0, address, None, "float64").fly(500))
+        return 1e9 * run / BATCH / 500
+
+    return {
+        "flight_in_C": 1e9 * in_c,
+        "flight_in_Python": 1e9 * in_python,
+        "times_faster": in_python / in_c,
+        "one_flight_alone_times_faster": one[1] / one[0],
+        "of_it_guidance": 1e9 * alone / BATCH / 200,
+        "plant_alone": plant(Disturbance()),
+        "plant_with_everything": plant(CAMPAIGNS["everything"]),
+        "largest_difference_of_ends": float(abs(ends - flights.ends).max()),
+        "largest_difference_of_times": float(abs(durations - flights.time_of_flight).max()),
+    }
+
+
+def campaign(
+    mission: Mission, guidance: Guidance, flights: int, disturbance: Disturbance
+) -> dict[str, object]:
+    """A whole campaign on all cores, the start of the processes included."""
+
+    def used() -> float:
+        usages = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+        return sum(usage.ru_utime + usage.ru_stime for usage in usages)
+
+    before, started = used(), time.perf_counter()
+    with workers(os.cpu_count() or 1) as pool:
+        flown = fly_campaign(mission, guidance, flights, disturbance, workers=pool)
+    wall = time.perf_counter() - started
+    return {
+        "flights": flights,
+        "arrived": flown.arrived,
+        "wall_seconds": wall,
+        "cpu_seconds": used() - before,
+        "million_periods": int(flown.flights.periods.sum()) / 1e6,
+    }
+
+
+def measure(mission: Mission, flights: int, seed: int) -> dict[str, object]:
+    """Both, for the shipped networks in double precision and the mission's own period."""
+    guidance = load_guidance(mission, "c", "float64")
+    whole = {
+        f"campaign_{name}": campaign(mission, guidance, flights, disturbance)
+        for name, disturbance in CAMPAIGNS.items()
+    }
+    return {**whole, **period_costs(mission, guidance, seed)}
+
+
+def main() -> int:
+    """Measure and print JSON."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.flights", description=__doc__)
+    parser.add_argument("--flights", type=int, default=10_000, help="of a campaign (%(default)s)")
+    parser.add_argument("--seed", type=int, default=2, help="of the starts (%(default)s)")
+    options = parser.parse_args()
+    result = measure(load_mission("earth_mars"), options.flights, options.seed)
+    print(json.dumps({**result, "cores": os.cpu_count(), "software": software()}, indent=1))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,343 @@
+/* The closed loop: what navigation shows the guidance, what becomes of its command, how a flight ends. */
+#include <math.h>
+#include <stddef.h>
+
+#include "sailnet_plant.h"
+
+/* sailnet_status */
+enum { ARRIVED = 1, OUTSIDE_DOMAIN = 2, INVALID_INPUT = 3 };
+
+/* sailnet_command */
+enum { CONE_ANGLE, TIME_OF_FLIGHT, BETA, HOLD, COMMAND_SIZE };
+
+/* What a random number is for. The order is part of every result: add at the end. */
+enum {
+    BETA_SPREAD,
+    BETA_NOISE,
+    BETA_WANDER,
+    MISALIGNMENT_SPREAD,
+    OUTAGE,
+    NAVIGATION_NOISE,                        /* of r; u and v follow */
+    NAVIGATION_WANDER = NAVIGATION_NOISE + 3 /* the same */
+};
+
+#define POLAR 3
+
+/* The delay, in whole periods and what is left; a rounding error is not a period. */
+static uint64_t whole_periods(const plant_rules *rules, double *rest)
+{
+    const double whole = floor(rules->delay / rules->period + 1e-9);
+    *rest = fmax(0.0, rules->delay - whole * rules->period);
+    return (uint64_t)whole;
+}
+
+uint64_t plant_queue_slots(const plant_rules *rules)
+{
+    double rest;
+    return whole_periods(rules, &rest) + 2u;
+}
+
+static double symmetric(const plant_rules *rules, const plant_sail *sail, uint32_t stream, uint32_t period)
+{
+    return 2.0 * plant_uniform(rules->seed, sail->number, stream, period) - 1.0;
+}
+
+static double normal(const plant_rules *rules, const plant_sail *sail, uint32_t stream, uint32_t period)
+{
+    return plant_normal(rules->seed, sail->number, stream, period);
+}
+
+/* First-order Gauss-Markov, sampled exactly; stationary from the start. */
+static void wander(const plant_rules *rules, const plant_sail *sail, uint32_t stream, uint32_t period,
+                   double time, double *value)
+{
+    const double kept = period == 0u ? 0.0 : exp(-rules->period / time);
+    *value = kept * *value + sqrt(1.0 - kept * kept) * normal(rules, sail, stream, period);
+}
+
+static void depart(const plant_rules *rules, plant_sail *sail)
+{
+    sail->beta_error = rules->beta_bias;
+    if (rules->beta_spread > 0.0) {
+        sail->beta_error += rules->beta_spread * symmetric(rules, sail, BETA_SPREAD, 0u);
+    }
+    sail->misalignment = rules->misalignment;
+    if (rules->misalignment_spread > 0.0) {
+        sail->misalignment += rules->misalignment_spread * symmetric(rules, sail, MISALIGNMENT_SPREAD, 0u);
+    }
+    sail->nearest_error = HUGE_VAL;
+    sail->step = rules->period;
+}
+
+/* Two states, with and without guidance; the first period always has it. */
+static void update_outage(const plant_rules *rules, plant_sail *sail)
+{
+    if (!(rules->outage_probability > 0.0) || sail->periods == 0u) {
+        return;
+    }
+    const double change = plant_uniform(rules->seed, sail->number, OUTAGE, sail->periods);
+    sail->out = sail->out ? change * rules->outage_duration >= rules->period
+                          : change < rules->outage_probability;
+}
+
+static void navigate(const plant_rules *rules, plant_sail *sail, double seen[POLAR])
+{
+    const double real[POLAR] = {sail->state.r, sail->state.u, sail->state.v};
+    for (uint32_t i = 0; i < POLAR; i++) {
+        seen[i] = real[i] + rules->navigation_bias[i];
+        if (rules->navigation_noise[i] > 0.0) {
+            seen[i] += rules->navigation_noise[i] * normal(rules, sail, NAVIGATION_NOISE + i, sail->periods);
+        }
+        if (rules->navigation_wander[i] > 0.0) {
+            double *value = &sail->navigation_wander[i];
+            wander(rules, sail, NAVIGATION_WANDER + i, sail->periods, rules->navigation_wander_time, value);
+            seen[i] += rules->navigation_wander[i] * *value;
+        }
+        if (sail->out) {
+            seen[i] = NAN;
+        }
+    }
+}
+
+/* The real beta of this period. */
+static double real_beta(const plant_rules *rules, plant_sail *sail)
+{
+    double error = sail->beta_error;
+    if (rules->beta_noise > 0.0) {
+        error += rules->beta_noise * symmetric(rules, sail, BETA_NOISE, sail->periods);
+    }
+    if (rules->beta_wander > 0.0) {
+        wander(rules, sail, BETA_WANDER, sail->periods, rules->beta_wander_time, &sail->beta_wander);
+        error += rules->beta_wander * sail->beta_wander;
+    }
+    double share = (1.0 + error) * (1.0 + rules->beta_drift * sail->time);
+    if (rules->degradation_loss > 0.0) {
+        share *= 1.0 - rules->degradation_loss * (1.0 - exp2(-sail->state.dose / rules->degradation_dose));
+    }
+    return rules->beta * fmax(0.0, share);
+}
+
+static int hold(const plant_rules *rules, plant_sail *sail, double beta, double rate, double duration)
+{
+    const double angle = sail->attitude + sail->misalignment;
+    sail->max_attitude = fmax(sail->max_attitude, fmax(fabs(angle), fabs(angle + rate * duration)));
+    return plant_hold(rules, beta, angle, rate, duration, &sail->state, &sail->step);
+}
+
+/* Turn to the wanted angle, as fast as allowed, and stay there. Returns 0 if the sail is lost. */
+static int turn(const plant_rules *rules, plant_sail *sail, double beta, double wanted, double duration)
+{
+    if (!(duration > 0.0)) {
+        return 1;
+    }
+    double left = duration;
+    int inside = 1;
+    if (rules->rate_limit > 0.0 && wanted != sail->attitude) {
+        const double rate = copysign(rules->rate_limit, wanted - sail->attitude);
+        const double needed = (wanted - sail->attitude) / rate;
+        const double turning = fmin(needed, duration);
+        inside = hold(rules, sail, beta, rate, turning);
+        sail->attitude = needed <= duration ? wanted : sail->attitude + rate * turning;
+        left -= turning;
+    }
+    else {
+        sail->attitude = wanted;
+    }
+    return inside && (left <= 0.0 || hold(rules, sail, beta, 0.0, left));
+}
+
+static void note_distance(const plant_rules *rules, plant_sail *sail)
+{
+    const double real[POLAR] = {sail->state.r, sail->state.u, sail->state.v};
+    double error = 0.0;
+    for (int i = 0; i < POLAR; i++) {
+        error = fmax(error, fabs(real[i] - rules->target[i]));
+    }
+    if (error < sail->nearest_error) {
+        sail->nearest_error = error;
+        sail->nearest_time = sail->time;
+    }
+}
+
+/* What the actuator is told: the command as fine as it can turn, or in an outage what it was told last. */
+static double accepted(const plant_rules *rules, plant_sail *sail, const double *queue, uint64_t slots,
+                       const double command[COMMAND_SIZE], int32_t status)
+{
+    sail->beta_estimate = command[BETA];
+    if (sail->out) {
+        sail->outages++;
+        return queue[(sail->periods - 1u) % slots];
+    }
+    sail->max_cone_angle = fmax(sail->max_cone_angle, fabs(command[CONE_ANGLE]));
+    sail->outside += status == OUTSIDE_DOMAIN;
+    if (rules->resolution > 0.0) {
+        return rules->resolution * floor(command[CONE_ANGLE] / rules->resolution + 0.5);
+    }
+    return command[CONE_ANGLE];
+}
+
+/* Until the first command can take effect the sail keeps the attitude in which it departed: its first. */
+static double told(const double *queue, uint64_t slots, uint32_t period, uint64_t before)
+{
+    return queue[(period > before ? period - before : 0u) % slots];
+}
+
+static void write_record(const plant_sail *sail, const plant_state *start, double beta,
+                         const double command[COMMAND_SIZE], double angle, int32_t status, plant_record *record)
+{
+    record->time = sail->time;
+    record->r = start->r;
+    record->theta = start->theta;
+    record->u = start->u;
+    record->v = start->v;
+    record->cone_angle = angle;
+    record->attitude = sail->attitude + sail->misalignment;
+    record->beta = beta;
+    record->beta_estimate = command[BETA];
+    record->time_of_flight = sail->out ? NAN : command[TIME_OF_FLIGHT];
+    record->status = sail->out ? INVALID_INPUT : status;
+}
+
+/* Carry out a command for a period, or for as long as it says. */
+static void obey(const plant_rules *rules, plant_sail *sail, double *queue, const double command[COMMAND_SIZE],
+                 int32_t status, plant_record *record)
+{
+    double late;
+    const uint64_t whole = whole_periods(rules, &late);
+    const uint64_t slots = whole + 2u;
+    const uint32_t period = sail->periods;
+    sail->time = (double)period * rules->period;
+    const double angle = accepted(rules, sail, queue, slots, command, status);
+    queue[period % slots] = angle;
+    if (period == 0u) {
+        sail->attitude = angle;
+    }
+    /* A guidance that asks for longer than it may, or for NaN, gets what is allowed. */
+    const double allowed = fmax(rules->period, rules->longest);
+    const double lasting = sail->out ? rules->period : fmin(fmax(command[HOLD], 0.0), allowed);
+    const double first = fmin(late, lasting);
+    const double beta = real_beta(rules, sail);
+    const plant_state start = sail->state;
+    const int inside = turn(rules, sail, beta, told(queue, slots, period, whole + 1u), first) &&
+                       turn(rules, sail, beta, told(queue, slots, period, whole), lasting - first);
+    if (record != NULL) {
+        write_record(sail, &start, beta, command, sail->out ? angle : command[CONE_ANGLE], status, record);
+    }
+    sail->time += lasting;
+    sail->periods++;
+    note_distance(rules, sail);
+    if (!inside) {
+        sail->ending = PLANT_LOST;
+    }
+    else if (status == ARRIVED && !sail->out) {
+        sail->ending = PLANT_STOPPED;
+    }
+    else if ((double)sail->periods * rules->period >= rules->longest) {
+        sail->ending = PLANT_TOO_LONG;
+    }
+}
+
+static void steer(const plant_rules *rules, const plant_steering *steering, plant_flights *flights)
+{
+    if (steering->f64 != NULL) {
+        steering->f64(flights->flying, steering->memories, flights->rows, flights->states, rules->period,
+                      flights->commands, flights->statuses);
+    }
+    else {
+        steering->f32(flights->flying, steering->memories, flights->rows, flights->states,
+                      (float)rules->period, flights->commands, flights->statuses);
+    }
+}
+
+static void put(const plant_steering *steering, void *numbers, uint64_t at, double value)
+{
+    if (steering->f64 != NULL) {
+        ((double *)numbers)[at] = value;
+    }
+    else {
+        ((float *)numbers)[at] = (float)value;
+    }
+}
+
+static double get(const plant_steering *steering, const void *numbers, uint64_t at)
+{
+    return steering->f64 != NULL ? ((const double *)numbers)[at] : (double)((const float *)numbers)[at];
+}
+
+uint64_t plant_fly(const plant_rules *rules, const plant_steering *steering, plant_flights *flights,
+                   uint64_t periods, plant_record *records)
+{
+    const uint64_t slots = plant_queue_slots(rules);
+    for (uint64_t p = 0; p < periods && flights->flying > 0u; p++) {
+        for (uint64_t i = 0; i < flights->flying; i++) {
+            const uint64_t row = flights->rows[i];
+            plant_sail *sail = &flights->sails[row];
+            double seen[POLAR];
+            if (sail->periods == 0u) {
+                depart(rules, sail);
+            }
+            update_outage(rules, sail);
+            navigate(rules, sail, seen);
+            for (uint64_t k = 0; k < POLAR; k++) {
+                put(steering, flights->states, POLAR * i + k, seen[k]);
+                if (records != NULL) {
+                    records[p * flights->count + row].seen[k] = seen[k];
+                }
+            }
+        }
+        steer(rules, steering, flights);
+        if (flights->interrupted) {
+            break;
+        }
+        uint64_t left = 0;
+        for (uint64_t i = 0; i < flights->flying; i++) {
+            const uint64_t row = flights->rows[i];
+            plant_sail *sail = &flights->sails[row];
+            double command[COMMAND_SIZE];
+            for (uint64_t k = 0; k < COMMAND_SIZE; k++) {
+                command[k] = get(steering, flights->commands, COMMAND_SIZE * i + k);
+            }
+            obey(rules, sail, &flights->queue[slots * row], command, flights->statuses[i],
+                 records == NULL ? NULL : &records[p * flights->count + row]);
+            if (sail->ending == PLANT_FLYING) {
+                flights->rows[left++] = row;
+            }
+        }
+        flights->flying = left;
+    }
+    return flights->flying;
+}
+
+uint32_t plant_api_version(void)
+{
+    return PLANT_API_VERSION;
+}
+
+uint32_t plant_size_of_rules(void)
+{
+    return (uint32_t)sizeof(plant_rules);
+}
+
+uint32_t plant_size_of_sail(void)
+{
+    return (uint32_t)sizeof(plant_sail);
+}
+
+uint32_t plant_size_of_record(void)
+{
+    return (uint32_t)sizeof(plant_record);
+}
+
+uint32_t plant_size_of_flights(void)
+{
+    return (uint32_t)sizeof(plant_flights);
+}
+
+#ifndef PLANT_SOURCES_DIGEST
+#define PLANT_SOURCES_DIGEST ""
+#endif
+
+const char *plant_sources_digest(void)
+{
+    return PLANT_SOURCES_DIGEST;
+}
