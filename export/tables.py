@@ -59,19 +59,16 @@ def stage_tables(stage: str, networks: Sequence[Network], units: Sequence[float]
     output, output_bias = [], []
     for k, network in enumerate(networks):
         _check_steepness(network)
-        per_range = network.weights[0] / (network.input_max - network.input_min)
+        weights, bias_rows, output_row, last = centred_layers(network, 1.0 if units is None else units[k])
         for i in range(inputs):
-            first[i][k] = -LOG2_E * per_range[:, i]
-        *inner, last = centred_biases(network)
-        for layer, bias in enumerate(inner):
-            biases[layer][k] = -LOG2_E * bias
-        for layer, weight in enumerate(network.weights[1:-1]):
+            first[i][k] = weights[0][:, i]
+        for layer, bias in enumerate(bias_rows):
+            biases[layer][k] = bias
+        for layer, weight in enumerate(weights[1:]):
             for i in range(weight.shape[1]):
-                hidden[layer][i][k] = -LOG2_E / 2 * weight[:, i]
-        unit = 1.0 if units is None else units[k]
-        span = unit * (network.output_max - network.output_min)
-        output.append(span / 2 * network.weights[-1][0])
-        output_bias.append(unit * network.output_min + span * float(last[0]))
+                hidden[layer][i][k] = weight[:, i]
+        output.append(output_row)
+        output_bias.append(last)
 
     return "\n".join(
         [
@@ -96,6 +93,24 @@ def stage_tables(stage: str, networks: Sequence[Network], units: Sequence[float]
             "",
         ]
     )
+
+
+def centred_layers(network: Network, unit: float) -> tuple[list[Array], list[Array], Array, float]:
+    """A network as the C computes it, from shifted inputs and with centred and doubled sigmoids of octaves.
+
+    Args:
+        network: as it was trained.
+        unit: what its output is multiplied by.
+
+    Returns:
+        weights (neurons, inputs) and biases of its hidden layers, and those of its output.
+    """
+    *inner, last = centred_biases(network)
+    per_range = network.weights[0] / (network.input_max - network.input_min)
+    weights = [-LOG2_E * per_range, *(-LOG2_E / 2 * weight for weight in network.weights[1:-1])]
+    span = unit * (network.output_max - network.output_min)
+    output_bias = unit * network.output_min + span * float(last[0])
+    return weights, [-LOG2_E * bias for bias in inner], span / 2 * network.weights[-1][0], output_bias
 
 
 def constants(facts: GuidanceFacts, approach: bool) -> str:

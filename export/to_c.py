@@ -1,10 +1,12 @@
 """The C file and its header, composed of the hand-written sources in ``c_runtime`` and the weights."""
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
+from export.compact_tables import compact_tables
 from export.domain import domain_tables
 from export.tables import LOG2_E, constants, literal, stage_tables
 from sailnet.guidance_facts import GuidanceFacts, round_down
@@ -64,15 +66,22 @@ def _source(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
         stages = [_stage("approach", trio, (LOG2_E, 1.0, 1.0)), _read("source/command_approach.c")]
     else:
         stages = [_stage("tau", trio[:1]), _stage("command", trio[1:]), _read("source/command_paper.c")]
+    edge_on = math.cos(facts.phi_max) ** 2 < LEAST_COSINE2
     return "\n".join(
         [
             opening + _read("source/arithmetic.c"),
+            *([_read("source/exp2.c")] if networks.approach else []),
+            "#ifdef SAILNET_COMPACT",
+            compact_tables(networks, facts),
+            *(_read(f"source/compact/{part}.c") for part in ("network", "law", "cosine_sine")),
+            "#else",
             constants(facts, networks.approach),
             _read("source/deviation.c"),
             *stages,
             domain_tables(facts),
-            _read("source/domain.c"),
-            _read("source/guidance.c"),
+            *(_read(f"source/{part}.c") for part in ("domain", "guidance", "law", "cosine_sine")),
+            "#endif\n",
+            f"#define SAILNET_MAY_BE_EDGE_ON {int(edge_on)}",
             _read("source/steering.c"),
         ]
     )

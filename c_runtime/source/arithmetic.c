@@ -9,13 +9,24 @@
 #error "arithmetic must have the precision of its type: on 32-bit x86 add -msse2 -mfpmath=sse"
 #endif
 
-/* The compact layout leaves to the compiler what to inline; the other one is a single piece of code. */
-#if defined(__GNUC__) && !defined(SAILNET_COMPACT)
+#if defined(__GNUC__)
 #define SAILNET_INLINE static inline __attribute__((always_inline))
 #define SAILNET_ALIGNED __attribute__((aligned(64)))
 #else
 #define SAILNET_INLINE static inline
 #define SAILNET_ALIGNED
+#endif
+/* In the compact layout parts are functions, so that what one needs of the stack is free for the next. */
+#if defined(__GNUC__) && defined(SAILNET_COMPACT)
+#define SAILNET_PART static __attribute__((noinline))
+#else
+#define SAILNET_PART SAILNET_INLINE
+#endif
+/* So is what several places do, but where a call itself takes 96 bytes of stack, for a window of registers. */
+#ifdef __sparc__
+#define SAILNET_SHARED SAILNET_INLINE
+#else
+#define SAILNET_SHARED SAILNET_PART
 #endif
 
 #define R(literal) SAILNET_REAL(literal)
@@ -25,17 +36,14 @@
 #else
 #define SAILNET_PER_16_BYTES 4
 #endif
-/* Layers are padded with zeros: to whole vector registers, or to the block that registers hold. */
-#if defined(SAILNET_COMPACT)
-#define SAILNET_LANES SAILNET_BLOCK
-#elif defined(__AVX512F__)
+/* Layers are padded with zeros to whole vector registers. */
+#if defined(__AVX512F__)
 #define SAILNET_LANES (4 * SAILNET_PER_16_BYTES)
 #elif defined(__AVX__)
 #define SAILNET_LANES (2 * SAILNET_PER_16_BYTES)
 #else
 #define SAILNET_LANES SAILNET_PER_16_BYTES
 #endif
-#define SAILNET_BLOCK 10
 #define SAILNET_PADDED(count) (((count) + SAILNET_LANES - 1) / SAILNET_LANES * SAILNET_LANES)
 
 #ifdef SAILNET_FLOAT64
@@ -47,19 +55,37 @@ typedef uint64_t sailnet_bits;
 typedef uint32_t sailnet_bits;
 #define SAILNET_MANTISSA_BITS 23
 #define SAILNET_BITS_OF_ONE UINT32_C(0x3F800000)
+#ifdef SAILNET_COMPACT
+/* 2^23 + 64: what is below -64 octaves is rounded to halves. Seven bits are bounds that ARM saturates to at once. */
+#define SAILNET_ROUNDER 8388672.0f
+#define SAILNET_BITS_OF_LEAST_POWER 0x4B000000
+#define SAILNET_LEAST_POWER (-64)
+#define SAILNET_LARGEST_POWER 63
+#else
 #define SAILNET_ROUNDER 12582912.0f /* 1.5 * 2^23 */
 #define SAILNET_BITS_OF_ROUNDER 0x4B400000
 #define SAILNET_LARGEST_POWER 60
 #endif
+#endif
 /* What `export` guarantees of the sums of hidden layers. */
 #define SAILNET_LARGEST_OCTAVES R(1000.0)
 
-/* A NaN, which alone differs from itself, becomes `lower`. */
-SAILNET_INLINE sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper)
+/* A NaN, with which any comparison is false, becomes `lower`. */
+SAILNET_SHARED sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper)
 {
-    const sailnet_real known = value == value ? value : lower;
-    const sailnet_real raised = known > lower ? known : lower;
+    const sailnet_real raised = value > lower ? value : lower;
     return raised < upper ? raised : upper;
+}
+
+/* A NaN becomes -bound. */
+SAILNET_SHARED sailnet_real sailnet_within(sailnet_real value, sailnet_real bound)
+{
+    return sailnet_clamped(value, -bound, bound);
+}
+
+SAILNET_SHARED sailnet_real sailnet_known_beta(sailnet_real beta)
+{
+    return sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
 }
 
 /* The difference of a number with itself is 0, unless it is a NaN or an infinity. */
@@ -82,10 +108,18 @@ SAILNET_INLINE sailnet_real sailnet_power(sailnet_real octaves)
     sailnet_real power;
     /* The lowest bits of `rounded` are n: moved into the exponent of 1.0 they scale it. */
 #ifdef SAILNET_FLOAT64
-    memcpy(&bits, &rounded, sizeof bits);
+    (void)memcpy(&bits, &rounded, sizeof bits);
+#elif defined(SAILNET_COMPACT)
+    int32_t integer;
+    (void)memcpy(&integer, &rounded, sizeof integer);
+    integer -= SAILNET_BITS_OF_LEAST_POWER;
+    integer = integer > 0 ? integer : 0;
+    integer = integer < SAILNET_LARGEST_POWER - SAILNET_LEAST_POWER ? integer
+                                                                    : SAILNET_LARGEST_POWER - SAILNET_LEAST_POWER;
+    bits = (sailnet_bits)(integer + SAILNET_LEAST_POWER);
 #else
     int32_t integer;
-    memcpy(&integer, &rounded, sizeof integer);
+    (void)memcpy(&integer, &rounded, sizeof integer);
     integer = integer > SAILNET_BITS_OF_ROUNDER - SAILNET_LARGEST_POWER
                   ? integer
                   : SAILNET_BITS_OF_ROUNDER - SAILNET_LARGEST_POWER;
@@ -95,7 +129,7 @@ SAILNET_INLINE sailnet_real sailnet_power(sailnet_real octaves)
     bits = (sailnet_bits)integer;
 #endif
     bits = (bits << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
-    memcpy(&power, &bits, sizeof power);
+    (void)memcpy(&power, &bits, sizeof power);
     return power;
 }
 

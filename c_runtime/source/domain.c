@@ -27,9 +27,9 @@ SAILNET_INLINE sailnet_real sailnet_inverse_root(sailnet_real value)
 #endif
     sailnet_bits bits;
     sailnet_real root;
-    memcpy(&bits, &value, sizeof bits);
+    (void)memcpy(&bits, &value, sizeof bits);
     bits = start - (bits >> 1);
-    memcpy(&root, &bits, sizeof root);
+    (void)memcpy(&root, &bits, sizeof root);
     for (int32_t i = 0; i < 3; i++) {
         root *= R(1.5) - R(0.5) * (value * root) * root;
     }
