@@ -12,7 +12,7 @@ from tqdm import tqdm
 from c_runtime.proof.eva import FRAMA_C, ProofError, analyse
 from c_runtime.proof.lemmas import check_lemmas
 from c_runtime.proof.mutants import MUTANTS, mutate
-from c_runtime.shared_library import BUILDS, PRECISIONS, CompilerError
+from c_runtime.shared_library import BUILDS, CompilerError
 
 MISSING = "proof: left out, there is no frama-c (Debian: apt install frama-c-base)"
 
@@ -44,8 +44,8 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _prove(exported: Path) -> int:
     failed = 0
-    for precision, defines in PRECISIONS.items():
-        print(f"lemmas {precision}: {check_lemmas(exported, defines)}")
+    for build, defines in BUILDS.items():
+        print(f"lemmas {build}: {check_lemmas(exported, defines)}")
     for build, defines in tqdm(BUILDS.items(), desc="proof", disable=None):
         problems = analyse(exported, defines)
         print(f"{build}: {'proved' if not problems else 'NOT PROVED'}", *problems, sep="\n  ")

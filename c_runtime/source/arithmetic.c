@@ -70,10 +70,11 @@ typedef uint32_t sailnet_bits;
 /* What `export` guarantees of the sums of hidden layers. */
 #define SAILNET_LARGEST_OCTAVES R(1000.0)
 
-/* A NaN, with which any comparison is false, becomes `lower`. */
+/* A NaN, which alone differs from itself, becomes `lower`. */
 SAILNET_SHARED sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper)
 {
-    const sailnet_real raised = value > lower ? value : lower;
+    const sailnet_real known = value == value ? value : lower;
+    const sailnet_real raised = known > lower ? known : lower;
     return raised < upper ? raised : upper;
 }
 

@@ -55,7 +55,7 @@ TARGETS = (
         title="Cortex-M4F",
         compiler="arm-none-eabi-gcc",
         machine=("-mthumb", "-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"),
-        optimisation=("-O2",),
+        optimisation=("-Os", "-fno-schedule-insns", "-fno-schedule-insns2"),
         emulator=("qemu-system-arm", "-M", "mps2-an386", *SEMIHOSTING),
         folder="cortex_m",
         packages=ARM,
@@ -78,7 +78,7 @@ TARGETS = (
         compiler="sparc64-linux-gnu-gcc",
         machine=("-m32", "-mcpu=leon3"),
         # Scheduling before registers are allotted makes gcc spill them in the inner loop: 13 % slower.
-        optimisation=("-O2", "-fno-schedule-insns"),
+        optimisation=("-Os", "-fno-schedule-insns"),
         emulator=("qemu-system-sparc", "-M", "leon3_generic", "-nographic", "-monitor", "none", "-kernel"),
         folder="leon3",
         packages=("gcc-sparc64-linux-gnu", "qemu-system-sparc"),

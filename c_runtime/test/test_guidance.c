@@ -56,17 +56,26 @@ static sailnet_real between(sailnet_real lower, sailnet_real upper)
     return lower + (upper - lower) * (sailnet_real)((double)(random_bits() >> 40) / 16777216.0);
 }
 
+/* Ends of the box of r, u, v. */
+#ifdef SAILNET_COMPACT
+#define BOX_MIN(i) sailnet_state_ranges[8 * (i)]
+#define BOX_MAX(i) sailnet_state_ranges[8 * (i) + 1]
+#else
+#define BOX_MIN(i) sailnet_domain_min[i]
+#define BOX_MAX(i) sailnet_domain_max[i]
+#endif
+
 static sailnet_state state_in_domain(void)
 {
     /* Drawn from the box until one is in the tube; of the mission's sail. */
     for (;;) {
-        sailnet_real state[3];
-        for (int i = 0; i < 3; i++) {
-            state[i] = between(sailnet_domain_min[i], sailnet_domain_max[i]);
-        }
-        if (sailnet_in_domain(state, SAILNET_BETA)) {
-            const sailnet_state found = {state[0], state[1], state[2]};
-            return found;
+        sailnet_command command;
+        sailnet_state state;
+        state.r = between(BOX_MIN(0), BOX_MAX(0));
+        state.u = between(BOX_MIN(1), BOX_MAX(1));
+        state.v = between(BOX_MIN(2), BOX_MAX(2));
+        if (sailnet_guidance(&state, SAILNET_BETA, &command) != SAILNET_OUTSIDE_DOMAIN) {
+            return state;
         }
     }
 }
@@ -74,9 +83,9 @@ static sailnet_state state_in_domain(void)
 static sailnet_state middle_of_domain(void)
 {
     sailnet_state state;
-    state.r = R(0.5) * (sailnet_domain_min[0] + sailnet_domain_max[0]);
-    state.u = R(0.5) * (sailnet_domain_min[1] + sailnet_domain_max[1]);
-    state.v = R(0.5) * (sailnet_domain_min[2] + sailnet_domain_max[2]);
+    state.r = R(0.5) * (BOX_MIN(0) + BOX_MAX(0));
+    state.u = R(0.5) * (BOX_MIN(1) + BOX_MAX(1));
+    state.v = R(0.5) * (BOX_MIN(2) + BOX_MAX(2));
     return state;
 }
 
@@ -187,7 +196,7 @@ static void test_outside_the_domain_is_told_and_beyond_the_clamp_nothing_changes
         sailnet_command command;
         sailnet_command at_far;
         sailnet_command at_absurd;
-        edge.r = sailnet_domain_max[0];
+        edge.r = BOX_MAX(0);
         near = edge;
         near.r = edge.r + between(R(0.001), R(10.0));
         far = edge;

@@ -97,9 +97,6 @@ SAILNET_INLINE uint32_t sailnet_observed(const sailnet_state *state, sailnet_rea
         missing[i] = deviation * per_acceleration;
         range = &range[8];
     }
-    if (!(nothing == R(0.0))) {
-        return (uint32_t)SAILNET_INVALID_INPUT;
-    }
 
     const sailnet_real speed2 = missing[1] * missing[1] + missing[2] * missing[2];
     const sailnet_real distance = R(2.0) * missing[0];
@@ -117,6 +114,9 @@ SAILNET_INLINE uint32_t sailnet_observed(const sailnet_state *state, sailnet_rea
     input[2] = known[2];
     input[3] = R(0.0);
 #endif
+    if (!(nothing == R(0.0))) {
+        return (uint32_t)SAILNET_INVALID_INPUT;
+    }
     if (there != 0) {
         return (inside != 0) ? SAILNET_THERE : (uint32_t)SAILNET_OUTSIDE_DOMAIN;
     }
@@ -165,7 +165,11 @@ SAILNET_PART uint32_t sailnet_law(const sailnet_state *state, sailnet_real beta,
     }
 
 #if SAILNET_READS_BETA
+#ifdef SAILNET_FLOAT64
+    const sailnet_real s = sailnet_clamped(input[3], R(0.0), R(2e6));
+#else
     const sailnet_real s = input[3];
+#endif
 #endif
     for (int32_t i = 0; i < SAILNET_INPUTS; i++) {
         input[i] = sailnet_shifted(input[i], i);
@@ -185,7 +189,7 @@ SAILNET_PART uint32_t sailnet_law(const sailnet_state *state, sailnet_real beta,
     }
 #if SAILNET_READS_BETA
 #ifdef SAILNET_FLOAT64
-    /* In float powers are bounded anyway. */
+    /* Bounds that keep the product finite; in float the power has its own. */
     tau = sailnet_clamped(tau, R(-60.0), R(60.0));
 #endif
     tau = s * sailnet_exp2(tau);
