@@ -117,7 +117,8 @@ SAILNET_INLINE sailnet_real sailnet_power(sailnet_real octaves)
     integer = integer > 0 ? integer : 0;
     integer = integer < SAILNET_LARGEST_POWER - SAILNET_LEAST_POWER ? integer
                                                                     : SAILNET_LARGEST_POWER - SAILNET_LEAST_POWER;
-    bits = (sailnet_bits)(integer + SAILNET_LEAST_POWER);
+    integer += SAILNET_LEAST_POWER;
+    bits = (sailnet_bits)integer;
 #else
     int32_t integer;
     (void)memcpy(&integer, &rounded, sizeof integer);

@@ -49,7 +49,7 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
     const sailnet_real distance = R(0.5) * (before->r + now->r);
     const sailnet_real measured =
         (surprise_u * cosine + surprise_v * sine) * distance * distance / (held * cosine2);
-    if (sailnet_is_finite(measured)) {
+    if (sailnet_is_finite(measured) != 0) {
         const sailnet_real counted = sailnet_within(measured, SAILNET_LARGEST_SURPRISE * SAILNET_BETA);
         /* The mean of all periods at first, and later of those not forgotten. */
         const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
@@ -101,6 +101,8 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
             } else if (((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) && (tau >= memory->time_of_flight)) {
                 hold = R(0.0);
                 status = SAILNET_ARRIVED;
+            } else {
+                /* The flight goes on. */
             }
         }
         memory->state = *state;

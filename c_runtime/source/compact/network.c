@@ -13,7 +13,8 @@ SAILNET_INLINE sailnet_real sailnet_network(const sailnet_real input[SAILNET_INP
     const sailnet_real *w = *weights;
     const sailnet_real *from = input;
     int32_t inputs = SAILNET_INPUTS;
-    for (int32_t layer = 0; layer < depth; layer++) {
+    int32_t layer = 0;
+    do {
         for (int32_t first = SAILNET_WIDTH - SAILNET_BLOCK; first >= 0; first -= SAILNET_BLOCK) {
             sailnet_real s0 = w[0];
             sailnet_real s1 = w[1];
@@ -57,7 +58,8 @@ SAILNET_INLINE sailnet_real sailnet_network(const sailnet_real input[SAILNET_INP
         }
         from = a;
         inputs = SAILNET_NEURONS;
-    }
+        layer++;
+    } while (layer < depth);
     sailnet_real sum = *w;
     for (int32_t j = 0; j < SAILNET_NEURONS; j++) {
         w = &w[1];
