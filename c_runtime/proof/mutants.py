@@ -70,7 +70,9 @@ MUTANTS = (
         builds="compact",
     ),
     Mutant("one weight too many read", "in != &from[inputs]", "in != &from[inputs + 1]", builds="compact"),
-    Mutant("a knot too many read", "knot = (int32_t)within;", "knot = (int32_t)within + 1;", builds="compact"),
+    Mutant(
+        "a knot too many read", "knot = (int32_t)within;", "knot = (int32_t)within + 1;", builds="compact"
+    ),
     Mutant(
         "null command written",
         "    if (command == NULL) {\n        return SAILNET_INVALID_INPUT;\n    }\n",

@@ -96,7 +96,7 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         if (status != SAILNET_OUTSIDE_DOMAIN) {
             const sailnet_real longest = hold > SAILNET_ARRIVAL_THRESHOLD ? hold : SAILNET_ARRIVAL_THRESHOLD;
             if (tau <= longest) {
-                hold = tau > R(0.0) ? tau : R(0.0);
+                hold = sailnet_clamped(tau, R(0.0), longest);
                 status = SAILNET_ARRIVED;
             } else if (((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) && (tau >= memory->time_of_flight)) {
                 hold = R(0.0);

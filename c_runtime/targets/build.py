@@ -39,7 +39,7 @@ class Program:
         path: of it.
         flags: that the flight file was compiled with, beside warnings.
         sizes: of the flight file alone.
-        law: bytes of code of what ``sailnet_guidance`` needs: a linker that drops unused functions keeps no more.
+        law: bytes of code of what ``sailnet_guidance`` needs: what a linker keeps that drops the rest.
         stack: bytes that ``sailnet_guidance`` and ``sailnet_steer`` need, by the compiler's account.
     """
 

@@ -159,7 +159,7 @@ SAILNET_PART uint32_t sailnet_law(const sailnet_state *state, sailnet_real beta,
         return (uint32_t)SAILNET_INVALID_INPUT;
     }
     sailnet_real input[SAILNET_INPUTS];
-    uint32_t seen = sailnet_observed(state, sail, (sail == given) ? 1 : 0, input);
+    const uint32_t seen = sailnet_observed(state, sail, (sail == given) ? 1 : 0, input);
     if (seen == (uint32_t)SAILNET_INVALID_INPUT) {
         return seen;
     }
@@ -199,10 +199,9 @@ SAILNET_PART uint32_t sailnet_law(const sailnet_state *state, sailnet_real beta,
     const sailnet_real bounded = sailnet_within(alpha_pre, SAILNET_PHI_MAX);
     const sailnet_real size = bounded < R(0.0) ? -bounded : bounded;
     command->cone_angle = lambda_v > R(0.0) ? -size : size;
-    if ((seen != (uint32_t)SAILNET_OUTSIDE_DOMAIN) && (tau < SAILNET_ARRIVAL_THRESHOLD)) {
-        seen |= (uint32_t)SAILNET_ARRIVED;
-    }
-    return seen;
+    /* SAILNET_ARRIVED, or SAILNET_OK. */
+    const int32_t arrived = tau < SAILNET_ARRIVAL_THRESHOLD ? 1 : 0;
+    return (seen == (uint32_t)SAILNET_OUTSIDE_DOMAIN) ? seen : (seen | (uint32_t)arrived);
 }
 
 sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, sailnet_command *command)
