@@ -22,8 +22,9 @@ CAPTION = """\
 of any call.
 *Code*, *constants* and *static* memory (which is written) are of the flight file alone.
 *Code*: of guidance alone, which is what a linker keeps of it with `-ffunction-sections -Wl,--gc-sections`, /
-with steering, constants between functions included. *Stack*: of guidance / of steering, the larger of what was
-seen written and what the compiler reserves. *Error*: the
+with steering, constants between functions included.
+*Stack*: of guidance / of steering, the larger of what was seen written and what the compiler reserves.
+*Error*: the
 largest difference from the float64 reference in cone angle [rad] / time of flight [TU], each divided by 1 +
 |reference|. Where products and sums are fused (`fast`) results differ from the host's by rounding; built
 without, and on processors that cannot fuse, all outputs are {same} the host's, bit for bit. *ms* is an
