@@ -107,7 +107,8 @@ TARGETS = (
         title="PowerPC 750",
         compiler="powerpc-linux-gnu-gcc",
         machine=("-mcpu=750",),
-        optimisation=SMALL,
+        # -Os calls functions of libgcc that save registers.
+        optimisation=("-O2",),
         emulator=("qemu-ppc", "-cpu", "750"),
         folder="hosted",
         packages=("gcc-powerpc-linux-gnu", "libc6-dev-powerpc-cross", "qemu-user"),
