@@ -36,7 +36,12 @@
 #else
 #define SAILNET_PER_16_BYTES 4
 #endif
-/* Layers are padded with zeros to whole vector registers. */
+/*
+ * The layout for hosts computes on vectors, as gcc and clang have them, of as many numbers as the widest registers of
+ * the processor hold; with SAILNET_PLAIN on single numbers, in C99 and to the same results but for contraction.
+ */
+#if defined(__GNUC__) && !defined(SAILNET_COMPACT) && !defined(SAILNET_PLAIN)
+#define SAILNET_VECTORS
 #if defined(__AVX512F__)
 #define SAILNET_LANES (4 * SAILNET_PER_16_BYTES)
 #elif defined(__AVX__)
@@ -44,6 +49,10 @@
 #else
 #define SAILNET_LANES SAILNET_PER_16_BYTES
 #endif
+#else
+#define SAILNET_LANES 1
+#endif
+/* Layers are padded with zeros to whole vectors. */
 #define SAILNET_PADDED(count) (((count) + SAILNET_LANES - 1) / SAILNET_LANES * SAILNET_LANES)
 
 #ifdef SAILNET_FLOAT64
@@ -70,10 +79,14 @@ typedef uint32_t sailnet_bits;
 /* What `export` guarantees of the sums of hidden layers. */
 #define SAILNET_LARGEST_OCTAVES R(1000.0)
 
-/* A NaN, which alone differs from itself, becomes `lower`. */
+/* A NaN, of which no comparison is true, becomes `lower`: said twice for analysers, which see only intervals. */
 SAILNET_SHARED sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper)
 {
+#ifdef SAILNET_VECTORS
+    const sailnet_real known = value;
+#else
     const sailnet_real known = value == value ? value : lower;
+#endif
     const sailnet_real raised = known > lower ? known : lower;
     return raised < upper ? raised : upper;
 }
@@ -95,12 +108,7 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
     return (value - value) == R(0.0);
 }
 
-/* The difference of octaves, at most SAILNET_LARGEST_OCTAVES, from the nearest integer n: in [-1/2, 1/2]. */
-SAILNET_INLINE sailnet_real sailnet_fraction(sailnet_real octaves)
-{
-    return octaves - ((octaves + SAILNET_ROUNDER) - SAILNET_ROUNDER);
-}
-
+#ifndef SAILNET_VECTORS
 /* 2^n; in float n is bounded, by so much that 1 + 2^n rounds to 1 or to 2^n. */
 SAILNET_INLINE sailnet_real sailnet_power(sailnet_real octaves)
 {
@@ -134,36 +142,4 @@ SAILNET_INLINE sailnet_real sailnet_power(sailnet_real octaves)
     (void)memcpy(&power, &bits, sizeof power);
     return power;
 }
-
-/*
- * Q with 2^r = (Q + r) / (Q - r) for r in [-1/2, 1/2]: r coth(r ln 2 / 2), an even function, by its best
- * polynomial in r^2; the error in 2^r is below 4e-10 (float) and 2e-19 (double).
- */
-SAILNET_INLINE sailnet_real sailnet_exp2_quotient(sailnet_real r)
-{
-    const sailnet_real x = r * r;
-#ifdef SAILNET_FLOAT64
-    const sailnet_real x2 = x * x;
-    const sailnet_real lower = 2.885390081777927 + 0.11552453009332358 * x;
-    const sailnet_real middle = -0.0009250684777172659 + 1.0582188496835143e-05 * x;
-    const sailnet_real upper = -1.2710218996994688e-07 + 1.5281505359512684e-09 * x;
-    return lower + x2 * (middle + x2 * upper);
-#else
-    return 2.8853900869141140f + x * (0.11552415991787668f - 0.00092111450680463073f * x);
 #endif
-}
-
-/*
- * The sigmoid 1 / (1 + exp(-x)), centred and doubled, which is tanh(x / 2), of x = -octaves ln 2, in
- * [-1, 1]: |a - b| <= a + b for positive a and b, and rounding keeps that. The tables hold hidden layers
- * in octaves, which makes the reduction to a power of two exact, and their weights and biases undo the
- * centring and the doubling: numbers around zero, and sums of them, are rounded finer.
- */
-SAILNET_INLINE sailnet_real sailnet_sigmoid(sailnet_real octaves)
-{
-    const sailnet_real r = sailnet_fraction(octaves);
-    const sailnet_real quotient = sailnet_exp2_quotient(r);
-    const sailnet_real scaled = (quotient + r) * sailnet_power(octaves);
-    const sailnet_real rest = quotient - r;
-    return (rest - scaled) / (rest + scaled);
-}

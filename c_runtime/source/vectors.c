@@ -1,0 +1,42 @@
+/* What the layout for hosts computes on. */
+typedef sailnet_real sailnet_lanes
+    __attribute__((vector_size(SAILNET_LANES * sizeof(sailnet_real)), __may_alias__));
+/* Of comparisons: all bits of a lane are set, or none. */
+#ifdef SAILNET_FLOAT64
+typedef int64_t sailnet_mask __attribute__((vector_size(SAILNET_LANES * sizeof(sailnet_real)), __may_alias__));
+#else
+typedef int32_t sailnet_mask __attribute__((vector_size(SAILNET_LANES * sizeof(sailnet_real)), __may_alias__));
+#endif
+/* Short loops over what is to stay in registers; and loops that would only grow. */
+#ifdef __clang__
+#define SAILNET_UNROLLED _Pragma("clang loop unroll(full)")
+#define SAILNET_ROLLED _Pragma("clang loop unroll(disable)")
+#else
+#define SAILNET_UNROLLED _Pragma("GCC unroll 8")
+#define SAILNET_ROLLED _Pragma("GCC unroll 1")
+#endif
+#if defined(__AVX512F__) || defined(__aarch64__)
+#define SAILNET_REGISTERS 32
+#else
+#define SAILNET_REGISTERS 16
+#endif
+
+/* 2^n, 0 or the largest power: below, where sailnet_power has its least one, 0 does the same to a sigmoid. */
+SAILNET_INLINE sailnet_lanes sailnet_lanes_power(sailnet_lanes octaves)
+{
+    const sailnet_lanes rounded = octaves + SAILNET_ROUNDER;
+    sailnet_mask bits;
+    sailnet_lanes power;
+    (void)memcpy(&bits, &rounded, sizeof bits);
+#ifdef SAILNET_FLOAT64
+    bits = (bits << SAILNET_MANTISSA_BITS) + (int64_t)SAILNET_BITS_OF_ONE;
+#else
+    const sailnet_mask small = bits < SAILNET_BITS_OF_ROUNDER - SAILNET_LARGEST_POWER;
+    const sailnet_mask large = bits > SAILNET_BITS_OF_ROUNDER + SAILNET_LARGEST_POWER;
+    const int32_t largest = (SAILNET_LARGEST_POWER << SAILNET_MANTISSA_BITS) + (int32_t)SAILNET_BITS_OF_ONE;
+    bits = (bits << SAILNET_MANTISSA_BITS) + (int32_t)SAILNET_BITS_OF_ONE;
+    bits = ((bits & ~large) | (largest & large)) & ~small;
+#endif
+    (void)memcpy(&power, &bits, sizeof power);
+    return power;
+}
