@@ -26,7 +26,7 @@ def domain_tables(facts: GuidanceFacts) -> str:
     }
     return "\n".join(
         [
-            "/* The trained domain: bounds at the knots, of the direction along axes, and of speed and energy. */",
+            "/* The trained domain: bounds at the knots, of the direction and of speed and energy. */",
             f"#define SAILNET_KNOTS {KNOTS}",
             *(f"#define SAILNET_{name} R({literal(value)})" for name, value in constants.items()),
             f"#define SAILNET_AXES {axes}",

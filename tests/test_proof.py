@@ -9,7 +9,7 @@ from c_runtime.proof.__main__ import main
 from c_runtime.proof.eva import FRAMA_C, ProofError, analyse
 from c_runtime.proof.lemmas import check_lemmas
 from c_runtime.proof.mutants import MUTANTS, Mutant, mutate
-from c_runtime.shared_library import PROVED_BUILDS
+from c_runtime.shared_library import PRECISIONS, PROVED_BUILDS
 from tests.conftest import Exported
 
 with_frama_c = pytest.mark.skipif(not shutil.which(FRAMA_C), reason="no frama-c (apt install frama-c-base)")
@@ -38,9 +38,15 @@ def test_a_file_that_does_not_compile_is_an_error_not_a_proof(exported: Exported
         analyse(tmp_path, PROVED_BUILDS["f32 simd"])
 
 
-@pytest.mark.parametrize("build", PROVED_BUILDS)
-def test_what_the_proof_assumes_is_so(exported: Exported, build: str) -> None:
-    assert check_lemmas(exported.folder, PROVED_BUILDS[build]) == "0 failures"
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_what_the_proof_assumes_is_so(exported: Exported, precision: str) -> None:
+    assert check_lemmas(exported.folder, PROVED_BUILDS[f"{precision} simd"]) == "0 failures"
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_what_it_assumes_of_the_compact_layout_is_so(approach_exported: Exported, precision: str) -> None:
+    """Whose functions are the same in either form."""
+    assert check_lemmas(approach_exported.folder, PROVED_BUILDS[f"{precision} compact"]) == "0 failures"
 
 
 def test_a_sigmoid_out_of_bounds_is_noticed(exported: Exported, tmp_path: Path) -> None:
