@@ -1,6 +1,8 @@
 /* What the layout for hosts computes on. */
 typedef sailnet_real sailnet_lanes
     __attribute__((vector_size(SAILNET_LANES * sizeof(sailnet_real)), __may_alias__));
+typedef sailnet_bits sailnet_lanes_bits
+    __attribute__((vector_size(SAILNET_LANES * sizeof(sailnet_real)), __may_alias__));
 /* Of comparisons: all bits of a lane are set, or none. */
 #ifdef SAILNET_FLOAT64
 typedef int64_t sailnet_mask __attribute__((vector_size(SAILNET_LANES * sizeof(sailnet_real)), __may_alias__));
@@ -25,17 +27,19 @@ typedef int32_t sailnet_mask __attribute__((vector_size(SAILNET_LANES * sizeof(s
 SAILNET_INLINE sailnet_lanes sailnet_lanes_power(sailnet_lanes octaves)
 {
     const sailnet_lanes rounded = octaves + SAILNET_ROUNDER;
-    sailnet_mask bits;
+    sailnet_lanes_bits bits;
     sailnet_lanes power;
     (void)memcpy(&bits, &rounded, sizeof bits);
-#ifdef SAILNET_FLOAT64
-    bits = (bits << SAILNET_MANTISSA_BITS) + (int64_t)SAILNET_BITS_OF_ONE;
-#else
-    const sailnet_mask small = bits < SAILNET_BITS_OF_ROUNDER - SAILNET_LARGEST_POWER;
-    const sailnet_mask large = bits > SAILNET_BITS_OF_ROUNDER + SAILNET_LARGEST_POWER;
-    const int32_t largest = (SAILNET_LARGEST_POWER << SAILNET_MANTISSA_BITS) + (int32_t)SAILNET_BITS_OF_ONE;
-    bits = (bits << SAILNET_MANTISSA_BITS) + (int32_t)SAILNET_BITS_OF_ONE;
-    bits = ((bits & ~large) | (largest & large)) & ~small;
+#ifndef SAILNET_FLOAT64
+    const sailnet_mask n = (sailnet_mask)bits;
+    const sailnet_mask small = n < SAILNET_BITS_OF_ROUNDER - SAILNET_LARGEST_POWER;
+    const sailnet_mask large = n > SAILNET_BITS_OF_ROUNDER + SAILNET_LARGEST_POWER;
+    const sailnet_bits largest = (SAILNET_LARGEST_POWER << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
+#endif
+    bits = (bits << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
+#ifndef SAILNET_FLOAT64
+    bits = ((bits & ~(sailnet_lanes_bits)large) | (largest & (sailnet_lanes_bits)large)) &
+           ~(sailnet_lanes_bits)small;
 #endif
     (void)memcpy(&power, &bits, sizeof power);
     return power;

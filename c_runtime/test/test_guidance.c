@@ -225,13 +225,23 @@ static void test_same_input_same_bits(void)
     CHECK(is_same(before, after));
 }
 
+static sailnet_real sigmoid(sailnet_real octaves)
+{
+#ifdef SAILNET_VECTORS
+    const sailnet_lanes none = {R(0.0)};
+    return sailnet_lanes_sigmoid(octaves + none)[0];
+#else
+    return sailnet_sigmoid(octaves);
+#endif
+}
+
 static void test_sigmoid_against_long_double(void)
 {
     double worst = 0.0;
     for (int i = 0; i <= 2 * CASES; i++) {
         const sailnet_real octaves = (sailnet_real)(-60.0 + 120.0 * i / (2.0 * CASES));
         const long double exact = 2.0L / (1.0L + exp2l((long double)octaves)) - 1.0L;
-        const double error = (double)fabsl((long double)sailnet_sigmoid(octaves) - exact);
+        const double error = (double)fabsl((long double)sigmoid(octaves) - exact);
         worst = error > worst ? error : worst;
     }
     printf("sigmoid: largest error %.2f units of rounding\n", worst / EPSILON);
@@ -241,12 +251,12 @@ static void test_sigmoid_against_long_double(void)
 static void test_sigmoid_is_within_one(void)
 {
     for (int i = 0; i < CASES; i++) {
-        const sailnet_real value = sailnet_sigmoid(between(-SAILNET_LARGEST_OCTAVES, SAILNET_LARGEST_OCTAVES));
+        const sailnet_real value = sigmoid(between(-SAILNET_LARGEST_OCTAVES, SAILNET_LARGEST_OCTAVES));
         CHECK(value >= R(-1.0) && value <= R(1.0));
     }
-    CHECK(sailnet_sigmoid(R(0.0)) == R(0.0));
-    CHECK(sailnet_sigmoid(SAILNET_LARGEST_OCTAVES) == R(-1.0));
-    CHECK(sailnet_sigmoid(-SAILNET_LARGEST_OCTAVES) == R(1.0));
+    CHECK(sigmoid(R(0.0)) == R(0.0));
+    CHECK(sigmoid(SAILNET_LARGEST_OCTAVES) == R(-1.0));
+    CHECK(sigmoid(-SAILNET_LARGEST_OCTAVES) == R(1.0));
 }
 
 static void test_beta_is_clamped_and_nan_is_the_missions(void)
