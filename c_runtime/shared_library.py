@@ -18,7 +18,12 @@ BUILDS = {
     for precision in PRECISIONS
     for layout in LAYOUTS
 }
-"""Every build of the flight file: what is tested and proved is each of them."""
+"""Every build of the flight file: what is tested is each of them."""
+
+PROVED_BUILDS = {
+    build: (*defines, *(("-DSAILNET_PLAIN",) if "simd" in build else ())) for build, defines in BUILDS.items()
+}
+"""The same, of single numbers where analysers cannot read vectors."""
 
 # Portable flags: what is installed may run on another machine than it was built on. Both additions to
 # -O3 keep NaN and infinity as they are; the first lets gcc vectorise clamps, the second allows FMA.

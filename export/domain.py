@@ -1,8 +1,11 @@
 """The trained domain as C tables, which ``c_runtime/source/domain.c`` evaluates."""
 
+import numpy as np
+
 from export.tables import literal
+from sailnet.dynamics import Array
 from sailnet.guidance_facts import GuidanceFacts
-from sailnet.trained_domain import KNOTS, SMALLEST_SQUARE, Table
+from sailnet.trained_domain import AXES, KNOTS, SMALLEST_SQUARE
 
 
 def domain_tables(facts: GuidanceFacts) -> str:
@@ -12,6 +15,8 @@ def domain_tables(facts: GuidanceFacts) -> str:
         ExportError: a bound does not fit single precision.
     """
     domain = facts.domain
+    lower, upper = np.array(domain.lower), np.array(domain.upper)
+    axes = len(AXES)
     constants = {
         "PER_TARGET_R2": 1.0 / facts.target_state[0] ** 2,
         "SMALLEST_SQUARE": SMALLEST_SQUARE,
@@ -21,17 +26,27 @@ def domain_tables(facts: GuidanceFacts) -> str:
     }
     return "\n".join(
         [
-            "/* The trained domain: bounds at the knots, of the direction and then of speed and energy. */",
+            "/* The trained domain: bounds at the knots, of the direction and of speed and energy. */",
             f"#define SAILNET_KNOTS {KNOTS}",
             *(f"#define SAILNET_{name} R({literal(value)})" for name, value in constants.items()),
-            _table("lower", domain.lower),
-            _table("upper", domain.upper),
+            f"#define SAILNET_AXES {axes}",
+            _table(f"axes[3][SAILNET_PADDED({axes})]", AXES.T),
+            *(
+                _table(f"{name}[SAILNET_KNOTS][{columns}]", rows)
+                for family, columns, part in (
+                    ("direction", f"SAILNET_PADDED({axes})", slice(0, axes)),
+                    ("orbit", "2", slice(axes, axes + 2)),
+                )
+                for name, rows in (
+                    (f"{family}_middle", 0.5 * (lower + upper)[:, part]),
+                    (f"{family}_half", 0.5 * (upper - lower)[:, part]),
+                )
+            ),
             "",
         ]
     )
 
 
-def _table(name: str, rows: Table) -> str:
+def _table(declared: str, rows: Array) -> str:
     written = ",\n".join(f" {{{', '.join(f'R({literal(value)})' for value in row)}}}" for row in rows)
-    declared = f"sailnet_domain_{name}[SAILNET_KNOTS][{len(rows[0])}]"
-    return f"static const sailnet_real {declared} =\n{{\n{written}\n}};"
+    return f"static const SAILNET_ALIGNED sailnet_real sailnet_{declared} =\n{{\n{written}\n}};"

@@ -59,32 +59,30 @@ def stage_tables(stage: str, networks: Sequence[Network], units: Sequence[float]
     output, output_bias = [], []
     for k, network in enumerate(networks):
         _check_steepness(network)
-        per_range = network.weights[0] / (network.input_max - network.input_min)
+        weights, bias_rows, output_row, last = centred_layers(network, 1.0 if units is None else units[k])
         for i in range(inputs):
-            first[i][k] = -LOG2_E * per_range[:, i]
-        *inner, last = centred_biases(network)
-        for layer, bias in enumerate(inner):
-            biases[layer][k] = -LOG2_E * bias
-        for layer, weight in enumerate(network.weights[1:-1]):
+            first[i][k] = weights[0][:, i]
+        for layer, bias in enumerate(bias_rows):
+            biases[layer][k] = bias
+        for layer, weight in enumerate(weights[1:]):
             for i in range(weight.shape[1]):
-                hidden[layer][i][k] = -LOG2_E / 2 * weight[:, i]
-        unit = 1.0 if units is None else units[k]
-        span = unit * (network.output_max - network.output_min)
-        output.append(span / 2 * network.weights[-1][0])
-        output_bias.append(unit * network.output_min + span * float(last[0]))
+                hidden[layer][i][k] = weight[:, i]
+        output.append(output_row)
+        output_bias.append(last)
 
     return "\n".join(
         [
             f'/* Stage "{stage}": {", ".join(f"{n.name} {list(n.hidden)}" for n in networks)}. */',
             f"#define {upper}_NETWORKS {len(networks)}",
             f"#define {upper}_INPUTS {inputs}",
+            f"#define {upper}_EVEN_INPUTS {math.ceil(inputs / 2) * 2}",
             f"#define {upper}_DEPTH {max(depths)}",
             f"#define {upper}_ROWS {math.ceil(max(widest, inputs) / 4) * 4}",
             f"#define {upper}_WIDTH SAILNET_PADDED({upper}_ROWS)",
             _table(f"{name}_lower[{upper}_INPUTS]", _row(networks[0].input_min)),
             _table(f"{name}_clamp_min[{upper}_INPUTS]", _row(clamp_min)),
             _table(f"{name}_clamp_max[{upper}_INPUTS]", _row(clamp_max)),
-            _table(f"{name}_first[{upper}_INPUTS][{upper}_NETWORKS][{upper}_WIDTH]", _nested(first)),
+            _table(f"{name}_first[{upper}_EVEN_INPUTS][{upper}_NETWORKS][{upper}_WIDTH]", _nested(first)),
             _table(f"{name}_biases[{upper}_DEPTH][{upper}_NETWORKS][{upper}_WIDTH]", _nested(biases)),
             _table(
                 f"{name}_hidden[{len(hidden)}][{upper}_ROWS][{upper}_NETWORKS][{upper}_WIDTH]",
@@ -96,6 +94,24 @@ def stage_tables(stage: str, networks: Sequence[Network], units: Sequence[float]
             "",
         ]
     )
+
+
+def centred_layers(network: Network, unit: float) -> tuple[list[Array], list[Array], Array, float]:
+    """A network as the C computes it, from shifted inputs and with centred and doubled sigmoids of octaves.
+
+    Args:
+        network: as it was trained.
+        unit: what its output is multiplied by.
+
+    Returns:
+        weights (neurons, inputs) and biases of its hidden layers, and those of its output.
+    """
+    *inner, last = centred_biases(network)
+    per_range = network.weights[0] / (network.input_max - network.input_min)
+    weights = [-LOG2_E * per_range, *(-LOG2_E / 2 * weight for weight in network.weights[1:-1])]
+    span = unit * (network.output_max - network.output_min)
+    output_bias = unit * network.output_min + span * float(last[0])
+    return weights, [-LOG2_E * bias for bias in inner], span / 2 * network.weights[-1][0], output_bias
 
 
 def constants(facts: GuidanceFacts, approach: bool) -> str:

@@ -1,10 +1,13 @@
 """The C file and its header, composed of the hand-written sources in ``c_runtime`` and the weights."""
 
+import math
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
+from export.compact_tables import compact_tables
 from export.domain import domain_tables
 from export.tables import LOG2_E, constants, literal, stage_tables
 from sailnet.guidance_facts import GuidanceFacts, round_down
@@ -64,15 +67,30 @@ def _source(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
         stages = [_stage("approach", trio, (LOG2_E, 1.0, 1.0)), _read("source/command_approach.c")]
     else:
         stages = [_stage("tau", trio[:1]), _stage("command", trio[1:]), _read("source/command_paper.c")]
+    powers = ["sigmoid", "exp2"] if networks.approach else ["sigmoid"]
+    edge_on = math.cos(facts.phi_max) ** 2 < LEAST_COSINE2
     return "\n".join(
         [
             opening + _read("source/arithmetic.c"),
+            "#ifdef SAILNET_VECTORS",
+            _read("source/vectors.c"),
+            *(_over_lanes(_read(f"source/{part}.c")) for part in powers),
+            *([_read("source/first_lane.c")] if networks.approach else []),
+            "#else",
+            *(_read(f"source/{part}.c") for part in powers),
+            "#endif",
+            "#ifdef SAILNET_COMPACT",
+            compact_tables(networks, facts),
+            *(_read(f"source/compact/{part}.c") for part in ("network", "law", "cosine_sine")),
+            "#else",
+            _read("source/lanes.c"),
             constants(facts, networks.approach),
             _read("source/deviation.c"),
             *stages,
             domain_tables(facts),
-            _read("source/domain.c"),
-            _read("source/guidance.c"),
+            *(_read(f"source/{part}.c") for part in ("domain", "guidance", "law", "cosine_sine")),
+            "#endif\n",
+            f"#define SAILNET_MAY_BE_EDGE_ON {int(edge_on)}",
             _read("source/steering.c"),
         ]
     )
@@ -85,6 +103,12 @@ def _stage(name: str, networks: Sequence[Network], units: Sequence[float] | None
 def _instance(template: str, stage: str) -> str:
     named = template.replace('"stage"', f'"{stage}"').replace("sailnet_stage_", f"sailnet_{stage}_")
     return named.replace("STAGE_", f"{stage.upper()}_")
+
+
+def _over_lanes(source: str) -> str:
+    """The same functions of each number in a vector."""
+    named = re.sub(r"\bsailnet_(?=fraction|exp2_quotient|sigmoid|power|exp2)", "sailnet_lanes_", source)
+    return named.replace("sailnet_real", "sailnet_lanes")
 
 
 def _provenance(facts: GuidanceFacts) -> str:

@@ -20,8 +20,16 @@ WRAPPERS = """
 #include "sailnet_guidance.c"
 void exp2_of(int n, const sailnet_real *x, sailnet_real *y)
 { for (int i = 0; i < n; i++) y[i] = sailnet_exp2(x[i]); }
+#ifdef SAILNET_VECTORS
+void sigmoid(int n, const sailnet_real *x, sailnet_real *y)
+{
+    const sailnet_lanes none = {0};
+    for (int i = 0; i < n; i++) y[i] = sailnet_lanes_sigmoid(x[i] + none)[0];
+}
+#else
 void sigmoid(int n, const sailnet_real *x, sailnet_real *y)
 { for (int i = 0; i < n; i++) y[i] = sailnet_sigmoid(x[i]); }
+#endif
 void inverse_fourth_root(int n, const sailnet_real *x, sailnet_real *y)
 { for (int i = 0; i < n; i++) y[i] = sailnet_inverse_fourth_root(x[i]); }
 void cosine(int n, const sailnet_real *x, sailnet_real *y)

@@ -211,19 +211,22 @@ int main(void)
 """
 
 MUTANTS = {
-    "an axis less": ("x_u - x_v}", "x_u + x_v}"),
-    "an axis mirrored": ("x_r + x_u, x_r - x_u", "x_r + x_u, x_u - x_r"),
-    "the next knot taken": ("[knot][first]", "[knot + 1][first]"),
-    "the same knot twice": ("[knot + 1][first]", "[knot][first]"),
-    "no energy": ("SAILNET_ORBITS, orbit", "SAILNET_ORBITS - 1, orbit"),
-    "no speed": ("orbit[SAILNET_ORBITS] = {known[1]", "orbit[SAILNET_ORBITS] = {R(0.0)"),
-    "no lower bounds": ("inside &= values[i] >= low[i]", "inside &= values[i] >= R(-9.0) + low[i]"),
-    "no upper bounds": ("inside &= values[i] <= high[i]", "inside &= values[i] <= R(9.0) + high[i]"),
+    "only the first axes": ("j < SAILNET_PADDED(SAILNET_AXES)", "j < SAILNET_LANES"),
+    "an axis mirrored": ("direction[1] * sailnet_at", "-direction[1] * sailnet_at"),
+    "no direction": ("inside &= sailnet_all_within", "(void)sailnet_all_within"),
+    "the next knot taken": ("[place.knot][j]", "[place.knot + 1][j]"),
+    "the same knot twice": ("[place.knot + 1][j]", "[place.knot][j]"),
+    "no energy": ("i < 2; i++", "i < 1; i++"),
+    "no speed": ("orbit[2] = {known[1]", "orbit[2] = {R(0.0)"),
+    "no lower bounds": ("(value >= -bound)", "(value >= R(-9.0) - bound)"),
+    "no upper bounds": ("(value <= bound)", "(value <= R(9.0) + bound)"),
+    "no lower bounds of the orbit": ("(from_middle >= -bound)", "1"),
+    "no upper bounds of the orbit": ("(from_middle <= bound)", "1"),
     "inwards missing": ("(fall < R(0.0) ? -fall : fall)", "fall"),
     "half the size": ("(square * per_q)", "(R(0.5) * square * per_q)"),
     "no root": ("i < 3; i++) {\n        root", "i < 1; i++) {\n        root"),
     "no target": ("sailnet_at_target(known) | in_tube", "in_tube"),
-    "any sail": ("(beta >= SAILNET_BETA_MIN) & (beta <= SAILNET_BETA_MAX)", "1"),
+    "any sail": ("int32_t inside = sail == beta;", "int32_t inside = 1;"),
 }
 
 
@@ -264,7 +267,7 @@ def test_mutants_of_the_guard_are_noticed(
     facts = describe(networks, MISSION)
     write_c(networks, facts, tmp_path)
     source = (tmp_path / "sailnet_guidance.c").read_text()
-    guard = source.index("#define SAILNET_DIRECTIONS")
+    guard = source.index("/* The layout for hosts, on vectors")
     old, new = MUTANTS[mutant]
     assert old in source[guard:]
     (tmp_path / "sailnet_guidance.c").write_text(source[:guard] + source[guard:].replace(old, new))

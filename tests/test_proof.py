@@ -9,7 +9,7 @@ from c_runtime.proof.__main__ import main
 from c_runtime.proof.eva import FRAMA_C, ProofError, analyse
 from c_runtime.proof.lemmas import check_lemmas
 from c_runtime.proof.mutants import MUTANTS, Mutant, mutate
-from c_runtime.shared_library import BUILDS, PRECISIONS
+from c_runtime.shared_library import PRECISIONS, PROVED_BUILDS
 from tests.conftest import Exported
 
 with_frama_c = pytest.mark.skipif(not shutil.which(FRAMA_C), reason="no frama-c (apt install frama-c-base)")
@@ -18,14 +18,15 @@ with_frama_c = pytest.mark.skipif(not shutil.which(FRAMA_C), reason="no frama-c 
 @with_frama_c
 @pytest.mark.parametrize("build", ["f32 simd", "f64 compact"])
 def test_commands_are_bounded_and_finite(exported: Exported, build: str) -> None:
-    assert analyse(exported.folder, BUILDS[build]) == []
+    assert analyse(exported.folder, PROVED_BUILDS[build]) == []
 
 
 @with_frama_c
 @pytest.mark.parametrize("mutant", MUTANTS, ids=lambda mutant: mutant.name)
 def test_a_guard_less_breaks_the_proof(approach_exported: Exported, tmp_path: Path, mutant: Mutant) -> None:
     assert mutate(approach_exported.folder, mutant, tmp_path)
-    assert analyse(tmp_path, BUILDS["f32 compact"])
+    build = next(build for build in ("f32 compact", "f32 simd") if mutant.concerns(build))
+    assert analyse(tmp_path, PROVED_BUILDS[build])
 
 
 @with_frama_c
@@ -34,19 +35,25 @@ def test_a_file_that_does_not_compile_is_an_error_not_a_proof(exported: Exported
         exported.folder, Mutant("", "sailnet_status sailnet_guidance(", "sailnet_status ("), tmp_path
     )
     with pytest.raises(ProofError, match="frama-c failed"):
-        analyse(tmp_path, ())
+        analyse(tmp_path, PROVED_BUILDS["f32 simd"])
 
 
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_what_the_proof_assumes_is_so(exported: Exported, precision: str) -> None:
-    assert check_lemmas(exported.folder, PRECISIONS[precision]) == "0 failures"
+    assert check_lemmas(exported.folder, PROVED_BUILDS[f"{precision} simd"]) == "0 failures"
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_what_it_assumes_of_the_compact_layout_is_so(approach_exported: Exported, precision: str) -> None:
+    """Whose functions are the same in either form."""
+    assert check_lemmas(approach_exported.folder, PROVED_BUILDS[f"{precision} compact"]) == "0 failures"
 
 
 def test_a_sigmoid_out_of_bounds_is_noticed(exported: Exported, tmp_path: Path) -> None:
     broken = Mutant("", "return (rest - scaled) / (rest + scaled);", "return R(1.001) - scaled / rest;")
     assert mutate(exported.folder, broken, tmp_path)
     with pytest.raises(ProofError, match="outside its bounds"):
-        check_lemmas(tmp_path, ())
+        check_lemmas(tmp_path, PROVED_BUILDS["f32 simd"])
 
 
 def test_without_frama_c_it_says_how_to_get_it(

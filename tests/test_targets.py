@@ -12,7 +12,7 @@ import pytest
 from c_runtime.targets import __main__ as command
 from c_runtime.targets import measure, run
 from c_runtime.targets.build import TargetError, link
-from c_runtime.targets.elf import address, deepest_stack, sizes
+from c_runtime.targets.elf import address, deepest_stack, reached, sizes
 from c_runtime.targets.golden import (
     COMMANDS,
     PERIODS,
@@ -317,6 +317,15 @@ def test_the_deepest_path_counts(tmp_path: Path) -> None:
             deepest_stack(graph, "top")
     with pytest.raises(ValueError, match="does not know absent"):
         deepest_stack(graph, "absent")
+
+
+def test_what_a_function_needs_is_what_it_reaches(tmp_path: Path) -> None:
+    graph = tmp_path / "file.ci"
+    graph.write_text(CALLS.format(kind="static", called="memcpy"))
+    assert reached(graph, "top") == {"top", "left", "right"}
+    assert reached(graph, "left") == {"left"}
+    with pytest.raises(ValueError, match="does not know absent"):
+        reached(graph, "absent")
 
 
 def test_limits_are_named_with_their_verdict() -> None:

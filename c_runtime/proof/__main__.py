@@ -12,7 +12,7 @@ from tqdm import tqdm
 from c_runtime.proof.eva import FRAMA_C, ProofError, analyse
 from c_runtime.proof.lemmas import check_lemmas
 from c_runtime.proof.mutants import MUTANTS, mutate
-from c_runtime.shared_library import BUILDS, PRECISIONS, CompilerError
+from c_runtime.shared_library import PROVED_BUILDS, CompilerError
 
 MISSING = "proof: left out, there is no frama-c (Debian: apt install frama-c-base)"
 
@@ -44,9 +44,9 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _prove(exported: Path) -> int:
     failed = 0
-    for precision, defines in PRECISIONS.items():
-        print(f"lemmas {precision}: {check_lemmas(exported, defines)}")
-    for build, defines in tqdm(BUILDS.items(), desc="proof", disable=None):
+    for build, defines in PROVED_BUILDS.items():
+        print(f"lemmas {build}: {check_lemmas(exported, defines)}")
+    for build, defines in tqdm(PROVED_BUILDS.items(), desc="proof", disable=None):
         problems = analyse(exported, defines)
         print(f"{build}: {'proved' if not problems else 'NOT PROVED'}", *problems, sep="\n  ")
         failed += bool(problems)
@@ -56,7 +56,7 @@ def _prove(exported: Path) -> int:
 def _survivors(exported: Path) -> int:
     survivors = 0
     for mutant in tqdm(MUTANTS, desc="mutants", disable=None):
-        for build, defines in BUILDS.items():
+        for build, defines in PROVED_BUILDS.items():
             if not mutant.concerns(build):
                 continue
             with tempfile.TemporaryDirectory() as name:

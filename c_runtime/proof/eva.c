@@ -1,6 +1,6 @@
 /*
  * What Frama-C's Eva proves of an exported guidance, for any bits of every input: see SOUNDNESS.md.
- * The flight file is included as it is; the contracts below stand for four of its functions.
+ * The flight file is included as it is; the contracts below stand for some of its functions.
  */
 #include "sailnet_guidance.h"
 
@@ -9,8 +9,8 @@
 #define SMALLEST_POWER 0x1p-1000
 #define LARGEST_POWER 0x1p1000
 #else
-#define SMALLEST_POWER 0x1p-60
-#define LARGEST_POWER 0x1p60
+#define SMALLEST_POWER 0x1p-64
+#define LARGEST_POWER 0x1p63
 #endif
 /*@ requires steep: -1000 <= octaves <= 1000;
     assigns \result \from octaves;
@@ -24,7 +24,11 @@ static sailnet_real sailnet_power(sailnet_real octaves);
     assigns \result \from octaves;
     ensures \is_finite(\result) && -1 <= \result <= 1; */
 static sailnet_real sailnet_sigmoid(sailnet_real octaves);
-#if SAILNET_READS_BETA
+#ifdef SAILNET_COMPACT
+/*@ assigns \result \from value;
+    ensures \is_finite(\result) && 0.99e-12 <= \result <= 1.01e12; */
+static sailnet_real sailnet_per_root(sailnet_real value);
+#elif SAILNET_READS_BETA
 /*@ requires range: 0.99e-24 <= value <= 1.01e30;
     assigns \result \from value;
     ensures \is_finite(\result) && 3e-8 <= \result <= 1.01e6; */

@@ -8,6 +8,12 @@
 
 #define BLOCK 4096
 
+#ifdef SAILNET_FLOAT64
+#define SAILNET_INFINITY from_bits(UINT64_C(0x7FF0000000000000))
+#else
+#define SAILNET_INFINITY from_bits(UINT32_C(0x7F800000))
+#endif
+
 static long failures = 0;
 
 typedef sailnet_real (*sailnet_function)(sailnet_real);
@@ -39,7 +45,7 @@ static sailnet_bits to_bits(sailnet_real value)
             }                                                                                          \
             for (int32_t i = 0; i < BLOCK; i++) {                                                      \
                 y[i] = function(x[i]);                                                                 \
-                z[i] = function((both) ? -x[i] : x[i]);                                                \
+                z[i] = (both) ? function(-x[i]) : y[i];                                                \
             }                                                                                          \
             for (int32_t i = 0; i < BLOCK; i++) {                                                      \
                 bad += !(y[i] >= (lowest)) | !(y[i] <= (highest));                                     \
@@ -57,11 +63,16 @@ int main(void)
     const sailnet_real largest_power = 0x1p1000, smallest_power = 0x1p-1000;
 #else
     const sailnet_bits step = 1;
-    const sailnet_real largest_power = 0x1p60f, smallest_power = 0x1p-60f;
+    const sailnet_real largest_power = 0x1p63f, smallest_power = 0x1p-64f;
 #endif
     CHECK_ALL(sailnet_fraction, R(0.0), SAILNET_LARGEST_OCTAVES, 1, R(-0.5), R(0.5));
     CHECK_ALL(sailnet_sigmoid, R(0.0), SAILNET_LARGEST_OCTAVES, 1, R(-1.0), R(1.0));
-#if SAILNET_READS_BETA
+#ifdef SAILNET_COMPACT
+    CHECK_ALL(sailnet_per_root, R(0.99e-24), R(1.01e24), 0, R(0.99e-12), R(1.01e12));
+    /* Beyond, it is clamped. */
+    CHECK_ALL(sailnet_per_root, SAILNET_INFINITY, SAILNET_INFINITY, 1, R(0.99e-12), R(1.01e12));
+    CHECK_ALL(sailnet_per_root, R(0.0), R(0.0), 0, R(0.99e-12), R(1.01e12));
+#elif SAILNET_READS_BETA
     CHECK_ALL(sailnet_inverse_fourth_root, R(0.99e-24), R(1.01e30), 0, R(3e-8), R(1.01e6));
 #endif
     /* The power depends on the nearest integer alone. */

@@ -25,6 +25,13 @@ MUTANTS = (
         "cone angle unbounded",
         "const sailnet_real bounded = size < SAILNET_PHI_MAX ? size : SAILNET_PHI_MAX;",
         "const sailnet_real bounded = size;",
+        builds="simd",
+    ),
+    Mutant(
+        "cone angle unbounded, compact",
+        "sailnet_within(alpha_pre, SAILNET_PHI_MAX)",
+        "alpha_pre",
+        builds="compact",
     ),
     Mutant(
         "clamp lets NaN through",
@@ -36,34 +43,47 @@ MUTANTS = (
         "return raised < upper ? raised : upper;",
         "return raised + R(0.0) * upper;",
     ),
-    Mutant("s unbounded", "sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6))", "(s4 * per_s) * per_s2"),
-    Mutant("fourth power of s may be zero", "sailnet_clamped(sum, SAILNET_SMALLEST_S4, R(1e24))", "sum"),
+    Mutant(
+        "s unbounded",
+        "sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6))",
+        "(s4 * per_s) * per_s2",
+        builds="simd",
+    ),
+    Mutant(
+        "fourth power of s may be zero",
+        "sailnet_clamped(sum, SAILNET_SMALLEST_S4, R(1e24))",
+        "sum",
+        builds="simd",
+    ),
     Mutant(
         "estimate of beta unbounded",
-        "return sailnet_clamped(beta + share * counted, SAILNET_BETA_MIN, SAILNET_BETA_MAX);",
-        "return beta + share * counted;",
+        "memory->beta = sailnet_known_beta(beta + share * counted);",
+        "memory->beta = beta + share * counted;",
     ),
+    Mutant("memory trusted", "memory->beta = sailnet_known_beta(memory->beta);", ""),
+    Mutant("any period held", "sailnet_clamped(period + (period - period), R(0.0), R(1e30))", "period"),
+    Mutant("inputs not clamped", "shifted[i] = clamped -", "shifted[i] = input[i] -", builds="simd"),
     Mutant(
-        "memory trusted",
-        "memory->beta = sailnet_clamped(memory->beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);",
-        "",
-    ),
-    Mutant(
-        "any period held",
-        "sailnet_is_finite(period) ? sailnet_clamped(period, R(0.0), R(1e30)) : R(0.0)",
-        "period",
-    ),
-    Mutant("inputs not clamped", "shifted[i] = clamped -", "shifted[i] = input[i] -"),
-    Mutant(
-        "one weight too many read",
-        "for (int32_t i = 0; i < inputs; i++) {\n            const sailnet_real x",
-        "for (int32_t i = 0; i <= inputs; i++) {\n            const sailnet_real x",
+        "inputs not clamped, compact",
+        "sailnet_clamped(input, range[0], range[1]) - range[2]",
+        "input - range[2]",
         builds="compact",
+    ),
+    Mutant("one weight too many read", "in != &from[inputs]", "in != &from[inputs + 1]", builds="compact"),
+    Mutant(
+        "a knot too many read", "knot = (int32_t)within;", "knot = (int32_t)within + 1;", builds="compact"
     ),
     Mutant(
         "null command written",
         "    if (command == NULL) {\n        return SAILNET_INVALID_INPUT;\n    }\n",
         "",
+        builds="simd",
+    ),
+    Mutant(
+        "null command written, compact",
+        "    if (command == NULL) {\n        return (uint32_t)SAILNET_INVALID_INPUT;\n    }\n",
+        "",
+        builds="compact",
     ),
 )
 

@@ -9,13 +9,24 @@
 #error "arithmetic must have the precision of its type: on 32-bit x86 add -msse2 -mfpmath=sse"
 #endif
 
-/* The compact layout leaves to the compiler what to inline; the other one is a single piece of code. */
-#if defined(__GNUC__) && !defined(SAILNET_COMPACT)
+#if defined(__GNUC__)
 #define SAILNET_INLINE static inline __attribute__((always_inline))
 #define SAILNET_ALIGNED __attribute__((aligned(64)))
 #else
 #define SAILNET_INLINE static inline
 #define SAILNET_ALIGNED
+#endif
+/* In the compact layout parts are functions, so that what one needs of the stack is free for the next. */
+#if defined(__GNUC__) && defined(SAILNET_COMPACT)
+#define SAILNET_PART static __attribute__((noinline))
+#else
+#define SAILNET_PART SAILNET_INLINE
+#endif
+/* So is what several places do, but where a call itself takes 96 bytes of stack, for a window of registers. */
+#ifdef __sparc__
+#define SAILNET_SHARED SAILNET_INLINE
+#else
+#define SAILNET_SHARED SAILNET_PART
 #endif
 
 #define R(literal) SAILNET_REAL(literal)
@@ -25,17 +36,23 @@
 #else
 #define SAILNET_PER_16_BYTES 4
 #endif
-/* Layers are padded with zeros: to whole vector registers, or to the block that registers hold. */
-#if defined(SAILNET_COMPACT)
-#define SAILNET_LANES SAILNET_BLOCK
-#elif defined(__AVX512F__)
+/*
+ * The layout for hosts computes on vectors, as gcc and clang have them, of as many numbers as the widest registers of
+ * the processor hold; with SAILNET_PLAIN on single numbers, in C99 and to the same results but for contraction.
+ */
+#if defined(__GNUC__) && !defined(SAILNET_COMPACT) && !defined(SAILNET_PLAIN)
+#define SAILNET_VECTORS
+#if defined(__AVX512F__)
 #define SAILNET_LANES (4 * SAILNET_PER_16_BYTES)
 #elif defined(__AVX__)
 #define SAILNET_LANES (2 * SAILNET_PER_16_BYTES)
 #else
 #define SAILNET_LANES SAILNET_PER_16_BYTES
 #endif
-#define SAILNET_BLOCK 10
+#else
+#define SAILNET_LANES 1
+#endif
+/* Layers are padded with zeros to whole vectors. */
 #define SAILNET_PADDED(count) (((count) + SAILNET_LANES - 1) / SAILNET_LANES * SAILNET_LANES)
 
 #ifdef SAILNET_FLOAT64
@@ -47,19 +64,42 @@ typedef uint64_t sailnet_bits;
 typedef uint32_t sailnet_bits;
 #define SAILNET_MANTISSA_BITS 23
 #define SAILNET_BITS_OF_ONE UINT32_C(0x3F800000)
+#ifdef SAILNET_COMPACT
+/* 2^23 + 64: what is below -64 octaves is rounded to halves. Seven bits are bounds that ARM saturates to at once. */
+#define SAILNET_ROUNDER 8388672.0f
+#define SAILNET_BITS_OF_LEAST_POWER 0x4B000000
+#define SAILNET_LEAST_POWER (-64)
+#define SAILNET_LARGEST_POWER 63
+#else
 #define SAILNET_ROUNDER 12582912.0f /* 1.5 * 2^23 */
 #define SAILNET_BITS_OF_ROUNDER 0x4B400000
 #define SAILNET_LARGEST_POWER 60
 #endif
+#endif
 /* What `export` guarantees of the sums of hidden layers. */
 #define SAILNET_LARGEST_OCTAVES R(1000.0)
 
-/* A NaN, which alone differs from itself, becomes `lower`. */
-SAILNET_INLINE sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper)
+/* A NaN, of which no comparison is true, becomes `lower`: said twice for analysers, which see only intervals. */
+SAILNET_SHARED sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper)
 {
+#ifdef SAILNET_VECTORS
+    const sailnet_real known = value;
+#else
     const sailnet_real known = value == value ? value : lower;
+#endif
     const sailnet_real raised = known > lower ? known : lower;
     return raised < upper ? raised : upper;
+}
+
+/* A NaN becomes -bound. */
+SAILNET_SHARED sailnet_real sailnet_within(sailnet_real value, sailnet_real bound)
+{
+    return sailnet_clamped(value, -bound, bound);
+}
+
+SAILNET_SHARED sailnet_real sailnet_known_beta(sailnet_real beta)
+{
+    return sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
 }
 
 /* The difference of a number with itself is 0, unless it is a NaN or an infinity. */
@@ -68,12 +108,7 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
     return (value - value) == R(0.0);
 }
 
-/* The difference of octaves, at most SAILNET_LARGEST_OCTAVES, from the nearest integer n: in [-1/2, 1/2]. */
-SAILNET_INLINE sailnet_real sailnet_fraction(sailnet_real octaves)
-{
-    return octaves - ((octaves + SAILNET_ROUNDER) - SAILNET_ROUNDER);
-}
-
+#ifndef SAILNET_VECTORS
 /* 2^n; in float n is bounded, by so much that 1 + 2^n rounds to 1 or to 2^n. */
 SAILNET_INLINE sailnet_real sailnet_power(sailnet_real octaves)
 {
@@ -82,10 +117,19 @@ SAILNET_INLINE sailnet_real sailnet_power(sailnet_real octaves)
     sailnet_real power;
     /* The lowest bits of `rounded` are n: moved into the exponent of 1.0 they scale it. */
 #ifdef SAILNET_FLOAT64
-    memcpy(&bits, &rounded, sizeof bits);
+    (void)memcpy(&bits, &rounded, sizeof bits);
+#elif defined(SAILNET_COMPACT)
+    int32_t integer;
+    (void)memcpy(&integer, &rounded, sizeof integer);
+    integer -= SAILNET_BITS_OF_LEAST_POWER;
+    integer = integer > 0 ? integer : 0;
+    integer = integer < SAILNET_LARGEST_POWER - SAILNET_LEAST_POWER ? integer
+                                                                    : SAILNET_LARGEST_POWER - SAILNET_LEAST_POWER;
+    integer += SAILNET_LEAST_POWER;
+    bits = (sailnet_bits)integer;
 #else
     int32_t integer;
-    memcpy(&integer, &rounded, sizeof integer);
+    (void)memcpy(&integer, &rounded, sizeof integer);
     integer = integer > SAILNET_BITS_OF_ROUNDER - SAILNET_LARGEST_POWER
                   ? integer
                   : SAILNET_BITS_OF_ROUNDER - SAILNET_LARGEST_POWER;
@@ -95,39 +139,7 @@ SAILNET_INLINE sailnet_real sailnet_power(sailnet_real octaves)
     bits = (sailnet_bits)integer;
 #endif
     bits = (bits << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
-    memcpy(&power, &bits, sizeof power);
+    (void)memcpy(&power, &bits, sizeof power);
     return power;
 }
-
-/*
- * Q with 2^r = (Q + r) / (Q - r) for r in [-1/2, 1/2]: r coth(r ln 2 / 2), an even function, by its best
- * polynomial in r^2; the error in 2^r is below 4e-10 (float) and 2e-19 (double).
- */
-SAILNET_INLINE sailnet_real sailnet_exp2_quotient(sailnet_real r)
-{
-    const sailnet_real x = r * r;
-#ifdef SAILNET_FLOAT64
-    const sailnet_real x2 = x * x;
-    const sailnet_real lower = 2.885390081777927 + 0.11552453009332358 * x;
-    const sailnet_real middle = -0.0009250684777172659 + 1.0582188496835143e-05 * x;
-    const sailnet_real upper = -1.2710218996994688e-07 + 1.5281505359512684e-09 * x;
-    return lower + x2 * (middle + x2 * upper);
-#else
-    return 2.8853900869141140f + x * (0.11552415991787668f - 0.00092111450680463073f * x);
 #endif
-}
-
-/*
- * The sigmoid 1 / (1 + exp(-x)), centred and doubled, which is tanh(x / 2), of x = -octaves ln 2, in
- * [-1, 1]: |a - b| <= a + b for positive a and b, and rounding keeps that. The tables hold hidden layers
- * in octaves, which makes the reduction to a power of two exact, and their weights and biases undo the
- * centring and the doubling: numbers around zero, and sums of them, are rounded finer.
- */
-SAILNET_INLINE sailnet_real sailnet_sigmoid(sailnet_real octaves)
-{
-    const sailnet_real r = sailnet_fraction(octaves);
-    const sailnet_real quotient = sailnet_exp2_quotient(r);
-    const sailnet_real scaled = (quotient + r) * sailnet_power(octaves);
-    const sailnet_real rest = quotient - r;
-    return (rest - scaled) / (rest + scaled);
-}

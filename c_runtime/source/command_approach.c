@@ -15,23 +15,15 @@ SAILNET_INLINE sailnet_real sailnet_inverse_fourth_root(sailnet_real value)
 #endif
     sailnet_bits bits;
     sailnet_real root;
-    memcpy(&bits, &value, sizeof bits);
+    (void)memcpy(&bits, &value, sizeof bits);
     bits = start - (bits >> 2);
-    memcpy(&root, &bits, sizeof root);
+    (void)memcpy(&root, &bits, sizeof root);
     for (int32_t i = 0; i < steps; i++) {
         const sailnet_real square = root * root;
         const sailnet_real left = R(1.0) - (value * square) * square;
         root += root * left * (R(0.25) + R(0.15625) * left);
     }
     return root;
-}
-
-/* 2^octaves, for at most 60 octaves. */
-SAILNET_INLINE sailnet_real sailnet_exp2(sailnet_real octaves)
-{
-    const sailnet_real r = sailnet_fraction(octaves);
-    const sailnet_real quotient = sailnet_exp2_quotient(r);
-    return (quotient + r) / (quotient - r) * sailnet_power(octaves);
 }
 
 /* Each network reads all five; the first gives log2(tau / s). beta must be in its range. */

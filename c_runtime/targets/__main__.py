@@ -109,7 +109,8 @@ def _summary(build: Measured) -> str:
     return (
         f"guidance {guidance.counts.mean:>8,.0f} (most {guidance.counts.most:,}), "
         f"steering {steering.counts.mean:>8,.0f} (most {steering.counts.most:,}) instructions; "
-        f"code {sizes.code:,}, constants {sizes.constants:,}, static {sizes.static}; "
+        f"code {sizes.code:,} (law alone {build.program.law:,}), "
+        f"constants {sizes.constants:,}, static {sizes.static}; "
         f"stack {guidance.stack} and {steering.stack} written, "
         f"{build.program.stack[0]} and {build.program.stack[1]} reserved; "
         f"error {build.errors[0, 0]:.1e} rad; {build.other_bits} numbers unlike the host's"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from c_runtime.targets.elf import Sizes, deepest_stack, sizes
+from c_runtime.targets.elf import Sizes, deepest_stack, reached, sizes
 from c_runtime.targets.golden import COMMAND_BOUNDS, STEERING_BOUNDS, Bounds, Golden
 from c_runtime.targets.machines import LAYOUTS, PRECISIONS, Layout, Target
 from sailnet.errors import SailnetError
@@ -39,12 +39,14 @@ class Program:
         path: of it.
         flags: that the flight file was compiled with, beside warnings.
         sizes: of the flight file alone.
+        law: bytes of code of what ``sailnet_guidance`` needs: what a linker keeps that drops the rest.
         stack: bytes that ``sailnet_guidance`` and ``sailnet_steer`` need, by the compiler's account.
     """
 
     path: Path
     flags: tuple[str, ...]
     sizes: Sizes
+    law: int
     stack: tuple[int, int]
 
 
@@ -133,7 +135,9 @@ def build(target: Target, exported: Path, golden: Path, flags: tuple[str, ...], 
     )
     callgraph = flight.with_suffix(".ci")
     stack = (deepest_stack(callgraph, "sailnet_guidance"), deepest_stack(callgraph, "sailnet_steer"))
-    return Program(program, flags, sizes(flight), stack)
+    found = sizes(flight)
+    law = sum(found.functions[name] for name in reached(callgraph, "sailnet_guidance"))
+    return Program(program, flags, found, law, stack)
 
 
 def link(target: Target, sources: list[Path], options: list[str], program: Path) -> None:

@@ -63,6 +63,33 @@ def deepest_stack(callgraph: Path, function: str) -> int:
     Raises:
         ValueError: the function is not there, or one of unknown stack or a recursion is called.
     """
+    frames, calls = _read_callgraph(callgraph, function)
+
+    def depth(name: str, above: tuple[str, ...] = ()) -> int:
+        frame = frames.get(name, HELPERS_STACK)
+        if frame is None or name in above:
+            raise ValueError(f"{name} needs an amount of stack that is not fixed")
+        return frame + max((depth(called, (*above, name)) for called in calls.get(name, ())), default=0)
+
+    return depth(function)
+
+
+def reached(callgraph: Path, function: str) -> set[str]:
+    """A function and all of the same file that it calls, by the same account.
+
+    Raises:
+        ValueError: the function is not there.
+    """
+    frames, calls = _read_callgraph(callgraph, function)
+    found, new = set(), {function}
+    while new:
+        found |= new
+        new = {called for name in new for called in calls.get(name, ())} & frames.keys() - found
+    return found
+
+
+def _read_callgraph(callgraph: Path, function: str) -> tuple[dict[str, int | None], dict[str, set[str]]]:
+    """Frames [bytes] by function, None if not fixed, and whom each calls."""
     text = callgraph.read_text(encoding="utf-8")
     frames = {
         _plain(title): int(size) if kind == "static" else None
@@ -75,14 +102,7 @@ def deepest_stack(callgraph: Path, function: str) -> int:
         calls.setdefault(_plain(source), set()).add(_plain(target))
     if function not in frames:
         raise ValueError(f"{callgraph} does not know {function}")
-
-    def depth(name: str, above: tuple[str, ...] = ()) -> int:
-        frame = frames.get(name, HELPERS_STACK)
-        if frame is None or name in above:
-            raise ValueError(f"{name} needs an amount of stack that is not fixed")
-        return frame + max((depth(called, (*above, name)) for called in calls.get(name, ())), default=0)
-
-    return depth(function)
+    return frames, calls
 
 
 def _plain(title: str) -> str:

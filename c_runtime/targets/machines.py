@@ -46,6 +46,9 @@ class Target:
     retires: bool = False
 
 
+SMALL = ("-Os", "-fno-schedule-insns", "-fno-schedule-insns2")
+"""Scheduling makes gcc move constants further away than short instructions reach, and spill registers."""
+
 ARM = ("gcc-arm-none-eabi", "qemu-system-arm")
 SEMIHOSTING = ("-display", "none", "-semihosting-config", "enable=on,target=native", "-kernel")
 
@@ -55,7 +58,7 @@ TARGETS = (
         title="Cortex-M4F",
         compiler="arm-none-eabi-gcc",
         machine=("-mthumb", "-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"),
-        optimisation=("-O2",),
+        optimisation=SMALL,
         emulator=("qemu-system-arm", "-M", "mps2-an386", *SEMIHOSTING),
         folder="cortex_m",
         packages=ARM,
@@ -66,7 +69,7 @@ TARGETS = (
         title="Cortex-M7",
         compiler="arm-none-eabi-gcc",
         machine=("-mthumb", "-mcpu=cortex-m7", "-mfloat-abi=hard", "-mfpu=fpv5-d16"),
-        optimisation=("-O2",),
+        optimisation=SMALL,
         emulator=("qemu-system-arm", "-M", "mps2-an500", *SEMIHOSTING),
         folder="cortex_m",
         packages=ARM,
@@ -77,8 +80,7 @@ TARGETS = (
         title="LEON3",
         compiler="sparc64-linux-gnu-gcc",
         machine=("-m32", "-mcpu=leon3"),
-        # Scheduling before registers are allotted makes gcc spill them in the inner loop: 13 % slower.
-        optimisation=("-O2", "-fno-schedule-insns"),
+        optimisation=("-Os", "-fno-schedule-insns"),
         emulator=("qemu-system-sparc", "-M", "leon3_generic", "-nographic", "-monitor", "none", "-kernel"),
         folder="leon3",
         packages=("gcc-sparc64-linux-gnu", "qemu-system-sparc"),
@@ -90,7 +92,7 @@ TARGETS = (
         title="RISC-V RV32IMAFDC",
         compiler="riscv64-unknown-elf-gcc",
         machine=("-march=rv32imafdc", "-mabi=ilp32d", "-mcmodel=medany"),
-        optimisation=("-O2",),
+        optimisation=SMALL,
         emulator=(
             *("qemu-system-riscv32", "-M", "virt", "-bios", "none", "-icount", "shift=0"),
             *("-display", "none", "-serial", "stdio", "-monitor", "none", "-kernel"),
@@ -105,6 +107,7 @@ TARGETS = (
         title="PowerPC 750",
         compiler="powerpc-linux-gnu-gcc",
         machine=("-mcpu=750",),
+        # -Os calls functions of libgcc that save registers.
         optimisation=("-O2",),
         emulator=("qemu-ppc", "-cpu", "750"),
         folder="hosted",

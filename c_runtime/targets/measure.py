@@ -85,7 +85,12 @@ class Measured:
                 for name, count in zip(names, counts, strict=True)
                 if count is not None
             },
-            "bytes": {"code": sizes.code, "constants": sizes.constants, "static": sizes.static},
+            "bytes": {
+                "code": sizes.code,
+                "law": self.program.law,
+                "constants": sizes.constants,
+                "static": sizes.static,
+            },
             "stack": {
                 name: {"written": calls.stack, "reserved": reserved}
                 for name, calls, reserved in zip(

@@ -20,8 +20,11 @@ CAPTION = """\
 {commands:,} golden commands and {steps} golden calls of steering on each, in emulation; written by
 `make targets-table`. *Instructions*: of a call with valid input on average, and in brackets the most
 of any call.
-*Code*, *constants* and *static* memory (which is written) are of the flight file alone. *Stack*: of
-guidance / of steering, the larger of what was seen written and what the compiler reserves. *Error*: the
+*Code*, *constants* and *static* memory (which is written) are of the flight file alone.
+*Code*: of guidance alone, which is what a linker keeps of it with `-ffunction-sections -Wl,--gc-sections`, /
+with steering, constants between functions included.
+*Stack*: of guidance / of steering, the larger of what was seen written and what the compiler reserves.
+*Error*: the
 largest difference from the float64 reference in cone angle [rad] / time of flight [TU], each divided by 1 +
 |reference|. Where products and sums are fused (`fast`) results differ from the host's by rounding; built
 without, and on processors that cannot fuse, all outputs are {same} the host's, bit for bit. *ms* is an
@@ -78,7 +81,8 @@ def limits(measured: Sequence[Measured]) -> list[Limit]:
         limit, aim = INSTRUCTIONS[build.target.name, build.precision]
         checked += [
             Limit(f"{where}, instructions a command", counts.most, limit, aim),
-            Limit(f"{where}, bytes of code", build.program.sizes.code, CODE),
+            Limit(f"{where}, bytes of code, law alone", build.program.law, CODE),
+            Limit(f"{where}, bytes of code with steering", build.program.sizes.code, CODE),
             Limit(f"{where}, bytes of stack", max(_stack(build)), STACK),
             Limit(f"{where}, bytes of static memory", build.program.sizes.static, 0),
         ]
@@ -129,7 +133,7 @@ def _row(build: Measured) -> str:
         f"gcc {compiler_version(build.target)} `{' '.join(flags)}`",
         f"{guidance.mean:,.0f} ({guidance.most:,})",
         f"{steering.mean:,.0f} ({steering.most:,})",
-        f"{sizes.code:,}",
+        f"{build.program.law:,} / {sizes.code:,}",
         f"{sizes.constants:,}",
         f"{sizes.static}",
         " / ".join(map(str, _stack(build))),
