@@ -62,7 +62,7 @@ $(networks)/trained: $(learned) sailnet/networks.py $(wildcard training/*.py) | 
 
 # The paper compares with guidance by two networks: it needs the one for the signed cone angle.
 export: $(exported)/exported
-$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/include/* c_runtime/source/*) | $(READY)
+$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/include/* c_runtime/source/* c_runtime/source/*/*) | $(READY)
 	$(PYTHON) -m export $(networks) $(exported) --mission $(MISSION) \
 	    $(if $(filter wide,$(RECIPE)),,--baseline $(networks)/alpha.safetensors)
 	@touch $@

@@ -106,8 +106,8 @@ typedef enum {
 
 /*
  * The guidance law: fills *command (unless it is null) whatever the bits of *state and beta are.
- * beta is clamped to its range; a NaN becomes SAILNET_BETA. It is without effect on networks that do
- * not read it.
+ * beta is clamped to its range; a NaN becomes SAILNET_BETA. Networks that do not read it command the
+ * same for any; they were trained on one, and another is SAILNET_OUTSIDE_DOMAIN.
  */
 sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, sailnet_command *command);
 
@@ -118,6 +118,7 @@ void sailnet_start(sailnet_memory *memory);
  * Once a guidance period of `period` [TU]: learn beta from how the sail answered to the last command,
  * command, and say how long to hold. The command's `beta` is the estimate. `hold` is the period, or
  * less when the flight ends (SAILNET_ARRIVED), and at most the longer of the period and the threshold.
+ * A period beyond 1e30 TU counts as 1e30.
  * An invalid state gets the safe command for one period, and nothing is learnt from it; an invalid period
  * or null pointer gets it with `hold` 0.
  */
