@@ -10,6 +10,7 @@ import time
 import numpy as np
 
 from sailnet.dynamics import Array
+from sailnet.errors import SailnetError
 from sailnet.ocp.continuation import Schedule, follow
 from sailnet.ocp.flow import TOLERANCE, Flow
 from sailnet.ocp.functions import ProblemFunctions
@@ -17,7 +18,7 @@ from sailnet.ocp.newton import solve_equations
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.shooting import GOAL
 from sailnet.ocp.smoothing import L2Norm, Smoothing
-from sailnet.ocp.solution import ConvergenceError, Solution, Step
+from sailnet.ocp.solution import Solution, Step
 from sailnet.ocp.switching import zero_crossings
 from sailnet.ocp.tangents import LostError
 
@@ -36,7 +37,9 @@ class Pieces:
     """
 
     def __init__(self, problem: Problem, smoothing: Smoothing, count: int, tolerance: float) -> None:
-        self.problem, self.count = problem, count
+        if not problem.autonomous:
+            raise SailnetError(f"{problem.name} depends on time; multiple shooting takes autonomous problems")
+        self.problem, self.smoothing, self.count = problem, smoothing, count
         self.flow = Flow(problem, smoothing, tolerance)
         self.functions = self.flow.functions
         self.size = 2 * len(problem.states)
@@ -145,9 +148,7 @@ def solve(
     return _solution(equations, z, history, samples, time.perf_counter() - began)
 
 
-def _solution(
-    equations: Pieces, z: Array, history: list[Step], samples: int, wall_time: float
-) -> Solution:
+def _solution(equations: Pieces, z: Array, history: list[Step], samples: int, wall_time: float) -> Solution:
     problem, flow, rho = equations.problem, equations.flow, history[-1].rho
     stop, count = equations.final_time(z), equations.count
     clocks, rows, cost = [], [], 0.0
@@ -164,7 +165,7 @@ def _solution(
     state = y[-1:, : len(problem.states)]
     return Solution(
         problem=problem.name,
-        solver=f"multiple shooting, {equations.flow.form.name}",
+        solver=f"multiple shooting, {equations.smoothing.name}",
         **columns,
         cost=cost + float(ProblemFunctions(problem).terminal_cost(stop, state)[0]),
         residuals={"largest": history[-1].residual, "dynamics": flow.tolerance},

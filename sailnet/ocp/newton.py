@@ -8,7 +8,6 @@ import numpy as np
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 
-
 QUICK = 0.1
 """A step that leaves less of the residual than this needs no new derivatives."""
 

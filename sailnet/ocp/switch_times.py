@@ -1,8 +1,8 @@
 """A direct method for bang-bang controls: the lengths of the arcs are the unknowns of a small program.
 
-No costate, Hamiltonian or smoothing enters, so that what it finds is an independent check of what Pontryagin's
-conditions give. On a singular arc a control of finitely many switches does worse than the optimum, by ever
-less for every further switch.
+No costate, Hamiltonian or smoothing enters, so that what it finds is an independent check of what
+Pontryagin's conditions give. On a singular arc a control of finitely many switches does worse than the
+optimum, by ever less for every further switch.
 """
 
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.flow import TOLERANCE
 from sailnet.ocp.functions import ProblemFunctions
-from sailnet.ocp.problem import TIME, Problem
+from sailnet.ocp.problem import TIME, ZERO, Problem
 from sailnet.ocp.solution import ConvergenceError, Solution
 from sailnet.ocp.tangents import MOST_STEPS, LostError
 
@@ -44,7 +44,9 @@ def _integrator(dynamics: tuple[Any, ...], controls: tuple[Any, ...], parameters
     states = [x for x, _ in dynamics]
     system: Any = [(x, hy.subs(hy.expression(dx), places)) for x, dx in dynamics]
     start = np.ones(len(states) * (1 + len(states)))
-    return hy.taylor_adaptive(hy.var_ode_sys(system, states, order=1), start, tol=TOLERANCE, compact_mode=True)
+    return hy.taylor_adaptive(
+        hy.var_ode_sys(system, states, order=1), start, tol=TOLERANCE, compact_mode=True
+    )
 
 
 class SwitchTimes:
@@ -57,8 +59,12 @@ class SwitchTimes:
     """
 
     def __init__(self, problem: Problem, first: Array, switches: list[int]) -> None:
-        if problem.terminal_cost != TIME or len(problem.initial) < len(problem.states):
-            raise SailnetError(f"{problem.name} is not of minimum time from a given state; use another method")
+        fastest = problem.terminal_cost == TIME and problem.running_cost == ZERO and problem.autonomous
+        plain = len(problem.initial) == len(problem.states) and not problem.final_equations
+        if not (fastest and plain and len(problem.bounded) == len(problem.controls)):
+            raise SailnetError(
+                f"{problem.name} is not of minimum time between given states; use another method"
+            )
         self.problem, self.columns = problem, [problem.states.index(x) for x in problem.final]
         self.target = np.array(list(problem.final.values()))
         bounds = np.array([[control.lower, control.upper] for control in problem.bounded])
@@ -105,7 +111,9 @@ def solve(problem: Problem, guess: Solution, goal: float = 1e-9) -> BangBang:
     names = problem.names["switching"]
     order = [names.index(switch.name) for switch in guess.switches]
     # An upper bound is optimal where the switching function is negative.
-    first = [c.upper if s < 0.0 else c.lower for c, s in zip(problem.bounded, guess.switching[0], strict=True)]
+    first = [
+        c.upper if s < 0.0 else c.lower for c, s in zip(problem.bounded, guess.switching[0], strict=True)
+    ]
     arcs = SwitchTimes(problem, np.array(first), order)
     lengths = np.diff([0.0, *(switch.time for switch in guess.switches), guess.final_time])
     result = minimize(
@@ -124,6 +132,7 @@ def solve(problem: Problem, guess: Solution, goal: float = 1e-9) -> BangBang:
     miss = float(np.abs(arcs.fly(result.x)[0]).max())
     if miss > goal:
         raise ConvergenceError(
-            f"{len(order)} switches on {problem.name} do not meet the end; begin elsewhere", {"boundary": miss}
+            f"{len(order)} switches on {problem.name} do not meet the end; begin elsewhere",
+            {"boundary": miss},
         )
     return BangBang(float(result.x.sum()), np.cumsum(result.x)[:-1], miss)

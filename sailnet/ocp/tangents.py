@@ -30,7 +30,11 @@ class LostError(SailnetError):
         super().__init__(message)
 
 
-def system_of(equations: Canonical) -> tuple[list[tuple[Expression, Expression]], dict[Expression, Expression]]:
+System = list[tuple[Expression, Expression]]
+"""Variables and their time derivatives."""
+
+
+def system_of(equations: Canonical) -> tuple[System, dict[Expression, Expression]]:
     """The canonical equations as the integrators take them, and what their symbols become there."""
     places: dict[Expression, Expression] = {TIME: hy.time}
     places |= {symbol: hy.par[i] for i, symbol in enumerate([*equations.extras, *equations.parameters])}
