@@ -1,5 +1,6 @@
 """Paper 003's figures by two methods each, and the solvers that its problems asked for."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 
@@ -24,7 +25,7 @@ from sailnet.ocp import (
     survey,
     switch_times,
 )
-from sailnet.ocp.newton import solve_equations
+from sailnet.ocp.newton import Root, solve_equations
 from sailnet.ocp.papers import bbsr, dionysus
 from sailnet.ocp.problems import earth_dionysus, equinoctial, goddard, intercept, reorientation
 from sailnet.ocp.shooting_equations import Shooting
@@ -42,20 +43,32 @@ def test_tangents_in_lanes_are_exact() -> None:
     np.testing.assert_allclose(jacobian, expected, rtol=1e-5, atol=1e-6 * np.abs(expected).max())
 
 
-def test_newton_keeps_derivatives_that_serve() -> None:
-    matrix, calls = np.array([[3.0, 1.0], [1.0, 2.0]]), []
+def counted(
+    residual: Callable[[Array], Array], slope: Callable[[Array], Array], z: Array, goal: float
+) -> tuple[Root, int]:
+    calls = []
 
-    def linearise(z: Array) -> tuple[Array, Array]:
-        calls.append(z)
-        return residual(z), matrix
+    def linearise(u: Array) -> tuple[Array, Array]:
+        calls.append(u)
+        return residual(u), slope(u)
+
+    return solve_equations(residual, linearise, z, goal, 50), len(calls)
+
+
+def test_newton_keeps_derivatives_that_serve() -> None:
+    matrix, right = np.array([[3.0, 1.0], [1.0, 2.0]]), np.array([1.0, 2.0])
 
     def residual(z: Array) -> Array:
-        return np.asarray(matrix @ z - [1.0, 2.0])
+        return np.asarray(matrix @ z + 0.1 * np.sin(z) - right)
 
-    root = solve_equations(residual, linearise, np.zeros(2), 1e-12, 50)
+    root, calls = counted(residual, lambda z: matrix + 0.1 * np.diag(np.cos(z)), np.zeros(2), 1e-13)
     assert root.converged
-    assert len(calls) == 1
-    np.testing.assert_allclose(root.z, [0.0, 1.0], atol=1e-12)
+    assert calls == 1
+    assert root.iterations <= 6
+    # The last step needs none either, however little it gains.
+    root, calls = counted(lambda z: z**2 - 1.0, lambda z: 2.0 * np.diag(z), np.array([2.0]), 0.6)
+    assert root.converged
+    assert calls == root.iterations == 1
 
 
 def test_first_reorientation_and_its_decoy() -> None:
@@ -168,12 +181,17 @@ def _lands_in_cartesian_coordinates(solution: Solution) -> None:
 
 def test_a_campaign_counts_the_best_alone() -> None:
     masses = np.array([2718.3218, 2718.3149, 2718.3251, np.nan, 2700.0])
-    assert bbsr.Campaign(masses, np.ones(5)).best == 1
+    assert bbsr.Campaign(masses, np.ones(5), np.ones(5)).best == 1
 
 
 def test_refusals_say_what_to_do() -> None:
     with pytest.raises(SailnetError, match="not of minimum time"):
         switch_times.SwitchTimes(goddard.problem(), np.ones(1), [0])
+    problem = earth_dionysus.least_effort()
+    effort = reach.solve(problem, np.zeros(6), goal=1e-3, samples=20, tolerance=1e-6)
+    effort.control *= 5.0
+    with pytest.raises(SailnetError, match="engine cannot"):
+        earth_dionysus.costates_from(effort, 1.0)
     late = replace(goddard.problem(), running_cost=TIME)
     with pytest.raises(SailnetError, match="depends on time"):
         multiple.Pieces(late, L2Norm(), 2, 1e-9)

@@ -7,6 +7,7 @@ from scipy.integrate import cumulative_trapezoid
 from scipy.optimize import brentq
 
 from sailnet.dynamics import Array
+from sailnet.errors import SailnetError
 from sailnet.ocp.problem import Bounded, Direction, Problem, dot, symbols
 from sailnet.ocp.problems import equinoctial
 from sailnet.ocp.solution import Solution
@@ -123,6 +124,9 @@ def costates_from(effort: Solution, rho: float) -> Array:
     Args:
         effort: solution of :func:`least_effort`.
         rho: smoothing parameter of the L2 norm with which to go on.
+
+    Raises:
+        SailnetError: if the engine is too weak for it.
     """
     clock, primer = effort.time, np.linalg.norm(effort.control, axis=1)
     mass = np.exp(-cumulative_trapezoid(primer, clock, initial=0.0) / EXHAUST)
@@ -135,6 +139,9 @@ def costates_from(effort: Solution, rho: float) -> Array:
     def excess(factor: float) -> float:
         return float(np.trapezoid(T_MAX / mass * throttle(factor) - primer, clock))
 
-    factor = float(brentq(excess, 0.0, 10.0 / (EXHAUST * primer.mean())))
+    largest = 10.0 / (EXHAUST * primer.mean())
+    if not excess(0.0) < 0.0 < excess(largest):
+        raise SailnetError("the engine cannot give this change of velocity; take another solution or rho")
+    factor = float(brentq(excess, 0.0, largest))
     rate = factor * primer * T_MAX * throttle(factor) / mass**2
     return np.append(factor * effort.costate[0], -1.0 + np.trapezoid(rate, clock))
