@@ -126,7 +126,7 @@ def costates_from(effort: Solution, rho: float) -> Array:
         rho: smoothing parameter of the L2 norm with which to go on.
 
     Raises:
-        SailnetError: if the engine is too weak for it.
+        SailnetError: if no factor does so: an engine smoothed much is never quite off.
     """
     clock, primer = effort.time, np.linalg.norm(effort.control, axis=1)
     mass = np.exp(-cumulative_trapezoid(primer, clock, initial=0.0) / EXHAUST)
@@ -141,7 +141,7 @@ def costates_from(effort: Solution, rho: float) -> Array:
 
     largest = 10.0 / (EXHAUST * primer.mean())
     if not excess(0.0) < 0.0 < excess(largest):
-        raise SailnetError("the engine cannot give this change of velocity; take another solution or rho")
+        raise SailnetError("the smoothed engine cannot give this change of velocity; take a smaller rho")
     factor = float(brentq(excess, 0.0, largest))
     rate = factor * primer * T_MAX * throttle(factor) / mass**2
     return np.append(factor * effort.costate[0], -1.0 + np.trapezoid(rate, clock))
