@@ -1,8 +1,8 @@
 """Derivatives of a smoothed flow by its starting point: one tangent a lane of a vectorised integrator.
 
 Carrying c tangents in one system multiplies its terms by c; one tangent only doubles or triples them, and
-the processor's lanes fly several copies of that at once. For fourteen equations and seven tangents this is
-some five times faster, and compiles in seconds instead of half a minute.
+the processor's lanes fly several copies of that at once. For fourteen equations and seven tangents on
+eight lanes this takes two fifths of the time, and less to compile.
 """
 
 from functools import cache
