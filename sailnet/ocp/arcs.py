@@ -13,7 +13,7 @@ import numpy as np
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.canonical import Singular
-from sailnet.ocp.flow import Flow, LostError
+from sailnet.ocp.flow import Flow
 from sailnet.ocp.newton import solve_equations
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.shooting import GOAL
@@ -22,6 +22,7 @@ from sailnet.ocp.smoothing import Exact
 from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch
 from sailnet.ocp.switching import structure_of
 from sailnet.ocp.tabulate import Arc, largest, tabulate
+from sailnet.ocp.tangents import LostError
 
 MODES = {"+": 1.0, "-": -1.0, "0": 0.0, "s": 0.0}
 """Upper bound, lower bound, between (a control quadratic in H), singular."""

@@ -14,25 +14,21 @@ import heyoka as hy
 import numpy as np
 
 from sailnet.dynamics import Array, Expression
-from sailnet.errors import SailnetError
 from sailnet.ocp.canonical import RHO, Canonical, Form, Singular, canonical
 from sailnet.ocp.functions import ExtremalFunctions
-from sailnet.ocp.problem import TIME, Problem
+from sailnet.ocp.problem import Problem
 from sailnet.ocp.smoothing import Exact
 from sailnet.ocp.solution import Switch
+from sailnet.ocp.tangents import MOST_STEPS, LostError, system_of, tangents_of
 
 TOLERANCE = 1e-14
 """Local error of the Taylor integrator."""
 
-MOST_STEPS = 20_000
-"""A long spiral takes thousands of steps; a fall into a singularity never ends."""
-
 MOST_SWITCHES = 200
 """An exact law that switches more often chatters: the extremal has a singular arc."""
 
-
-class LostError(SailnetError):
-    """A trial trajectory left the domain of its equations; solvers take a smaller step."""
+LANES_FROM = 10
+"""States and costates from which on tangents fly in lanes; fewer are carried in one system faster."""
 
 
 class _Integrator:
@@ -40,11 +36,8 @@ class _Integrator:
 
     def __init__(self, equations: Canonical, form: Form, columns: int, cost: bool, tolerance: float) -> None:
         self.equations, self.form, self.columns = equations, form, columns
-        places: dict[Expression, Expression] = {TIME: hy.time}
-        places |= {symbol: hy.par[i] for i, symbol in enumerate([*equations.extras, *equations.parameters])}
-        system: Any = [
-            (y, hy.subs(dy, places)) for y, dy in zip(equations.variables, equations.slopes, strict=True)
-        ]
+        system: Any
+        system, places = system_of(equations)
         if cost:
             system.append((hy.expression("cost_so_far"), hy.subs(equations.running_cost, places)))
         self.size = len(system)
@@ -93,7 +86,7 @@ class _Integrator:
         ta.pars[:] = pars[: len(ta.pars)]
         outcome = ta.propagate_until(stop, max_steps=MOST_STEPS)[0]
         if outcome != hy.taylor_outcome.time_limit or not np.all(np.isfinite(self.state)):
-            raise LostError("the trajectory cannot be propagated to its end; begin elsewhere")
+            raise LostError
 
 
 class _Callback:
@@ -186,6 +179,9 @@ class Flow:
         self.form, self.tolerance = form, tolerance
         self.equations = canonical(problem, form)
         self._values = np.array(list(problem.parameters.values()), float)
+        # Events belong to a trajectory, and lanes would each have their own.
+        smooth = not isinstance(form, Exact | Singular) and not form.layer
+        self._in_lanes = smooth and len(self.equations.variables) >= LANES_FROM
 
     def __call__(
         self,
@@ -213,14 +209,19 @@ class Flow:
         Raises:
             LostError: if the trajectory does not get there.
         """
+        pars = np.concatenate([np.atleast_1d(np.asarray(extras, float)), self._values])
+        ends = np.empty((len(y), 0))
+        if tangents is not None and self._in_lanes:
+            ends = tangents_of(self.equations, self.tolerance).fly(start, stop, y, tangents, pars)
+            tangents = None
         columns = 0 if tangents is None else tangents.shape[1]
         engine = _integrator(self.equations, self.form, columns, False, self.tolerance)
         follow = isinstance(self.form, Exact) and not held
         engine.watching = watch or (_Watch(self.functions) if follow else None)
-        pars = np.concatenate([np.atleast_1d(np.asarray(extras, float)), self._values])
         engine.fly(start, stop, y, tangents, pars)
         size = engine.size
-        ends = np.array(engine.state[size:]).reshape(size, columns)
+        if columns:
+            ends = np.array(engine.state[size:]).reshape(size, columns)
         return np.array(engine.state[:size]), ends, engine.extras
 
     def arcs(self, start: float, stop: float, y: Array, extras: Array) -> tuple[list[Switch], list[Array]]:

@@ -8,6 +8,9 @@ import numpy as np
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 
+QUICK = 0.1
+"""A step that leaves less of the residual than this needs no new derivatives."""
+
 
 @dataclass(frozen=True)
 class Root:
@@ -63,11 +66,16 @@ def solve_equations(
         gained = float(value @ value - new @ new) if np.all(np.isfinite(new)) else -np.inf
         if gained > 0.0:
             ratio = gained / max(predicted, 1e-300)
-            try:
-                value, jacobian = linearise(trial)
-            except SailnetError:
-                damping, growth = damping * growth, 2.0 * growth
-                continue
+            if np.linalg.norm(new) < QUICK * np.linalg.norm(value) or np.abs(new).max() <= goal:
+                # The derivatives still serve; Broyden's update adds what the step has shown.
+                change = new - value - jacobian @ step
+                value, jacobian = new, jacobian + np.outer(change, step) / (step @ step)
+            else:
+                try:
+                    value, jacobian = linearise(trial)
+                except SailnetError:
+                    damping, growth = damping * growth, 2.0 * growth
+                    continue
             z = trial
             damping *= max(1e-2, 1.0 - (2.0 * min(ratio, 1.0) - 1.0) ** 3) if ratio > 0.0 else 1.0
             # Close to the root damping only delays Newton's method.

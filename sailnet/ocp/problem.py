@@ -174,6 +174,12 @@ class Problem:
         }
 
     @property
+    def autonomous(self) -> bool:
+        """Whether time stands neither in the dynamics nor in the running cost."""
+        expressions = [*self.dynamics.values(), self.running_cost]
+        return not any(str(TIME) in hy.get_variables(hy.expression(e)) for e in expressions)
+
+    @property
     def time_is_free(self) -> bool:
         """Whether the final time is optimised."""
         return isinstance(self.final_time, FreeTime)

@@ -10,13 +10,14 @@ from numpy.typing import ArrayLike
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.continuation import Schedule, follow
-from sailnet.ocp.flow import TOLERANCE, LostError
+from sailnet.ocp.flow import TOLERANCE
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.shooting_equations import Shooting
 from sailnet.ocp.smoothing import Exact, L2Norm, Smoothing
 from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch
 from sailnet.ocp.switching import zero_crossings
 from sailnet.ocp.tabulate import Arc, largest, tabulate
+from sailnet.ocp.tangents import LostError
 
 GOAL = 1e-10
 """Largest residual of an accepted solution."""
@@ -50,6 +51,7 @@ def solve(
     iterations: int = 100,
     samples: int = 200,
     tolerance: float = TOLERANCE,
+    rough: float | None = None,
 ) -> Solution:
     """Solve a problem by single shooting.
 
@@ -65,6 +67,7 @@ def solve(
         iterations: most trial points of Newton's method at one smoothing parameter.
         samples: points of the solution, at least.
         tolerance: local error of the propagation.
+        rough: largest residual on the way, before the schedule's end; ``goal`` by default.
 
     Returns:
         An extremal whose residuals are below ``goal``.
@@ -81,8 +84,9 @@ def solve(
         schedule = Schedule(schedule, schedule)
 
     def solve_at(rho: float, z: Array) -> tuple[Array, Step]:
+        enough = goal if rough is None or rho <= schedule.end else rough
         try:
-            root = equations.root(z, rho, goal, iterations)
+            root = equations.root(z, rho, enough, iterations)
         except LostError:
             return z, Step(rho, np.inf, 0, False)
         return root.z, Step(rho, float(np.abs(root.residual).max()), root.iterations, root.converged)
