@@ -34,9 +34,10 @@ SAILNET_INLINE sailnet_lanes sailnet_lanes_power(sailnet_lanes octaves)
     const sailnet_mask n = (sailnet_mask)bits;
     const sailnet_mask small = n < SAILNET_BITS_OF_ROUNDER - SAILNET_LARGEST_POWER;
     const sailnet_mask large = n > SAILNET_BITS_OF_ROUNDER + SAILNET_LARGEST_POWER;
-    const sailnet_bits largest = (SAILNET_LARGEST_POWER << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
+    const sailnet_bits largest = (sailnet_bits)(SAILNET_BITS_OF_ROUNDER + SAILNET_LARGEST_POWER)
+                                 << SAILNET_MANTISSA_BITS;
 #endif
-    bits = (bits << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
+    bits <<= SAILNET_MANTISSA_BITS;
 #ifndef SAILNET_FLOAT64
     bits = ((bits & ~(sailnet_lanes_bits)large) | (largest & (sailnet_lanes_bits)large)) &
            ~(sailnet_lanes_bits)small;
