@@ -55,12 +55,11 @@ class Trainer:
         self.problem, self.goal, self.iterations, self.training = problem, goal, iterations, training
         self.network = Network(problem, [ExtremalFunctions(problem, smoothing)], None, basis, points)
 
-    def random(self, seed: int) -> Array:
-        """Unknowns from U(0, 1), all of them: output weights, multipliers, mapping coefficient."""
+    def random(self, seed: int, spread: float) -> Array:
+        """Unknowns from U(0, 1): output weights, times ``spread``, multipliers, mapping coefficient."""
         rng, network = np.random.default_rng(seed), self.network
-        return np.concatenate(
-            [network.domains[0].random(rng), rng.uniform(0.0, 1.0, network.size - network.weights[0].stop)]
-        )
+        others = rng.uniform(0.0, 1.0, network.size - network.weights[0].stop)
+        return np.concatenate([spread * network.domains[0].random(rng), others])
 
     def near(self, solution: Solution) -> Array:
         """Unknowns whose expressions are nearest to a solution."""
@@ -101,6 +100,7 @@ def solve(
     points: int = 40,
     training: Training = "levenberg-marquardt",
     seed: int = 0,
+    spread: float = 1.0,
     starts: int = 1,
     goal: float = GOAL,
     iterations: int = 200,
@@ -117,6 +117,7 @@ def solve(
         points: training points.
         training: "levenberg-marquardt", or "iterative least squares", which suits free final times.
         seed: of the first random start; the next has the next seed.
+        spread: random output weights are drawn from U(0, spread).
         starts: most random starts.
         goal: mean absolute loss of an accepted solution. A smoothed switch narrower than the training
             points are apart costs orders of magnitude; :func:`~sailnet.ocp.ponn.split.solve` regains them.
@@ -137,7 +138,7 @@ def solve(
     what = f"PoNN ({features.name}, {form.name}) on {problem.name}"
     failure = ConvergenceError(f"{what} was given no start; let starts be at least 1")
     for k in range(1 if guess else starts):
-        z = trainer.near(guess) if guess else trainer.random(seed + k)
+        z = trainer.near(guess) if guess else trainer.random(seed + k, spread)
         try:
             z, history = follow(trainer.solve_at, schedule, z, what)
         except ConvergenceError as error:

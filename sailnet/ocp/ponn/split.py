@@ -41,8 +41,8 @@ def solve(
     Args:
         problem: the problem.
         guess: a smoothed solution near it.
-        structure: (time of begin, letters) of every arc, as :mod:`~sailnet.ocp.arcs` has them; read off
-            the guess by default.
+        structure: (time of begin, letters) of every arc, as :mod:`~sailnet.ocp.arcs` has them; by
+            default read off the guess, with no singular arcs.
         order: of singular arcs.
         basis: of the free functions; 20 Chebyshev polynomials by default.
         points: training points of every arc.
@@ -54,7 +54,7 @@ def solve(
         ConvergenceError: if there is no solution of this structure near the guess.
     """
     began = time.perf_counter()
-    chosen = list(structure or structure_of(problem, guess))
+    chosen = list(structure or structure_of(problem, guess, singular=False))
     words = [word for _, word in chosen]
     arcs, features = Arcs(problem, words, order), basis or Chebyshev()
     network = Network(
