@@ -6,12 +6,13 @@
 
 :mod:`~sailnet.ocp.problem` says what a problem is, :mod:`~sailnet.ocp.canonical` and
 :mod:`~sailnet.ocp.ends` derive its necessary conditions, :mod:`~sailnet.ocp.functions` compiles them.
-The solvers are :mod:`~sailnet.ocp.shooting`, :mod:`~sailnet.ocp.collocation` and
-:mod:`~sailnet.ocp.arcs`; each returns a :class:`~sailnet.ocp.solution.Solution` or raises
-:class:`~sailnet.ocp.solution.ConvergenceError`. Problems are a file each in :mod:`sailnet.ocp.problems`.
+The solvers are :mod:`~sailnet.ocp.shooting`, :mod:`~sailnet.ocp.collocation`,
+:mod:`~sailnet.ocp.arcs` and :mod:`~sailnet.ocp.ponn`; each returns a
+:class:`~sailnet.ocp.solution.Solution` or raises :class:`~sailnet.ocp.solution.ConvergenceError`.
+Problems are a file each in :mod:`sailnet.ocp.problems`.
 """
 
-from sailnet.ocp import arcs, collocation, shooting
+from sailnet.ocp import arcs, collocation, ponn, shooting
 from sailnet.ocp.continuation import Schedule
 from sailnet.ocp.problem import TIME, Bounded, Direction, FreeTime, Problem, costate, symbols
 from sailnet.ocp.smoothing import Exact, HyperbolicTangent, L2Norm, Saturation, Smoothing
@@ -36,6 +37,7 @@ __all__ = [
     "arcs",
     "collocation",
     "costate",
+    "ponn",
     "shooting",
     "symbols",
 ]

@@ -1,4 +1,4 @@
-"""Free functions of constrained expressions: Chebyshev polynomials, and random features trained in one layer."""
+"""Free functions of constrained expressions: Chebyshev polynomials, and random features (ELM)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -52,7 +52,7 @@ class Chebyshev:
         degrees = [k for k in range(self.neurons + len(dropped)) if k not in dropped][: self.neurons]
         coefficients = np.eye(degrees[-1] + 1)[:, degrees]
         return [
-            np.asarray(chebyshev.chebval(z, chebyshev.chebder(coefficients, order))).T
+            np.asarray(chebyshev.chebval(z, chebyshev.chebder(coefficients, order)), float).T
             for order in range(ORDERS)
         ]
 

@@ -57,7 +57,7 @@ class Connections:
 
     def _support(self, z: Array, derivative: int) -> Array:
         monomials = np.eye(max(self.degrees, default=0) + 1)[:, self.degrees]
-        return np.asarray(polynomial.polyval(z, polynomial.polyder(monomials, derivative))).T
+        return np.asarray(polynomial.polyval(z, polynomial.polyder(monomials, derivative)), float).T
 
     @cached_property
     def _coefficients(self) -> Array:

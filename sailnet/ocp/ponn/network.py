@@ -66,9 +66,7 @@ class Network:
         self.equation = [curve.equation for curve in chosen]
         prescribed = [np.ones(self.n2, bool) for _ in range(count + 1)]
         prescribed[0], prescribed[-1] = (~np.isnan(values) for values in self.ends)
-        self.domains = [
-            Expressions(chosen, basis, np.array(prescribed[k : k + 2]), z) for k in range(count)
-        ]
+        self.domains = [Expressions(chosen, basis, np.array(prescribed[k : k + 2]), z) for k in range(count)]
         self.times = count if count > 1 or problem.time_is_free else 0
         ends = first.ends
         widths = [domain.coefficients for domain in self.domains]
@@ -169,6 +167,13 @@ class Network:
             )
         ]
 
+    def mean_loss(self, z: Array, value: Array) -> float:
+        """The papers' mean absolute loss, by time, of what :meth:`linearise` gives by z."""
+        h, _ = self.durations(z)
+        own = len(h) * len(self.equation) * len(self.domains[0].training.z)
+        by_time = np.abs(value[:own]).reshape(len(h), -1).mean(axis=1) / h
+        return float((own * by_time.mean() + np.abs(value[own:]).sum()) / len(value))
+
     def linearise(self, z: Array, extras: Sequence[Array]) -> tuple[Array, Array]:
         """All losses as one vector, and their exact Jacobian; raises LostError where they have no value."""
         h, by_b = self.durations(z)
@@ -177,6 +182,7 @@ class Network:
         sweep, count = self.sweep(z), len(self.domains)
         rows: list[Array] = []
         slopes: list[Array] = []
+        between: list[tuple[Array, Array]] = []
         first_y = last_y = np.empty(0)
         for k, domain in enumerate(self.domains):
             m, t, y = domain.training, sweep.clock[k], sweep.y[k]
@@ -203,8 +209,9 @@ class Network:
             last_y = y_by[-1]
             if k < count - 1 and self.conditions is not None:
                 value, by_y = self.conditions(k, float(t[-1]), y[-1])
-                rows.append(value)
-                slopes.append(by_y @ last_y)
+                between.append((value, by_y @ last_y))
+        rows += [value for value, _ in between]
+        slopes += [by for _, by in between]
         self._end_rows(z, sweep, extras, (first_y, last_y), rows, slopes)
         if self.times and not self.problem.time_is_free:
             rows.append(np.array([2.0 * h.sum() - self.problem.time_guess]))

@@ -14,7 +14,7 @@ from sailnet.ocp.newton import Root
 from sailnet.ocp.ponn.bases import Basis, Chebyshev
 from sailnet.ocp.ponn.network import Network
 from sailnet.ocp.ponn.table import tabulate
-from sailnet.ocp.ponn.training import iterative_least_squares, levenberg_marquardt, mean_loss
+from sailnet.ocp.ponn.training import iterative_least_squares, levenberg_marquardt
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.smoothing import HyperbolicTangent, Smoothing
 from sailnet.ocp.solution import ConvergenceError, Solution, Step
@@ -51,7 +51,9 @@ class Trainer:
         if points < 2:
             raise SailnetError("a network needs training points; give at least as many as neurons")
         if training not in ("iterative least squares", "levenberg-marquardt"):
-            raise SailnetError(f"no training {training!r}; take iterative least squares or levenberg-marquardt")
+            raise SailnetError(
+                f"no training {training!r}; take iterative least squares or levenberg-marquardt"
+            )
         self.problem, self.goal, self.iterations, self.training = problem, goal, iterations, training
         self.network = Network(problem, [ExtremalFunctions(problem, smoothing)], None, basis, points)
 
@@ -77,9 +79,11 @@ class Trainer:
             return network.linearise(u, extras)
 
         if self.training == "levenberg-marquardt":
-            root = levenberg_marquardt(linearise, z, self.goal, self.iterations)
+            root = levenberg_marquardt(linearise, z, self.goal, self.iterations, network.mean_loss)
         else:
-            root = iterative_least_squares(linearise, z, self.goal, self.iterations, network.times)
+            root = iterative_least_squares(
+                linearise, z, self.goal, self.iterations, network.mean_loss, network.times
+            )
         return root
 
     def solve_at(self, rho: float, z: Array) -> tuple[Array, Step]:
@@ -88,7 +92,9 @@ class Trainer:
             root = self.train(z, rho)
         except LostError:
             return z, Step(rho, np.inf, 0, False)
-        return root.z, Step(rho, mean_loss(root.residual), root.iterations, root.converged)
+        return root.z, Step(
+            rho, self.network.mean_loss(root.z, root.residual), root.iterations, root.converged
+        )
 
 
 def solve(

@@ -7,6 +7,7 @@ continuous for any weights; the mapping coefficient of every domain is an unknow
 
 import time
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from sailnet.ocp.flow import LostError
 from sailnet.ocp.ponn.bases import Basis, Chebyshev
 from sailnet.ocp.ponn.network import Network
 from sailnet.ocp.ponn.table import tabulate
-from sailnet.ocp.ponn.training import levenberg_marquardt, mean_loss
+from sailnet.ocp.ponn.training import levenberg_marquardt
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.solution import ConvergenceError, Solution, Step
 from sailnet.ocp.switching import structure_of
@@ -57,17 +58,17 @@ def solve(
     chosen = list(structure or structure_of(problem, guess, singular=False))
     words = [word for _, word in chosen]
     arcs, features = Arcs(problem, words, order), basis or Chebyshev()
-    network = Network(
-        problem, [flow.functions for flow in arcs.flows], arcs.conditions, features, points
-    )
+    network = Network(problem, [flow.functions for flow in arcs.flows], arcs.conditions, features, points)
     edges = np.array([*(begin for begin, _ in chosen), guess.final_time])
     z, extras = _near(network, guess, edges), arcs.modes
     what = f"split PoNN {' '.join(words)} on {problem.name}"
     try:
-        root = levenberg_marquardt(lambda u: network.linearise(u, extras), z, goal, iterations)
+        root = levenberg_marquardt(
+            lambda u: network.linearise(u, extras), z, goal, iterations, network.mean_loss
+        )
     except LostError as error:
         raise ConvergenceError(f"{what}: the guess itself fails; give a nearer one") from error
-    step = Step(0.0, mean_loss(root.residual), root.iterations, root.converged)
+    step = Step(0.0, network.mean_loss(root.z, root.residual), root.iterations, root.converged)
     if not root.converged:
         raise ConvergenceError(
             f"{what} cannot be trained; another structure or more neurons may",
@@ -90,4 +91,4 @@ def _near(network: Network, guess: Solution, edges: Array) -> Array:
     z[network.nu_0.start : network.nu_f.stop] = guess.multipliers
     if network.times:
         z[-network.times :] = network.mapping(np.diff(edges))
-    return network.fit(z, list(zip(edges[:-1], edges[1:], strict=True)), guess)
+    return network.fit(z, list(pairwise(edges)), guess)

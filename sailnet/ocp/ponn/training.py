@@ -19,8 +19,15 @@ Linearise = Callable[[Array], tuple[Array, Array]]
 STALLED = 1e-4
 """A relative fall of the squared loss below this is none, twice in a row."""
 
+ROUNDING = 1e-3
+"""Share of the goal below which one step that fails to lower the loss ends the training."""
+
 LONGEST = 0.5
 """A mapping coefficient changes by at most this share of itself in one step."""
+
+
+Measure = Callable[[Array, Array], float]
+"""The mean absolute loss of unknowns and their losses, in the problem's units."""
 
 
 def mean_loss(losses: Array) -> float:
@@ -29,7 +36,12 @@ def mean_loss(losses: Array) -> float:
 
 
 def iterative_least_squares(
-    linearise: Linearise, z: Array, goal: float, iterations: int, times: int = 0
+    linearise: Linearise,
+    z: Array,
+    goal: float,
+    iterations: int,
+    measure: Measure,
+    times: int = 0,
 ) -> Root:
     """Eqs. (37)-(39) of paper 002: full steps until the loss is below the goal and no longer falls.
 
@@ -41,6 +53,7 @@ def iterative_least_squares(
         z: where to begin.
         goal: mean loss of an accepted point.
         iterations: most steps.
+        measure: what is compared with the goal.
         times: how many of the unknowns, the last ones, are mapping coefficients.
 
     Raises:
@@ -57,10 +70,10 @@ def iterative_least_squares(
             new, new_jacobian = linearise(z + step)
         except SailnetError:
             return Root(z, value, count, False)
-        if mean_loss(value) <= goal and not new @ new < value @ value:
+        if measure(z, value) <= goal and not new @ new < value @ value:
             return Root(z, value, count, True)
         z, value, jacobian = z + step, new, new_jacobian
-    return Root(z, value, iterations, mean_loss(value) <= goal)
+    return Root(z, value, iterations, measure(z, value) <= goal)
 
 
 def _full_step(jacobian: Array, value: Array, z: Array, times: int) -> tuple[Array, bool]:
@@ -82,11 +95,13 @@ def _factored(jacobian: Array, value: Array) -> tuple[Array, Array, Array]:
     size = jacobian.shape[1]
     scale = np.sqrt(np.einsum("ij,ij->j", jacobian, jacobian))
     scale[scale == 0.0] = 1.0
-    r = np.linalg.qr(np.column_stack([jacobian / scale, -value]), mode="r")
+    r = _triangle(np.column_stack([jacobian / scale, -value]))
     return r[:size, :size], np.array(r[:size, size]), scale
 
 
-def levenberg_marquardt(linearise: Linearise, z: Array, goal: float, iterations: int) -> Root:
+def levenberg_marquardt(
+    linearise: Linearise, z: Array, goal: float, iterations: int, measure: Measure
+) -> Root:
     """Damped steps, accepted only where the loss falls.
 
     Args:
@@ -94,6 +109,7 @@ def levenberg_marquardt(linearise: Linearise, z: Array, goal: float, iterations:
         z: where to begin.
         goal: mean loss of an accepted point.
         iterations: most trial points.
+        measure: what is compared with the goal.
 
     Raises:
         SailnetError: if the starting point itself makes no sense.
@@ -109,12 +125,12 @@ def levenberg_marquardt(linearise: Linearise, z: Array, goal: float, iterations:
         except SailnetError:
             new, new_jacobian = np.full_like(value, np.inf), jacobian
         before, after = float(value @ value), float(new @ new)
+        predicted = before - float(np.sum((value + jacobian @ step) ** 2))
         if not after < before:
-            if mean_loss(value) <= goal:
+            if measure(z, value) <= ROUNDING * goal or predicted < STALLED * before:
                 break
             damping, growth = damping * growth, 2.0 * growth
             continue
-        predicted = before - float(np.sum((value + jacobian @ step) ** 2))
         ratio = (before - after) / max(predicted, 1e-300)
         stalled = stalled + 1 if before - after < STALLED * before else 0
         z, value, jacobian = z + step, new, new_jacobian
@@ -122,7 +138,11 @@ def levenberg_marquardt(linearise: Linearise, z: Array, goal: float, iterations:
         # Close to the solution damping only delays the Gauss-Newton steps.
         damping = max(damping * max(1e-2, 1.0 - (2.0 * min(ratio, 1.0) - 1.0) ** 3), 1e-16)
         growth = 2.0
-    return Root(z, value, count, mean_loss(value) <= goal)
+    return Root(z, value, count, measure(z, value) <= goal)
+
+
+def _triangle(matrix: Array) -> Array:
+    return np.asarray(np.linalg.qr(matrix, mode="r"))
 
 
 def _damped(jacobian: Array, value: Array) -> Callable[[float], Array]:
@@ -132,7 +152,7 @@ def _damped(jacobian: Array, value: Array) -> Callable[[float], Array]:
 
     def step(damping: float) -> Array:
         lower = np.column_stack([np.sqrt(damping) * np.eye(size), np.zeros(size)])
-        both = np.linalg.qr(np.vstack([np.column_stack([r, side]), lower]), mode="r")
+        both = _triangle(np.vstack([np.column_stack([r, side]), lower]))
         triangle = both[:size, :size]
         return np.asarray(solve_triangular(triangle, both[:size, size], check_finite=False) / scale)
 

@@ -1,0 +1,37 @@
+"""One printed figure and what became of it."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+Verdict = Literal["agrees", "paper in error", "not reproducible"]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A figure a paper prints, ours, and a second method's.
+
+    Attributes:
+        paper: its number, as in ``003``.
+        problem: name of the problem.
+        quantity: what is printed, with its unit.
+        printed: as printed.
+        ours: by the paper's own kind of method.
+        check: by an independent second method.
+        check_method: which.
+        verdict: on the printed figure.
+        reason: for the verdict, and what the figure depends on.
+        seconds: wall time of ours.
+        paper_seconds: the paper's, if it gives one.
+    """
+
+    paper: str
+    problem: str
+    quantity: str
+    printed: str
+    ours: float
+    check: float
+    check_method: str
+    verdict: Verdict
+    reason: str
+    seconds: float
+    paper_seconds: float | None
