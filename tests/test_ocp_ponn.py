@@ -27,6 +27,7 @@ from sailnet.ocp import (
     shooting,
 )
 from sailnet.ocp.functions import ExtremalFunctions
+from sailnet.ocp.papers import ponn as papers
 from sailnet.ocp.ponn import Basis, Chebyshev, RandomFeatures
 from sailnet.ocp.ponn.bases import lobatto
 from sailnet.ocp.ponn.connections import Connections, EndCondition
@@ -300,3 +301,21 @@ def test_wrong_parameters_say_what_to_do() -> None:
         ponn.solve(intercept.problem(), training="adam")  # type: ignore[arg-type]
     with pytest.raises(SailnetError, match="given twice"):
         Connections((FIRST, FIRST))
+
+
+def test_printed_figures_and_their_verdicts() -> None:
+    rows = papers.intercept_rows(starts=2) + papers.bounded_rows()
+    verdicts = {(row.problem, row.quantity): row.verdict for row in rows}
+    for gamma in ("0", "1", "5", "10"):
+        name = f"intercept, Gamma = {gamma}"
+        assert verdicts[name, "t_f [s]"] == "agrees"
+        assert verdicts[name, "J"] == "paper in error"
+    assert verdicts["intercept, Gamma = 10, GPOPS-II", "J"] == "agrees"
+    assert verdicts["intercept, +-0.7 m/s^2", "t_f [s]"] == "paper in error"
+    for row in rows:
+        if row.quantity in ("t_f [s]", "J"):
+            assert row.ours == pytest.approx(row.check, rel=1e-6)
+            # The trapezoidal rule is where the paper's costs come from, to the last digit.
+            assert "trapezoidal" not in row.reason or row.reason.endswith(row.printed)
+    assert papers.verdict("18.62", 18.629) == "agrees"
+    assert papers.verdict("18.62", 18.631) == "paper in error"

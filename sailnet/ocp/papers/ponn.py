@@ -1,12 +1,14 @@
 """What papers 000 and 002 print of their Pontryagin networks, beside ours and beside a second method's."""
 
+import contextlib
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from scipy.optimize import minimize_scalar
 
 from sailnet.ocp import (
+    ConvergenceError,
     Exact,
     HyperbolicTangent,
     Problem,
@@ -32,6 +34,8 @@ TABLE_2 = [
 GPOPS = [(1.0, "45.54", "65.27", 1.48), (10.0, "18.63", "294.97", 15.41)]
 """Of paper 002, by direct collocation: Gamma, t_f [s], J, time [s]."""
 
+CLOSED_FORM, POLYNOMIALS = "closed form, minimised over the final time", "the same with Chebyshev polynomials"
+
 PLAIN_RHO = 0.03
 """Below it switches are sharper than the papers' training points can tell."""
 
@@ -42,10 +46,9 @@ def rows() -> list[Row]:
 
 
 def verdict(printed: str, ours: float) -> Verdict:
-    """Whether a printed figure is ours to its last digit, rounded or cut off."""
+    """Whether a printed figure is ours to within one unit of its last digit: rounded, or cut off."""
     digit = 10.0 ** -len(printed.partition(".")[2])
-    value = float(printed)
-    return "agrees" if -0.5 * digit <= ours - value < digit else "paper in error"
+    return "agrees" if abs(ours - float(printed)) < digit else "paper in error"
 
 
 def closed_form(gamma: float) -> tuple[float, float]:
@@ -60,68 +63,26 @@ def closed_form(gamma: float) -> tuple[float, float]:
     return float(found.x), float(found.fun)
 
 
-def network(gamma: float, basis: RandomFeatures | Chebyshev, seed: int = 0) -> Solution:
-    """The unbounded intercept by a network of the paper's size, from a random start."""
-    return ponn.solve(
-        intercept.problem(gamma), basis=basis, points=20, training="iterative least squares", seed=seed
-    )
+def converged(problem: Problem, basis: RandomFeatures | Chebyshev, starts: int) -> list[Solution]:
+    """The unbounded intercept by networks of the paper's size, from as many random starts as converge."""
+    found = []
+    for seed in range(starts):
+        with contextlib.suppress(ConvergenceError):
+            found.append(
+                ponn.solve(problem, basis=basis, points=20, training="iterative least squares", seed=seed)
+            )
+    return found
 
 
-def intercept_rows() -> list[Row]:
+def intercept_rows(starts: int = 100) -> list[Row]:
     """Table 2 of paper 002, and what it has from direct collocation."""
     found = []
-    network(1.0, RandomFeatures(16))  # compiles
-    for gamma, t_f, j, loss, seconds in TABLE_2:
-        ours, exact = network(gamma, RandomFeatures(16)), network(gamma, Chebyshev(16))
-        name, (time, cost) = f"intercept, Gamma = {gamma:g}", closed_form(gamma)
-        coarse = np.linspace(0.0, ours.final_time, 20)
-        a = np.array([np.interp(coarse, ours.time, u) for u in ours.control.T])
-        trapezoid = gamma * ours.final_time + 0.5 * float(np.trapezoid((a**2).sum(axis=0), coarse))
-        cut = "cut off, not rounded" if round(ours.final_time, 2) > float(t_f) + 1e-9 and gamma == 10 else ""
-        by = "closed form, minimised over the final time"
-        spent = (ours.wall_time, seconds)
-        found += [
-            Row(
-                "002",
-                name,
-                "t_f [s]",
-                t_f,
-                ours.final_time,
-                time,
-                by,
-                verdict(t_f, ours.final_time),
-                cut,
-                *spent,
-            ),
-            Row(
-                "002",
-                name,
-                "J",
-                j,
-                ours.cost,
-                cost,
-                by,
-                verdict(j, ours.cost),
-                f"the trapezoidal rule on the 20 training points makes it {trapezoid:.2f}",
-                *spent,
-            ),
-            Row(
-                "002",
-                name,
-                "mean loss",
-                loss,
-                ours.residuals["mean loss"],
-                exact.residuals["mean loss"],
-                "the same with Chebyshev polynomials",
-                "agrees" if ours.residuals["mean loss"] <= float(loss) else "not reproducible",
-                "ours is at most the paper's",
-                *spent,
-            ),
-        ]
+    for gamma, *printed, seconds in TABLE_2:
+        found += _table_2(gamma, printed, seconds, starts)
     for gamma, t_f, j, seconds in GPOPS:
         solution = shooting.solve(intercept.problem(gamma), Exact())
         name, (time, cost) = f"intercept, Gamma = {gamma:g}, GPOPS-II", closed_form(gamma)
-        for quantity, printed, value, check in (
+        for quantity, text, ours, check in (
             ("t_f [s]", t_f, solution.final_time, time),
             ("J", j, solution.cost, cost),
         ):
@@ -130,11 +91,11 @@ def intercept_rows() -> list[Row]:
                     "002",
                     name,
                     quantity,
-                    printed,
-                    value,
+                    text,
+                    ours,
                     check,
-                    "closed form, minimised over the final time",
-                    verdict_rounded(printed, value),
+                    CLOSED_FORM,
+                    verdict(text, ours),
                     "ours by shooting",
                     solution.wall_time,
                     seconds,
@@ -143,10 +104,30 @@ def intercept_rows() -> list[Row]:
     return found
 
 
-def verdict_rounded(printed: str, ours: float) -> Verdict:
-    """The same within one unit of the last digit, for figures of a tolerance of their own."""
-    digit = 10.0 ** -len(printed.partition(".")[2])
-    return "agrees" if abs(ours - float(printed)) <= 1.0 * digit else "paper in error"
+def _table_2(gamma: float, printed: Sequence[str], seconds: float, starts: int) -> list[Row]:
+    problem, (time, cost), (t_f, j, loss) = intercept.problem(gamma), closed_form(gamma), printed
+    random = converged(problem, RandomFeatures(16), starts)
+    polynomial = converged(problem, Chebyshev(16), starts)
+    ours, spent = random[-1], float(np.median([solution.wall_time for solution in random]))
+    worst, worst_polynomial = (
+        max(solution.residuals["mean loss"] for solution in solutions) for solutions in (random, polynomial)
+    )
+    coarse = np.linspace(0.0, ours.final_time, 20)
+    effort = sum(np.interp(coarse, ours.time, a) ** 2 for a in ours.control.T)
+    trapezoid = gamma * ours.final_time + 0.5 * float(np.trapezoid(effort, coarse))
+    why = f"the trapezoidal rule on the 20 training points makes it {trapezoid:.2f}"
+    cut = "cut off, not rounded" if float(f"{ours.final_time:.2f}") > float(t_f) else ""
+    all_of_them: Verdict = "agrees" if len(random) == starts else "not reproducible"
+    as_small: Verdict = "agrees" if worst <= float(loss) else "not reproducible"
+    most = "the greatest of ours from all starts is at most the paper's"
+    tried = f"random starts that converge, of {starts}"
+    figures: list[tuple[str, str, float, float, str, Verdict, str]] = [
+        ("t_f [s]", t_f, ours.final_time, time, CLOSED_FORM, verdict(t_f, ours.final_time), cut),
+        ("J", j, ours.cost, cost, CLOSED_FORM, verdict(j, ours.cost), why),
+        ("mean loss", loss, worst, worst_polynomial, POLYNOMIALS, as_small, most),
+        (tried, "all", len(random), len(polynomial), POLYNOMIALS, all_of_them, ""),
+    ]
+    return [Row("002", f"intercept, Gamma = {gamma:g}", *figure, spent, seconds) for figure in figures]
 
 
 def bounded_rows() -> list[Row]:

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-import heyoka as hy
 import numpy as np
 
 from sailnet.dynamics import Array
@@ -11,6 +10,7 @@ from sailnet.ocp.flow import LostError
 from sailnet.ocp.functions import ExtremalFunctions
 from sailnet.ocp.ponn.bases import Basis, lobatto
 from sailnet.ocp.ponn.expressions import Expressions, Maps, curves
+from sailnet.ocp.ponn.held import held_ends
 from sailnet.ocp.problem import TIME, Problem
 from sailnet.ocp.solution import Solution
 
@@ -59,8 +59,13 @@ class Network:
         self.problem, self.functions, self.conditions = problem, list(functions), conditions
         count, self.n2 = len(functions), 2 * len(problem.states)
         first, last = functions[0], functions[-1]
-        self.ends = self._embedded(first, last)
-        self.loose = [[i for i in range(len(rows)) if i not in known] for rows, known in self._rows()]
+        ends = first.ends
+        self.ends, known = held_ends(first, last)
+        self._held = [np.nan_to_num(values) for values in self.ends]
+        self.loose = [
+            [i for i in range(len(kinds)) if i not in held]
+            for kinds, held in zip((ends.initial_kinds, ends.final_kinds), known, strict=True)
+        ]
         z = lobatto(points)
         chosen = curves(first.equations)
         self.equation = [curve.equation for curve in chosen]
@@ -68,7 +73,6 @@ class Network:
         prescribed[0], prescribed[-1] = (~np.isnan(values) for values in self.ends)
         self.domains = [Expressions(chosen, basis, np.array(prescribed[k : k + 2]), z) for k in range(count)]
         self.times = count if count > 1 or problem.time_is_free else 0
-        ends = first.ends
         widths = [domain.coefficients for domain in self.domains]
         self.nodes = slice(sum(widths), sum(widths) + (count - 1) * self.n2)
         nu_0, nu_f = len(ends.initial_multipliers), len(ends.final_multipliers)
@@ -77,38 +81,6 @@ class Network:
         self.size = self.nu_f.stop + self.times
         starts = np.concatenate([[0], np.cumsum(widths)])
         self.weights = [slice(int(starts[k]), int(starts[k + 1])) for k in range(count)]
-
-    def _rows(self) -> list[tuple[list[str], dict[int, float]]]:
-        ends = self.functions[0].ends
-        return [
-            (ends.initial_kinds, self._known[0]),
-            (ends.final_kinds, self._known[1]),
-        ]
-
-    def _embedded(self, first: ExtremalFunctions, last: ExtremalFunctions) -> list[Array]:
-        """(2n,) end values that the expressions hold, NaN for none; the rows that they satisfy."""
-        parameters = set(self.problem.parameters)
-        variables = [str(v) for v in first.equations.variables]
-        self._known: list[dict[int, float]] = [{}, {}]
-        found = []
-        zero = np.zeros(self.n2)
-        for end, functions in enumerate((first, last)):
-            rows = functions.ends.final if end else functions.ends.initial
-            multipliers = functions.ends.final_multipliers if end else functions.ends.initial_multipliers
-            nu, extras = np.zeros(len(multipliers)), np.ones(len(functions.equations.extras))
-            values = np.full(self.n2, np.nan)
-            if end:
-                at_zero = functions.final_residual(0.0, zero, nu, extras)[0]
-            else:
-                at_zero = functions.initial_residual(zero, nu, extras)[0]
-            # The first 2n / 2 rows say "state - value" or "costate - slope of the cost": one a state.
-            for i in range(self.n2 // 2):
-                named = set(hy.get_variables(rows[i])) - parameters
-                if len(named) == 1 and (name := named.pop()) in variables:
-                    values[variables.index(name)] = -at_zero[i]
-                    self._known[end][i] = -at_zero[i]
-            found.append(values)
-        return found
 
     def durations(self, z: Array) -> tuple[Array, Array]:
         """Half-lengths h = dt/dz of the domains, and their derivatives by b."""
@@ -126,8 +98,9 @@ class Network:
     def local(self, z: Array, k: int) -> Array:
         """q of one domain: its coefficients and the values at both of its ends."""
         table = z[self.nodes].reshape(-1, self.n2)
-        ends = np.vstack([self.ends[0], table, self.ends[1]])[k : k + 2]
-        return np.concatenate([z[self.weights[k]], np.nan_to_num(ends).ravel()])
+        first = self._held[0] if k == 0 else table[k - 1]
+        last = self._held[1] if k == len(table) else table[k]
+        return np.concatenate([z[self.weights[k]], first, last])
 
     def fit(self, z: Array, spans: Sequence[tuple[float, float]], solution: Solution) -> Array:
         """Unknowns with these times whose expressions come nearest to a solution on these spans."""

@@ -1,6 +1,7 @@
 """Pontryagin networks on one domain, followed to a small smoothing parameter."""
 
 import time
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -23,6 +24,12 @@ Training = Literal["iterative least squares", "levenberg-marquardt"]
 
 GOAL = 1e-9
 """Mean loss of an accepted solution, unless the caller asks for less."""
+
+
+@lru_cache(16)
+def _functions(problem: Problem, smoothing: Smoothing) -> ExtremalFunctions:
+    # To look up what is compiled takes longer than to train a small network.
+    return ExtremalFunctions(problem, smoothing)
 
 
 class Trainer:
@@ -55,7 +62,7 @@ class Trainer:
                 f"no training {training!r}; take iterative least squares or levenberg-marquardt"
             )
         self.problem, self.goal, self.iterations, self.training = problem, goal, iterations, training
-        self.network = Network(problem, [ExtremalFunctions(problem, smoothing)], None, basis, points)
+        self.network = Network(problem, [_functions(problem, smoothing)], None, basis, points)
 
     def random(self, seed: int, spread: float) -> Array:
         """Unknowns from U(0, 1): output weights, times ``spread``, multipliers, mapping coefficient."""

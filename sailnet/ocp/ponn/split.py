@@ -17,13 +17,16 @@ from sailnet.ocp.flow import LostError
 from sailnet.ocp.ponn.bases import Basis, Chebyshev
 from sailnet.ocp.ponn.network import Network
 from sailnet.ocp.ponn.table import tabulate
-from sailnet.ocp.ponn.training import levenberg_marquardt
+from sailnet.ocp.ponn.training import iterative_least_squares, levenberg_marquardt
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.solution import ConvergenceError, Solution, Step
 from sailnet.ocp.switching import structure_of
 
 GOAL = 1e-9
 """Mean loss of an accepted solution."""
+
+FULL_STEPS = 30
+"""Most undamped steps before damped ones are tried."""
 
 
 def solve(
@@ -62,10 +65,16 @@ def solve(
     edges = np.array([*(begin for begin, _ in chosen), guess.final_time])
     z, extras = _near(network, guess, edges), arcs.modes
     what = f"split PoNN {' '.join(words)} on {problem.name}"
+
+    def linearise(u: Array) -> tuple[Array, Array]:
+        return network.linearise(u, extras)
+
     try:
-        root = levenberg_marquardt(
-            lambda u: network.linearise(u, extras), z, goal, iterations, network.mean_loss
-        )
+        # From a near guess full steps take some six iterations; the damped ones creep along the valley in
+        # which the times of the switches lie.
+        root = iterative_least_squares(linearise, z, goal, min(iterations, FULL_STEPS), network.mean_loss)
+        if not root.converged:
+            root = levenberg_marquardt(linearise, z, goal, iterations, network.mean_loss)
     except LostError as error:
         raise ConvergenceError(f"{what}: the guess itself fails; give a nearer one") from error
     step = Step(0.0, network.mean_loss(root.z, root.residual), root.iterations, root.converged)

@@ -1,24 +1,39 @@
 """Trained networks as solutions: sampled, their cost integrated, their losses measured at unseen points."""
 
+from functools import cache, lru_cache
+
 import numpy as np
 
 from sailnet.dynamics import Array
 from sailnet.ocp.functions import ProblemFunctions
 from sailnet.ocp.ponn.network import Network
 from sailnet.ocp.ponn.training import mean_loss
+from sailnet.ocp.problem import Problem
 from sailnet.ocp.solution import Solution, Table
 from sailnet.ocp.switching import zero_crossings
 from sailnet.ocp.tabulate import largest
 
-NODES = 256
-"""Gauss points of the cost in every domain: far more than training points, so the cost is the network's."""
+UNSEEN = 2
+"""Gauss points a training point, for the cost and for the losses where nothing was trained."""
+
+
+@lru_cache(16)
+def _own_functions(problem: Problem) -> ProblemFunctions:
+    return ProblemFunctions(problem)
+
+
+@cache
+def gauss(nodes: int) -> tuple[Array, Array]:
+    """Nodes and weights of Gauss's quadrature."""
+    points, weights = np.polynomial.legendre.leggauss(nodes)
+    return points, weights
 
 
 def tabulate(network: Network, z: Array, extras: list[Array], samples: int) -> Solution:
     """The solution of these unknowns; where two domains meet, both sides are given."""
     problem, functions, n = network.problem, network.functions, network.n2 // 2
-    gauss, weight = np.polynomial.legendre.leggauss(NODES)
-    unseen = network.sweep(z, [domain.maps(gauss) for domain in network.domains])
+    nodes, weight = gauss(UNSEEN * len(network.domains[0].training.z))
+    unseen = network.sweep(z, [domain.maps(nodes) for domain in network.domains])
     losses = network.losses(unseen, extras)
     half, _ = network.durations(z)
     stop = 2.0 * float(half.sum())
@@ -39,7 +54,7 @@ def tabulate(network: Network, z: Array, extras: list[Array], samples: int) -> S
         hamiltonian=np.concatenate([part["hamiltonian"] for part in parts]),
     )
     last = shown.y[-1][-1]
-    cost += float(ProblemFunctions(problem).terminal_cost(stop, last[None, :n])[0])
+    cost += float(_own_functions(problem).terminal_cost(stop, last[None, :n])[0])
     first, final = functions[0], functions[-1]
     ends = np.concatenate(
         [
