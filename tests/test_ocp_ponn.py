@@ -251,6 +251,10 @@ def test_earth_mars_after_the_split() -> None:
     assert exact.cost == pytest.approx(by_arcs.cost, abs=1e-9)
     np.testing.assert_allclose(exact.hamiltonian, exact.hamiltonian[0], atol=1e-7)
     assert abs(smooth.cost - exact.cost) * earth_mars.MASS < 5.0
+    # With one burn less all equations have a root, which the control law would not fly.
+    with pytest.raises(ConvergenceError, match="meets its equations and not the control law") as caught:
+        ponn.split.solve(problem, smooth, [(0.0, "+"), (0.8, "-"), (4.5, "+")], goal=1e-7)
+    assert caught.value.residuals["law"] > 1e-3
 
 
 def test_every_kind_of_end_condition() -> None:

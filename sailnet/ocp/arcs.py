@@ -115,6 +115,31 @@ class Arcs:
         value = functions.evaluate(("condition", k), at, rows)[0]
         return value, functions.evaluate(("condition by y", k), at, rows, variables)[0]
 
+    def violation(self, k: int, clock: Array, y: Array) -> float:
+        """How far arc k is from the law that its letters claim at some points, relatively; 0 if they obey it.
+
+        The equations of a structure may have a root that the control law would not fly: its switching
+        functions vanish where they must and have the wrong sign in between.
+        """
+        functions, modes = self.flows[k].functions, self.modes[k]
+        equations, worst = functions.equations, 0.0
+        for i, (control, letter) in enumerate(zip(self.problem.bounded, self.structure[k], strict=True)):
+            if letter in "+-" and equations.corners[i] == equations.switching[i][1]:
+                s = functions.switching(clock, y, modes)[:, i]
+                over = MODES[letter] * s / max(float(np.abs(s).max()), 1e-300)
+            else:
+                free = np.where(np.arange(len(modes)) == i, 0.0, modes)
+                u = functions.control(clock, y, free)[
+                    :, self.problem.control_variables.index(control.variable)
+                ]
+                # Between the bounds the control must be inside, on one of them its minimiser beyond.
+                sides = {"+": control.upper - u, "-": u - control.lower}
+                over = sides.get(letter, np.maximum(control.lower - u, u - control.upper))
+                width = control.upper - control.lower
+                over = over / width if np.isfinite(width) else over
+            worst = max(worst, float(over.max()))
+        return worst
+
     def switches(self, times: Array) -> list[Switch]:
         """The switches between the arcs, at these times."""
         return [

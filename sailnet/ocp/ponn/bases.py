@@ -17,6 +17,8 @@ ORDERS = 3
 class Basis(Protocol):
     """Features of z in [-1, 1] whose linear combinations are the free functions."""
 
+    def __hash__(self) -> int: ...
+
     @property
     def name(self) -> str:
         """For reports."""

@@ -4,7 +4,7 @@ Where a variable's time derivative is another variable, x' = v or lambda_v' = -l
 stands for both, with the conditions on v as conditions on its slope; that equation then holds identically.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -111,6 +111,7 @@ class Expressions:
         self.starts = np.concatenate([[0], np.cumsum(sizes)])
         self.coefficients = int(self.starts[-1])
         self.training = self.maps(z)
+        self._sampled: dict[tuple[str, int], Maps] = {}
 
     def _connections(self, curve: Curve, prescribed: Array) -> Connections:
         found = []
@@ -133,6 +134,13 @@ class Expressions:
             forward = self._directions[connections, curve.slope is not None][1]
             parts.append(rng.uniform(0.0, 1.0, len(forward)) @ forward)
         return np.concatenate(parts)
+
+    def sampled(self, grid: Callable[[int], Array], count: int) -> Maps:
+        """The linear maps at so many points of a grid; each is made once."""
+        key = (grid.__name__, count)
+        if key not in self._sampled:
+            self._sampled[key] = self.maps(grid(count))
+        return self._sampled[key]
 
     def maps(self, z: Array) -> Maps:
         """The linear maps at any points."""

@@ -26,10 +26,10 @@ GOAL = 1e-9
 """Mean loss of an accepted solution, unless the caller asks for less."""
 
 
-@lru_cache(16)
-def _functions(problem: Problem, smoothing: Smoothing) -> ExtremalFunctions:
-    # To look up what is compiled takes longer than to train a small network.
-    return ExtremalFunctions(problem, smoothing)
+@lru_cache(1)
+def _network(problem: Problem, smoothing: Smoothing, basis: Basis, points: int) -> Network:
+    # To make a small network takes as long as to train it, which is often done from many starts.
+    return Network(problem, [ExtremalFunctions(problem, smoothing)], None, basis, points)
 
 
 class Trainer:
@@ -62,7 +62,7 @@ class Trainer:
                 f"no training {training!r}; take iterative least squares or levenberg-marquardt"
             )
         self.problem, self.goal, self.iterations, self.training = problem, goal, iterations, training
-        self.network = Network(problem, [_functions(problem, smoothing)], None, basis, points)
+        self.network = _network(problem, smoothing, basis, points)
 
     def random(self, seed: int, spread: float) -> Array:
         """Unknowns from U(0, 1): output weights, times ``spread``, multipliers, mapping coefficient."""

@@ -25,6 +25,9 @@ from sailnet.ocp.switching import structure_of
 GOAL = 1e-9
 """Mean loss of an accepted solution."""
 
+LAWFUL = 1e-6
+"""Largest relative violation of the control law that counts as rounding."""
+
 FULL_STEPS = 30
 """Most undamped steps before damped ones are tried."""
 
@@ -82,6 +85,14 @@ def solve(
         raise ConvergenceError(
             f"{what} cannot be trained; another structure or more neurons may",
             {"mean": step.residual},
+            [step],
+        )
+    sweep = network.sweep(root.z)
+    broken = max(arcs.violation(k, t, y) for k, (t, y) in enumerate(zip(sweep.clock, sweep.y, strict=True)))
+    if broken > LAWFUL:
+        raise ConvergenceError(
+            f"{what} meets its equations and not the control law; another structure may",
+            {"mean": step.residual, "law": broken},
             [step],
         )
     solution = tabulate(network, root.z, extras, samples)

@@ -29,17 +29,30 @@ def gauss(nodes: int) -> tuple[Array, Array]:
     return points, weights
 
 
+def gauss_points(count: int) -> Array:
+    """Nodes of Gauss's quadrature."""
+    return gauss(count)[0]
+
+
+def uniform(count: int) -> Array:
+    """Evenly spaced points, the ends among them."""
+    return np.linspace(-1.0, 1.0, count)
+
+
 def tabulate(network: Network, z: Array, extras: list[Array], samples: int) -> Solution:
     """The solution of these unknowns; where two domains meet, both sides are given."""
     problem, functions, n = network.problem, network.functions, network.n2 // 2
-    nodes, weight = gauss(UNSEEN * len(network.domains[0].training.z))
-    unseen = network.sweep(z, [domain.maps(nodes) for domain in network.domains])
+    count = UNSEEN * len(network.domains[0].training.z)
+    weight = gauss(count)[1]
+    unseen = network.sweep(z, [domain.sampled(gauss_points, count) for domain in network.domains])
     losses = network.losses(unseen, extras)
     half, _ = network.durations(z)
     stop = 2.0 * float(half.sum())
     parts, cost, worst = [], 0.0, 0.0
-    grids = [np.linspace(-1.0, 1.0, max(3, round(samples * 2.0 * h / stop))) for h in half]
-    shown = network.sweep(z, [d.maps(grid) for d, grid in zip(network.domains, grids, strict=True)])
+    counts = [max(3, round(samples * 2.0 * h / stop)) for h in half]
+    shown = network.sweep(
+        z, [domain.sampled(uniform, m) for domain, m in zip(network.domains, counts, strict=True)]
+    )
     for k, f in enumerate(functions):
         clock, y = unseen.clock[k], unseen.y[k]
         cost += float(half[k] * weight @ f.running_cost(clock, y, extras[k]))
