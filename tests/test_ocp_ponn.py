@@ -127,7 +127,7 @@ def clocked() -> Problem:
 
 
 CASES: dict[str, tuple[Problem, Smoothing, Basis]] = {
-    "intercept": (intercept.problem(5.0), L2Norm(), RandomFeatures(8)),
+    "intercept": (intercept.problem(5.0), L2Norm(), RandomFeatures(7)),
     "bounded intercept": (intercept.problem(1.0, intercept.BOUND), Saturation(), Chebyshev(6)),
     "landing": (mars_landing.problem(), HyperbolicTangent(), Chebyshev(6)),
     "manifold": (manifold(FreeTime(2.0)), L2Norm(), Chebyshev(5)),
@@ -335,6 +335,10 @@ def test_wrong_parameters_say_what_to_do() -> None:
         RandomFeatures(4, "relu")  # type: ignore[arg-type]
     with pytest.raises(SailnetError, match="training points"):
         ponn.solve(intercept.problem(), points=1)
+    with pytest.raises(SailnetError, match="more weights than losses"):
+        ponn.solve(intercept.problem(), basis=Chebyshev(20), points=10)
+    with pytest.raises(SailnetError, match="give at least 1"):
+        Chebyshev(0)
     with pytest.raises(SailnetError, match="take iterative least squares"):
         ponn.solve(intercept.problem(), training="adam")  # type: ignore[arg-type]
     with pytest.raises(SailnetError, match="given twice"):

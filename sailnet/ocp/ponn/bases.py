@@ -44,6 +44,9 @@ class Chebyshev:
 
     neurons: int = 20
 
+    def __post_init__(self) -> None:
+        _check_neurons(self.neurons)
+
     @property
     def name(self) -> str:
         """For reports."""
@@ -78,6 +81,7 @@ class RandomFeatures:
     seed: int = 0
 
     def __post_init__(self) -> None:
+        _check_neurons(self.neurons)
         if self.activation not in ("tanh", "logistic", "sine"):
             raise SailnetError(f"no activation {self.activation!r}; take tanh, logistic or sine")
 
@@ -103,6 +107,13 @@ class RandomFeatures:
         return [s, w * slope, w**2 * slope * (1.0 - 2.0 * s)]
 
 
+def _check_neurons(neurons: int) -> None:
+    if neurons < 1:
+        raise SailnetError("a network needs neurons; give at least 1")
+
+
 def lobatto(points: int) -> Array:
     """(m,) Chebyshev-Gauss-Lobatto points from -1 to 1."""
+    if points < 2:
+        raise SailnetError("a network needs training points at both ends; give at least 2")
     return -np.cos(np.pi * np.arange(points) / (points - 1))

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sailnet.dynamics import Array
+from sailnet.errors import SailnetError
 from sailnet.ocp.flow import LostError
 from sailnet.ocp.functions import ExtremalFunctions
 from sailnet.ocp.ponn.bases import Basis, lobatto
@@ -72,6 +73,10 @@ class Network:
         prescribed = [np.ones(self.n2, bool) for _ in range(count + 1)]
         prescribed[0], prescribed[-1] = (~np.isnan(values) for values in self.ends)
         self.domains = [Expressions(chosen, basis, np.array(prescribed[k : k + 2]), z) for k in range(count)]
+        if any(domain.coefficients > points * len(chosen) for domain in self.domains):
+            raise SailnetError(
+                f"{problem.name}: more weights than losses; give as many training points as neurons or more"
+            )
         self.times = count if count > 1 or problem.time_is_free else 0
         widths = [domain.coefficients for domain in self.domains]
         self.nodes = slice(sum(widths), sum(widths) + (count - 1) * self.n2)

@@ -55,8 +55,6 @@ class Trainer:
         goal: float,
         iterations: int,
     ) -> None:
-        if points < 2:
-            raise SailnetError("a network needs training points; give at least as many as neurons")
         if training not in ("iterative least squares", "levenberg-marquardt"):
             raise SailnetError(
                 f"no training {training!r}; take iterative least squares or levenberg-marquardt"
