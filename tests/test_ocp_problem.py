@@ -30,6 +30,7 @@ from sailnet.ocp.problems import (
     equinoctial,
     goddard,
     intercept,
+    mars_landing,
     reorientation,
     solar_sail,
 )
@@ -39,6 +40,7 @@ PROBLEMS: dict[str, Callable[[], Problem]] = {
     "intercept": intercept.problem,
     "bounded intercept": lambda: intercept.problem(1.0, intercept.BOUND),
     "earth-mars": earth_mars.problem,
+    "mars-landing": mars_landing.problem,
     "earth-dionysus": earth_dionysus.problem,
     "reorientation I": lambda: reorientation.problem(True),
     "reorientation II": lambda: reorientation.problem(False),

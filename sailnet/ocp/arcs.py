@@ -82,7 +82,7 @@ class Arcs:
             tangents = step @ tangents
             if k == count:
                 break
-            value, gradient = self._conditions(k, edges[k + 1], y)
+            value, gradient = self.conditions(k, edges[k + 1], y)
             before = flow.functions.slopes(edges[k + 1], y, self.modes[k])[0]
             after = self.flows[k + 1].functions.slopes(edges[k + 1], y, self.modes[k + 1])[0]
             by = gradient @ tangents
@@ -98,7 +98,7 @@ class Arcs:
             by[:, len(own) - 1] += last_y @ functions.slopes(stop, y, self.modes[-1])[0] + last_t
         return np.concatenate([*rows, last]), np.vstack([*slopes, by])
 
-    def _conditions(self, k: int, when: float, y: Array) -> tuple[Array, Array]:
+    def conditions(self, k: int, when: float, y: Array) -> tuple[Array, Array]:
         """What must vanish where arc k ends, and its derivatives by y."""
         rows = []
         now, then = self.structure[k], self.structure[k + 1]
@@ -115,6 +115,40 @@ class Arcs:
         at, variables = (when, y, modes), functions.equations.variables
         value = functions.evaluate(("condition", k), at, rows)[0]
         return value, functions.evaluate(("condition by y", k), at, rows, variables)[0]
+
+    def violation(self, k: int, clock: Array, y: Array) -> float:
+        """How far arc k is from the law that its letters claim at some points, relatively; 0 if they obey it.
+
+        The equations of a structure may have a root that the control law would not fly: its switching
+        functions vanish where they must and have the wrong sign in between.
+        """
+        functions, modes = self.flows[k].functions, self.modes[k]
+        equations, worst = functions.equations, 0.0
+        for i, (control, letter) in enumerate(zip(self.problem.bounded, self.structure[k], strict=True)):
+            if letter in "+-" and equations.corners[i] == equations.switching[i][1]:
+                s = functions.switching(clock, y, modes)[:, i]
+                over = MODES[letter] * s / max(float(np.abs(s).max()), 1e-300)
+            else:
+                free = np.where(np.arange(len(modes)) == i, 0.0, modes)
+                u = functions.control(clock, y, free)[
+                    :, self.problem.control_variables.index(control.variable)
+                ]
+                # Between the bounds the control must be inside, on one of them its minimiser beyond.
+                sides = {"+": control.upper - u, "-": u - control.lower}
+                over = sides.get(letter, np.maximum(control.lower - u, u - control.upper))
+                width = control.upper - control.lower
+                over = over / width if np.isfinite(width) else over
+            worst = max(worst, float(over.max()))
+        return worst
+
+    def switches(self, times: Array) -> list[Switch]:
+        """The switches between the arcs, at these times."""
+        return [
+            Switch(float(when), self.problem.bounded[i].switching, MODES[b] > MODES[a])
+            for when, (now, then) in zip(times, pairwise(self.structure), strict=True)
+            for i, (a, b) in enumerate(zip(now, then, strict=True))
+            if a != b
+        ]
 
 
 def solve(
@@ -166,19 +200,13 @@ def _tabulate(equations: Arcs, z: Array, samples: int) -> Solution:
     own, times = z[: len(z) - count], z[len(z) - count :]
     flown = zip(equations.flows, equations.modes, [*times, ends.final_time(own)], strict=True)
     table, cost = tabulate([Arc(*arc) for arc in flown], ends.start(own), samples)
-    switches = [
-        Switch(float(when), problem.bounded[i].switching, MODES[b] > MODES[a])
-        for when, (now, then) in zip(times, pairwise(equations.structure), strict=True)
-        for i, (a, b) in enumerate(zip(now, then, strict=True))
-        if a != b
-    ]
     return Solution(
         problem=problem.name,
         solver="arcs",
         **table,
         cost=cost,
         residuals={"dynamics": equations.flows[0].tolerance},
-        switches=switches,
+        switches=equations.switches(times),
         names=problem.names,
         multipliers=np.concatenate(ends.multipliers(own)),
         message="arcs " + " ".join(equations.structure),

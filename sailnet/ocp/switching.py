@@ -5,7 +5,9 @@ from itertools import pairwise
 import numpy as np
 
 from sailnet.dynamics import Array
+from sailnet.ocp.canonical import canonical
 from sailnet.ocp.problem import Problem
+from sailnet.ocp.smoothing import Exact
 from sailnet.ocp.solution import Solution, Switch
 
 
@@ -20,7 +22,11 @@ def zero_crossings(problem: Problem, clock: Array, switching: Array) -> list[Swi
 
 
 def structure_of(
-    problem: Problem, solution: Solution, margin: float = 0.05, shortest: float = 0.02
+    problem: Problem,
+    solution: Solution,
+    margin: float = 0.05,
+    shortest: float = 0.02,
+    singular: bool = True,
 ) -> list[tuple[float, str]]:
     """Read the sequence of arcs off a smoothed solution: (time of begin, letters) each.
 
@@ -29,13 +35,19 @@ def structure_of(
         solution: smoothed, at a small parameter.
         margin: share of a control's range that still counts as its bound.
         shortest: share of the flight below which an interior stretch is a switch, not a singular arc.
+        singular: whether there may be singular arcs.
     """
     begins: dict[float, list[tuple[int, str]]] = {}
     first = []
     columns = [problem.control_variables.index(control.variable) for control in problem.bounded]
+    equations = canonical(problem, Exact())
     for i, (control, column) in enumerate(zip(problem.bounded, columns, strict=True)):
+        # A control quadratic in H is between its bounds for a time; another one only on a singular arc.
+        between = "s" if equations.corners[i] == equations.switching[i][1] else "0"
         share = (solution.control[:, column] - control.lower) / (control.upper - control.lower)
-        letters = np.where(share > 1.0 - margin, "+", np.where(share < margin, "-", "s"))
+        # Without singular arcs the switching function alone decides, however wide the smoothing is.
+        edge = margin if singular or between == "0" else 0.5
+        letters = np.where(share > 1.0 - edge, "+", np.where(share < edge, "-", between))
         cuts = [0, *(np.flatnonzero(letters[1:] != letters[:-1]) + 1), len(letters)]
         runs = [
             (str(letters[a]), float(solution.time[a]), float(solution.time[min(b, len(letters) - 1)]))
