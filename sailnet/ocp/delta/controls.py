@@ -139,21 +139,26 @@ class Controls:
         values = self.basis.values(s, self.terms)
         return np.asarray(np.einsum("mct,kt->mkc", self.coefficients(z), values))
 
-    def shares(self, series: Array) -> Array:
-        """(m, k - 1, switched) share of each interval for which its series is negative.
+    def shares(self, series: Array) -> tuple[Array, Array]:
+        """How switched controls pass over each interval, whose ends may be of two signs.
 
         A series is taken for straight between two points, so that a switch moves a flight continuously.
+
+        Returns:
+            (m, k - 1, switched) share of the interval for which its series is negative, and half of what
+            the share must grow by along it so that its first moment, too, is that of the switch.
         """
         columns = [switched.channel for switched in self.switched]
-        below = np.maximum(-series[:, :, columns], 0.0)
-        above = np.maximum(series[:, :, columns], 0.0)
+        chosen = series[:, :, columns]
+        below, above = np.maximum(-chosen, 0.0), np.maximum(chosen, 0.0)
         down, up = below[:, :-1] + below[:, 1:], above[:, :-1] + above[:, 1:]
         sides = down + up
         # Of two points on one side, the other side's sum is zero: the share is 1 or 0.
-        return down / np.where(sides == 0.0, 1.0, sides)
+        share = down / np.where(sides == 0.0, 1.0, sides)
+        return share, 3.0 * share * (1.0 - share) * np.sign(chosen[:, :-1] - chosen[:, 1:])
 
     def controls(self, series: Array, shares: Array) -> Array:
-        """(m, k, controls) at points whose series and whose intervals' shares are given."""
+        """(m, k, controls) at points whose series, and whose intervals' shares, are given."""
         u = np.empty((*series.shape[:2], self.columns))
         for j, switched in enumerate(self.switched):
             u[:, :, switched.column] = switched.lower + (switched.upper - switched.lower) * shares[:, :, j]

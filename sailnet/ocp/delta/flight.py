@@ -25,7 +25,8 @@ class Flights:
         time: (m, 3, k) begin, middle and end of every interval.
         state: (m, 3, k, n) there.
         series: (m, 3, k, channels) there.
-        control: (m, 3, k, controls) there; a switched control has its mean over the interval.
+        control: (m, 3, k, controls) there; a switched control has a straight line
+            with the switch's mean and first moment over the interval.
         widths: (m, k) lengths of the intervals.
     """
 
@@ -74,9 +75,11 @@ class Flyer:
         """Fly (m, d) points over the (k + 1,) nodes of normalised time."""
         count, middle = len(z), 0.5 * (s[:-1] + s[1:])
         nodes, centres = self.controls.series(z, s), self.controls.series(z, middle)
-        shares = self.controls.shares(nodes)
+        share, lean = self.controls.shares(nodes)
         series = np.stack([nodes[:, :-1], centres, nodes[:, 1:]], axis=1)
-        control = np.stack([self.controls.controls(series[:, i], shares) for i in range(3)], axis=1)
+        control = np.stack(
+            [self.controls.controls(series[:, i], share + (i - 1) * lean) for i in range(3)], axis=1
+        )
         stop = self.controls.final_times(z)
         widths = stop[:, None] * np.diff(s)
         time = stop[:, None, None] * np.stack([s[:-1], middle, s[1:]])

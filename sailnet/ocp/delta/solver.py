@@ -72,7 +72,7 @@ def solve(
     evaluations: int = 50_000,
     seed: int = 0,
     terms: int = 6,
-    nodes: int = 100,
+    nodes: int = 60,
     weights: Weights | None = None,
     goal: float = GOAL,
 ) -> Solution:
