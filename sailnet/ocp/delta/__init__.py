@@ -1,6 +1,6 @@
 """The delta method of paper 004: series for the controls, a heuristic for their coefficients.
 
-    solution = delta.solve(lunar_landing.problem(), basis=delta.Chebyshev(), heuristic=delta.Imperialist())
+solution = delta.solve(lunar_landing.problem(), basis=delta.Chebyshev(), heuristic=delta.Imperialist())
 """
 
 from sailnet.ocp.delta.criteria import Weights

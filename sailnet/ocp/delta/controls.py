@@ -185,9 +185,7 @@ class Controls:
         for clipped in self.clipped:
             # On a bound dH/du need not vanish.
             free = np.abs(series[:, :, clipped.channel]) < 1.0
-            found.append(
-                slopes[..., clipped.column] * free.reshape(*free.shape, *[1] * (slopes.ndim - 3))
-            )
+            found.append(slopes[..., clipped.column] * free.reshape(*free.shape, *[1] * (slopes.ndim - 3)))
         return np.stack(found, axis=-1) if found else np.zeros((*slopes.shape[:-1], 0))
 
     @staticmethod

@@ -30,7 +30,7 @@ class Weights:
         minimum, switching, gradient, hamiltonian: of delta_s^H, delta_s^I, delta_u and delta_H.
     """
 
-    ends: float = 1e4
+    ends: float = 1e5
     cost: float = 1.0
     minimum: float = 1.0
     switching: float = 1.0
@@ -157,8 +157,7 @@ class Judge:
         self, flights: Flights, basis: Array, rates: Array, slopes: Array, running: Array, f: Array
     ) -> Array:
         """Costates whose multipliers make the squares of the criteria's integrands least."""
-        m, k = running.shape
-        lam = basis[:, 1]
+        m, lam = len(running), basis[:, 1]
         by_u = np.einsum("mknc,mknu->mkcu", lam, slopes[:, :, 1:])
         by_u[:, :, 0] += slopes[:, :, 0]
         series, switching = self._switching(flights, by_u)
@@ -170,7 +169,9 @@ class Judge:
             hamiltonian[:, :, 0] += running
             parts.append(hamiltonian[..., None])
         rows = np.concatenate(parts, axis=3) * np.sqrt(flights.widths)[:, :, None, None]
-        rows = np.nan_to_num(rows.transpose(0, 1, 3, 2).reshape(m, -1, basis.shape[4]), posinf=0.0, neginf=0.0)
+        rows = np.nan_to_num(
+            rows.transpose(0, 1, 3, 2).reshape(m, -1, basis.shape[4]), posinf=0.0, neginf=0.0
+        )
         fixed, free = rows[:, :, :1], rows[:, :, 1:]
         normal = free.transpose(0, 2, 1) @ free
         size = np.trace(normal, axis1=1, axis2=2)[:, None, None]
@@ -189,8 +190,3 @@ class Judge:
                 beyond = (law > self._bounds[:, 1]).astype(float) - (law < self._bounds[:, 0])
                 modes = np.where(self._affine, np.where(switching < 0.0, 1.0, -1.0), beyond)
             return self.exact.hamiltonian(at[0], y, modes)
-
-
-def drift(now: Array, before: Array, widths: Array) -> float:
-    """Eq. (11) as printed: the integral of one iteration's Hamiltonian minus that of the one before."""
-    return float(np.sum((now - before) * widths))

@@ -10,9 +10,14 @@ from dataclasses import dataclass, field
 from typing import ClassVar, Protocol
 
 import numpy as np
-import pygmo
 
 from sailnet.dynamics import Array
+from sailnet.errors import SailnetError
+
+try:
+    import pygmo
+except ImportError as error:
+    raise SailnetError("the delta method searches with pygmo; pip install 'sailnet[ocp]'") from error
 
 
 @dataclass
@@ -114,14 +119,16 @@ class GaPso:
         keep, cross: shares of it.
         mutation: chance that a child's coefficient is drawn anew.
         flights: generations of the swarm in each of the algorithm's.
+        speed: greatest step of the swarm, as a share of the box; pygmo's own 0.5 never settles.
     """
 
     name: ClassVar[str] = "GA-PSO"
-    population: int = 200
+    population: int = 100
     keep: float = 0.4
     cross: float = 0.4
     mutation: float = 0.05
-    flights: int = 5
+    flights: int = 30
+    speed: float = 0.05
 
     def run(self, search: Search, seed: int) -> None:
         """Use the budget."""
@@ -129,7 +136,7 @@ class GaPso:
         points = search.draw(rng, self.population)
         costs = search(points)
         elite, children = round(self.keep * self.population), round(self.cross * self.population)
-        swarm = pygmo.pso_gen(gen=self.flights, memory=False, seed=seed)
+        swarm = pygmo.pso_gen(gen=self.flights, max_vel=self.speed, memory=False, seed=seed)
         swarm.set_bfe(pygmo.bfe(pygmo.member_bfe()))
         while search.left > 0:
             best = np.argsort(costs, kind="stable")[:elite]

@@ -26,10 +26,10 @@ class Imperialist:
     """
 
     name: ClassVar[str] = "ICA"
-    countries: int = 200
-    imperialists: int = 20
+    countries: int = 80
+    imperialists: int = 8
     revolution: float = 0.3
-    calming: float = 0.98
+    calming: float = 0.95
     assimilation: float = 2.0
     angle: float = 0.5
     colonies_count: float = 0.1
@@ -50,7 +50,7 @@ class Imperialist:
             colonies = np.flatnonzero(owner != np.arange(self.countries))
             points[colonies] = self._moved(search, rng, points[colonies], points[owner[colonies]], share)
             costs[colonies] = search(points[colonies])
-            self._revolt(points, costs, owner)
+            self._revolt(costs, owner)
             self._compete(rng, costs, owner)
             share *= self.calming
 
@@ -61,14 +61,16 @@ class Imperialist:
         towards = rulers - points
         aside = rng.standard_normal(points.shape)
         size = np.linalg.norm(towards, axis=1, keepdims=True)
-        aside *= self.angle * size * rng.random((len(points), 1)) / np.linalg.norm(aside, axis=1, keepdims=True)
+        aside *= (
+            self.angle * size * rng.random((len(points), 1)) / np.linalg.norm(aside, axis=1, keepdims=True)
+        )
         moved = points + self.assimilation * rng.random(points.shape) * towards + aside
         rebels = rng.random(len(points)) < share
         moved[rebels] = search.draw(rng, int(rebels.sum()))
         return np.clip(moved, search.lower, search.upper)
 
     @staticmethod
-    def _revolt(points: Array, costs: Array, owner: Array) -> None:
+    def _revolt(costs: Array, owner: Array) -> None:
         """A colony that is better than its imperialist takes its place."""
         for ruler in np.unique(owner):
             members = np.flatnonzero(owner == ruler)

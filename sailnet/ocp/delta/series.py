@@ -62,9 +62,12 @@ class Chebyshev:
 
     def slopes(self, s: ArrayLike, count: int) -> Array:
         """(k, count) their derivatives by s."""
-        return 2.0 * np.asarray(
-            chebyshev.chebval(2.0 * np.asarray(s, float) - 1.0, chebyshev.chebder(np.eye(count)))
-        ).T
+        return (
+            2.0
+            * np.asarray(
+                chebyshev.chebval(2.0 * np.asarray(s, float) - 1.0, chebyshev.chebder(np.eye(count)))
+            ).T
+        )
 
 
 @dataclass(frozen=True)
@@ -79,9 +82,10 @@ class Legendre:
 
     def slopes(self, s: ArrayLike, count: int) -> Array:
         """(k, count) their derivatives by s."""
-        return 2.0 * np.asarray(
-            legendre.legval(2.0 * np.asarray(s, float) - 1.0, legendre.legder(np.eye(count)))
-        ).T
+        return (
+            2.0
+            * np.asarray(legendre.legval(2.0 * np.asarray(s, float) - 1.0, legendre.legder(np.eye(count)))).T
+        )
 
 
 def zeros(basis: Basis, coefficients: Array, samples: int = 2000) -> Array:

@@ -100,7 +100,9 @@ def solve(
     """
     began = time.perf_counter()
     if evaluations < 1 or terms < 1 or nodes < 2:
-        raise SailnetError("the delta method needs evaluations and terms of at least 1 and two nodes; give more")
+        raise SailnetError(
+            "the delta method needs evaluations and terms of at least 1 and two nodes; give more"
+        )
     basis, heuristic = basis or Fourier(), heuristic or GaPso()
     delta = Delta(problem, basis, terms, nodes, weights or Weights())
     search = Search(delta.cost, *delta.controls.bounds, evaluations)
@@ -108,7 +110,9 @@ def solve(
     history = [Step(0.0, cost, used, False) for used, cost in search.history]
     what = f"delta method, {basis.name} and {heuristic.name}"
     if not len(search.best):
-        raise ConvergenceError(f"{what} on {problem.name}: no flight reaches its end; use a smaller box", {}, history)
+        raise ConvergenceError(
+            f"{what} on {problem.name}: no flight reaches its end; use a smaller box", {}, history
+        )
     solution = flown(delta, search.best)
     solution.solver, solution.history = what, history
     solution.wall_time = time.perf_counter() - began

@@ -1,5 +1,10 @@
 """Fuel-optimal planar rendezvous with an asteroid. Paper 004, Eqs. (35)-(39)."""
 
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.optimize import brentq
+
+from sailnet.dynamics import Array
 from sailnet.ocp.problem import Bounded, Direction, Problem, symbols
 
 MASS_FLOW = 0.01536
@@ -49,3 +54,17 @@ def problem() -> Problem:
         running_cost=MASS_FLOW * delta,
         units={"length [m]": 1.49598e11, "time [s]": 5.02265e6, "mass [kg]": 1500.0},
     )
+
+
+def printed_switches() -> list[float]:
+    """Zeros within the flight of the switching function that the paper prints as its result, Eq. (40)."""
+
+    def series(t: ArrayLike) -> Array:
+        phase = 0.79949 * np.asarray(t, float)
+        cosines = 2.2034 * np.cos(phase) - 0.84609 * np.cos(2 * phase) - 1.2126 * np.cos(3 * phase)
+        sines = 3.1389 * np.sin(phase) - 2.9843 * np.sin(2 * phase) - 1.3453 * np.sin(3 * phase)
+        return np.asarray(cosines + 0.86052 * np.cos(4 * phase) + sines)
+
+    grid = np.linspace(0.0, FLIGHT_TIME, 1000)
+    found = np.flatnonzero(np.diff(np.sign(series(grid))))
+    return [float(brentq(series, grid[k], grid[k + 1])) for k in found]

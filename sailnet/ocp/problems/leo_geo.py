@@ -71,9 +71,7 @@ def _problem(name: str, thrust: float, impulse: float, flight_time: float | None
         name=name,
         source="paper 004, Eqs. (42)-(54)",
         dynamics=dynamics,
-        controls=[direction]
-        if flight_time is None
-        else [direction, Bounded(delta, 0.0, 1.0, switching="S")],
+        controls=[direction] if flight_time is None else [direction, Bounded(delta, 0.0, 1.0, switching="S")],
         final_time=FreeTime(guess=1.9) if flight_time is None else flight_time,
         initial=dict(zip(states, [*start(), 1.0], strict=True)),
         final=dict(zip(states[:5], [1.0, 0.0, 0.0, 0.0, 0.0], strict=True)),
