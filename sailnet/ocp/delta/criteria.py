@@ -47,7 +47,8 @@ class Criteria:
         worst_end: largest error at the end.
         cost: J_m.
         delta_s_h: integral of H(u) - min H over u, Eqs. (10)-(11).
-        delta_s_i: integral of |f_s - f_s^I|, Eq. (15), summed over the switched controls.
+        delta_s_i: integral of |f_s - f_s^I|, Eq. (15), summed over the switched controls; f_s is counted in
+            the unit that fits best, since only its sign steers.
         delta_u: integral of |dH/du| over what is not switched, Eq. (16).
         delta_h: integral of |H + dPhi/dt| where the final time is free, Eqs. (19) and (22).
         costate: (m, 3, k, n) along the flights.
@@ -97,13 +98,8 @@ class Judge:
         self._bounds = np.array([(c.lower, c.upper) for c in problem.bounded]).reshape(-1, 2)
         self._columns = [problem.control_variables.index(c.variable) for c in problem.bounded]
 
-    def judge(self, flights: Flights, costate: Array | None = None) -> Criteria:
-        """The criteria of flights, with the costates that fit them best or with given ones.
-
-        Args:
-            flights: the flights.
-            costate: (m, 3, k, n) costates to judge them by instead.
-        """
+    def judge(self, flights: Flights) -> Criteria:
+        """The criteria of flights, with the costates that fit them best."""
         functions, middle = self.flyer.functions, 1
         m, k, n = flights.state.shape[0], *flights.state.shape[2:]
         at = (flights.time[:, middle].ravel(), flights.state[:, middle].reshape(m * k, n))
@@ -116,10 +112,7 @@ class Judge:
             l_u = functions.hamiltonian_by_control(*at, zero, u).reshape(m, k, 1, -1)
         slopes = np.concatenate([l_u, f_u], axis=2)
         last, rates = self.flyer.final_costates(flights)
-        basis = None
-        if costate is None:
-            basis = self.flyer.costates(flights, last)
-            costate = self._fitted(flights, basis, rates, slopes, running, f)
+        costate, factors, asked = self._fitted(flights, last, rates, slopes, running, f)
         lam = costate[:, middle]
         by_u = slopes[:, :, 0] + np.einsum("mkn,mknu->mku", lam, slopes[:, :, 1:])
         turned = self.controls.turned(flights.series[:, middle], by_u)
@@ -130,7 +123,7 @@ class Judge:
         errors = self.flyer.end_errors(flights)
         delta_h = np.zeros(m)
         if self.problem.time_is_free:
-            delta_h = (np.abs(hamiltonian + rates[:, :1]) * width).sum(axis=1)
+            delta_h = (np.abs(hamiltonian + asked[:, None]) * width).sum(axis=1)
         with np.errstate(all="ignore"):
             final = functions.terminal_cost(flights.final_time, flights.final_state)
         return Criteria(
@@ -138,7 +131,7 @@ class Judge:
             worst_end=np.abs(errors).max(axis=1),
             cost=(running * width).sum(axis=1) + final,
             delta_s_h=((hamiltonian - least) * width).sum(axis=1),
-            delta_s_i=(np.abs(series - switching).sum(axis=2) * width).sum(axis=1),
+            delta_s_i=(np.abs(factors[:, None] * series - switching).sum(axis=2) * width).sum(axis=1),
             delta_u=(np.abs(turned).sum(axis=2) * width).sum(axis=1),
             delta_h=delta_h,
             costate=costate,
@@ -154,30 +147,41 @@ class Judge:
         return flights.series[:, 1][:, :, channels], by_u[..., columns] / scales.reshape(shape)
 
     def _fitted(
-        self, flights: Flights, basis: Array, rates: Array, slopes: Array, running: Array, f: Array
-    ) -> Array:
-        """Costates whose multipliers make the squares of the criteria's integrands least."""
-        m, lam = len(running), basis[:, 1]
+        self, flights: Flights, last: Array, rates: Array, slopes: Array, running: Array, f: Array
+    ) -> tuple[Array, Array, Array]:
+        """What makes the squares of the criteria's integrands least, which are linear in it.
+
+        Returns:
+            (m, 3, k, n) costates, (m, switched) factors of the series f_s, of which only the sign steers,
+            and (m,) minus the Hamiltonian at the end.
+        """
+        basis = self.flyer.costates(flights, last)
+        lam, (m, count) = basis[:, 1], (len(running), basis.shape[4])
         by_u = np.einsum("mknc,mknu->mkcu", lam, slopes[:, :, 1:])
         by_u[:, :, 0] += slopes[:, :, 0]
         series, switching = self._switching(flights, by_u)
-        wanted = switching.copy()
-        wanted[:, :, 0] -= series
-        parts = [wanted, self.controls.turned(flights.series[:, 1], by_u)]
+        parts = [switching, self.controls.turned(flights.series[:, 1], by_u)]
         if self.problem.time_is_free:
             hamiltonian = np.einsum("mknc,mkn->mkc", lam, f) + rates[:, None]
             hamiltonian[:, :, 0] += running
             parts.append(hamiltonian[..., None])
-        rows = np.concatenate(parts, axis=3) * np.sqrt(flights.widths)[:, :, None, None]
-        rows = np.nan_to_num(
-            rows.transpose(0, 1, 3, 2).reshape(m, -1, basis.shape[4]), posinf=0.0, neginf=0.0
-        )
+        joined = np.concatenate(parts, axis=3)
+        size = series.shape[2]
+        rows = np.zeros((*joined.shape[:2], count + size, joined.shape[3]))
+        rows[:, :, :count] = joined
+        rows[:, :, count + np.arange(size), np.arange(size)] = -series
+        rows *= np.sqrt(flights.widths)[:, :, None, None]
+        rows = rows.transpose(0, 1, 3, 2).reshape(m, -1, count + size)
+        rows = np.nan_to_num(rows, posinf=0.0, neginf=0.0)
         fixed, free = rows[:, :, :1], rows[:, :, 1:]
         normal = free.transpose(0, 2, 1) @ free
-        size = np.trace(normal, axis1=1, axis2=2)[:, None, None]
-        normal += (1e-14 * size + 1e-300) * np.eye(normal.shape[1])
-        nu = np.linalg.solve(normal, -free.transpose(0, 2, 1) @ fixed)
-        return np.asarray(basis[..., 0] + np.einsum("miknc,mc->mikn", basis[..., 1:], nu[:, :, 0]))
+        trace = np.trace(normal, axis1=1, axis2=2)[:, None, None]
+        normal += (1e-14 * trace + 1e-300) * np.eye(normal.shape[1])
+        found = np.linalg.solve(normal, -free.transpose(0, 2, 1) @ fixed)[:, :, 0]
+        nu, factors = found[:, : count - 1], found[:, count - 1 :]
+        costate = basis[..., 0] + np.einsum("miknc,mc->mikn", basis[..., 1:], nu)
+        # A negative factor would turn the control round; the criterion must not vanish there.
+        return costate, np.abs(factors), rates[:, 0] + np.einsum("mc,mc->m", rates[:, 1:], nu)
 
     def _least(self, at: tuple[Array, Array], costate: Array) -> Array:
         """(points,) the least Hamiltonian over all controls."""

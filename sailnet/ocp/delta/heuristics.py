@@ -123,7 +123,7 @@ class GaPso:
     """
 
     name: ClassVar[str] = "GA-PSO"
-    population: int = 100
+    population: int = 200
     keep: float = 0.4
     cross: float = 0.4
     mutation: float = 0.05

@@ -23,6 +23,7 @@ class Imperialist:
         assimilation: a colony moves by up to this times its distance from its imperialist.
         angle: and as far as this times that distance away from the straight line.
         colonies_count: share of its colonies' mean cost in the cost of an empire.
+        settled: share of the box within which all countries are one.
     """
 
     name: ClassVar[str] = "ICA"
@@ -33,10 +34,15 @@ class Imperialist:
     assimilation: float = 2.0
     angle: float = 0.5
     colonies_count: float = 0.1
+    settled: float = 1e-3
 
     def run(self, search: Search, seed: int) -> None:
-        """Use the budget."""
+        """Use the budget; a world whose countries have all become one begins again."""
         rng = np.random.default_rng(seed)
+        while search.left > 0:
+            self._world(search, rng)
+
+    def _world(self, search: Search, rng: np.random.Generator) -> None:
         points = search.draw(rng, self.countries)
         costs = search(points)
         order = np.argsort(costs, kind="stable")
@@ -46,7 +52,8 @@ class Imperialist:
         owner[rulers] = rulers
         owner[subjects] = rng.choice(rulers, len(subjects), p=_shares(costs[rulers]))
         share = self.revolution
-        while search.left > 0:
+        smallest = self.settled * (search.upper - search.lower)
+        while search.left > 0 and np.any(np.std(points, axis=0) > smallest):
             colonies = np.flatnonzero(owner != np.arange(self.countries))
             points[colonies] = self._moved(search, rng, points[colonies], points[owner[colonies]], share)
             costs[colonies] = search(points[colonies])

@@ -42,7 +42,7 @@ class Fourier:
         """(k, count) their derivatives by s."""
         angle, sines = self._angles(s, count)
         rates = np.pi * ((np.arange(count) + 1) // 2)
-        return rates * np.where(sines, np.cos(angle), -np.sin(angle))
+        return np.asarray(rates * np.where(sines, np.cos(angle), -np.sin(angle)), float)
 
     @staticmethod
     def _angles(s: ArrayLike, count: int) -> tuple[Array, Array]:
@@ -62,12 +62,8 @@ class Chebyshev:
 
     def slopes(self, s: ArrayLike, count: int) -> Array:
         """(k, count) their derivatives by s."""
-        return (
-            2.0
-            * np.asarray(
-                chebyshev.chebval(2.0 * np.asarray(s, float) - 1.0, chebyshev.chebder(np.eye(count)))
-            ).T
-        )
+        slopes = chebyshev.chebval(2.0 * np.asarray(s, float) - 1.0, chebyshev.chebder(np.eye(count)))
+        return np.asarray(2.0 * slopes.T, float)
 
 
 @dataclass(frozen=True)
@@ -82,10 +78,8 @@ class Legendre:
 
     def slopes(self, s: ArrayLike, count: int) -> Array:
         """(k, count) their derivatives by s."""
-        return (
-            2.0
-            * np.asarray(legendre.legval(2.0 * np.asarray(s, float) - 1.0, legendre.legder(np.eye(count)))).T
-        )
+        slopes = legendre.legval(2.0 * np.asarray(s, float) - 1.0, legendre.legder(np.eye(count)))
+        return np.asarray(2.0 * slopes.T, float)
 
 
 def zeros(basis: Basis, coefficients: Array, samples: int = 2000) -> Array:
