@@ -166,7 +166,7 @@ def test_a_switch_within_an_interval_is_flown_as_if_at_a_node() -> None:
 def test_criteria_vanish_on_the_extremal_alone(
     rendezvous: Solution, basis: delta.Basis, terms: int, end: float
 ) -> None:
-    found = Delta(asteroid_rendezvous.problem(), basis, terms, 60, delta.Weights())
+    found = Delta(asteroid_rendezvous.problem(), basis, terms, 60)
     z = fitted(found, rendezvous)
     s = found.aligned(z, 400)
     true = found.evaluate(z[None], s)[1]
@@ -185,7 +185,7 @@ def test_criteria_vanish_on_the_extremal_alone(
 
 
 def test_criteria_of_the_landing(landing: Solution) -> None:
-    found = Delta(lunar_landing.problem(), delta.Legendre(), 12, 60, delta.Weights())
+    found = Delta(lunar_landing.problem(), delta.Legendre(), 12, 60)
     z = fitted(found, landing)
     true = found.evaluate(z[None], found.aligned(z, 400))[1]
     assert true.worst_end[0] < 1e-5
@@ -204,7 +204,7 @@ def test_criteria_of_the_landing(landing: Solution) -> None:
 @settings(max_examples=20, deadline=None)
 @given(st.integers(0, 2**31))
 def test_no_control_has_less_than_the_least_hamiltonian(seed: int) -> None:
-    found = Delta(asteroid_rendezvous.problem(), delta.Fourier(), 5, 20, delta.Weights())
+    found = Delta(asteroid_rendezvous.problem(), delta.Fourier(), 5, 20)
     lower, upper = found.controls.bounds
     z = np.random.default_rng(seed).uniform(lower, upper, (5, len(lower)))
     s = np.linspace(0.0, 1.0, 21)
@@ -225,7 +225,7 @@ def test_final_values_and_final_equations_are_the_same() -> None:
     z[:, -1] = 1.0
     s = np.linspace(0.0, 1.0, 31)
     totals = [
-        Delta(problem, delta.Chebyshev(), 3, 30, delta.Weights()).evaluate(z, s)[1].total(delta.Weights())
+        Delta(problem, delta.Chebyshev(), 3, 30).evaluate(z, s)[1].total(delta.Weights())
         for problem in (plain, said)
     ]
     np.testing.assert_allclose(totals[0], totals[1], rtol=1e-9)

@@ -4,6 +4,8 @@ Paper 004, Fig. 1 and Eqs. (8)-(25).
 """
 
 import time
+from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -20,6 +22,9 @@ from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch, Table
 GOAL = 1e-3
 """Largest error at the end of an accepted flight, in the problem's units."""
 
+NARROWING = 0.3
+"""Ratio of the boxes of two stages."""
+
 CHUNK = 250
 """Flights at a time; more do not fit a processor's caches."""
 
@@ -32,19 +37,18 @@ class Delta:
         basis: of the series.
         terms: of each series.
         nodes: intervals of the search's flights.
-        weights: of the criteria.
     """
 
-    def __init__(self, problem: Problem, basis: Basis, terms: int, nodes: int, weights: Weights) -> None:
-        self.problem, self.weights, self.nodes = problem, weights, nodes
+    def __init__(self, problem: Problem, basis: Basis, terms: int, nodes: int) -> None:
+        self.problem, self.nodes = problem, nodes
         self.controls = Controls(problem, basis, terms)
         self.judge = Judge(problem, self.controls)
 
-    def cost(self, z: Array) -> Array:
+    def cost(self, weights: Weights, z: Array) -> Array:
         """(m,) J_total of (m, d) points."""
         s = np.linspace(0.0, 1.0, self.nodes + 1)
         parts = [z[i : i + CHUNK] for i in range(0, len(z), CHUNK)]
-        return np.concatenate([self.evaluate(part, s)[1].total(self.weights) for part in parts])
+        return np.concatenate([self.evaluate(part, s)[1].total(weights) for part in parts])
 
     def evaluate(self, z: Array, s: Array) -> tuple[Flights, Criteria]:
         """Flights over nodes of normalised time, and their criteria."""
@@ -74,6 +78,7 @@ def solve(
     terms: int = 6,
     nodes: int = 60,
     weights: Weights | None = None,
+    stages: int = 4,
     goal: float = GOAL,
 ) -> Solution:
     """Solve a problem by the delta method.
@@ -86,34 +91,49 @@ def solve(
         seed: of the heuristic.
         terms: of each series.
         nodes: intervals of a flight; the accepted one is flown over four times as many, cut at its switches.
-        weights: of the criteria.
+        weights: of the criteria in the first stage.
+        stages: of the search, of equally many evaluations; each weighs the ends ten times as much as the one
+            before, in a box NARROWING times as wide around its best point.
         goal: largest error at the end of an accepted flight.
 
     Returns:
         The best flight. Its ``residuals`` hold, beside the usual kinds, ``delta_s_h``, ``delta_s_i``,
         ``delta_u`` and ``delta_h``; its ``history`` the least cost after every generation, with the
-        evaluations so far as iterations.
+        evaluations so far as iterations and the weight of the ends as rho.
 
     Raises:
         ConvergenceError: if the best flight does not end where it must.
         SailnetError: if the problem is none for this method.
     """
     began = time.perf_counter()
-    if evaluations < 1 or terms < 1 or nodes < 2:
+    if evaluations < stages or stages < 1 or terms < 1 or nodes < 2:
         raise SailnetError(
-            "the delta method needs evaluations and terms of at least 1 and two nodes; give more"
+            "the delta method needs terms, two nodes and an evaluation a stage at least; give more"
         )
     basis, heuristic = basis or Fourier(), heuristic or GaPso()
-    delta = Delta(problem, basis, terms, nodes, weights or Weights())
-    search = Search(delta.cost, *delta.controls.bounds, evaluations)
-    heuristic.run(search, seed)
-    history = [Step(0.0, cost, used, False) for used, cost in search.history]
+    delta, chosen = Delta(problem, basis, terms, nodes), weights or Weights()
     what = f"delta method, {basis.name} and {heuristic.name}"
-    if not len(search.best):
-        raise ConvergenceError(
-            f"{what} on {problem.name}: no flight reaches its end; use a smaller box", {}, history
+    lower, upper = delta.controls.bounds
+    floor, ceiling = lower, upper
+    best, used, history = np.zeros((0, delta.controls.size)), 0, list[Step]()
+    for stage in range(stages):
+        search = Search(
+            partial(delta.cost, chosen), floor, ceiling, evaluations * (stage + 1) // stages - used
         )
-    solution = flown(delta, search.best)
+        if len(best):
+            search(best)
+        heuristic.run(search, seed + stage)
+        history += [Step(chosen.ends, cost, used + count, False) for count, cost in search.history]
+        used += search.used
+        if not len(search.best):
+            raise ConvergenceError(
+                f"{what} on {problem.name}: no flight reaches its end; use more evaluations", {}, history
+            )
+        best = search.best[None]
+        reach = 0.5 * NARROWING * (ceiling - floor)
+        floor, ceiling = np.maximum(lower, best[0] - reach), np.minimum(upper, best[0] + reach)
+        chosen = replace(chosen, ends=10.0 * chosen.ends)
+    solution = flown(delta, best[0])
     solution.solver, solution.history = what, history
     solution.wall_time = time.perf_counter() - began
     if not solution.residuals["boundary"] <= goal:
