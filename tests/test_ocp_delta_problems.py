@@ -105,3 +105,26 @@ def test_the_table_keeps_what_a_search_found() -> None:
     assert made.reference == pytest.approx(1.716681344829, rel=1e-9)
     assert made.history[-1][1] <= made.history[0][1]
     assert replace(again, seconds=made.seconds, cpu_seconds=made.cpu_seconds) == made
+
+
+def test_every_figure_has_two_values_that_agree() -> None:
+    rows = delta.rows()
+    assert {row.printed for row in rows} == {
+        "14.6",
+        "8.3",
+        "2",
+        "5.4926",
+        "0.6952 (kg)",
+        "7.5538",
+        "0.6771 (Kg)",
+    }
+    for row in rows:
+        assert row.paper == "004"
+        assert row.ours == pytest.approx(row.check, rel=1e-6), row
+        assert row.check_method
+        assert row.seconds > 0.0
+        # None of them can be met; where the paper says enough to be wrong, it is.
+        in_error = row.problem in ("lunar-landing", "asteroid-rendezvous")
+        assert row.verdict == ("paper in error" if in_error else "not reproducible")
+    thrifty = [row.ours for row in rows if row.quantity == "propellant"]
+    assert thrifty[1] < thrifty[0]
