@@ -1,1 +1,1 @@
-"""Every figure that the papers print, beside ours and an independent second method's."""
+"""The papers' printed figures, each beside ours and beside a second method's: a file a paper."""

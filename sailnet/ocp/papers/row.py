@@ -1,4 +1,4 @@
-"""One printed figure, checked."""
+"""One printed figure and what became of it."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -8,20 +8,20 @@ Verdict = Literal["agrees", "paper in error", "not reproducible"]
 
 @dataclass(frozen=True)
 class Row:
-    """A figure that a paper prints, ours, and a second method's.
+    """A figure a paper prints, ours, and a second method's.
 
     Attributes:
-        paper: its number.
+        paper: its number, as in ``003``.
         problem: name of the problem.
-        quantity: what it is, with its unit.
+        quantity: what is printed, with its unit.
         printed: as printed.
-        ours: our value.
-        check: an independent second method's value.
-        check_method: that method.
-        verdict: whether the paper is right.
-        reason: why, in a sentence.
-        seconds: what ours took.
-        paper_seconds: what the paper says its own took, if it does.
+        ours: by the paper's own kind of method.
+        check: by an independent second method.
+        check_method: which.
+        verdict: on the printed figure.
+        reason: for the verdict, and what the figure depends on.
+        seconds: wall time of ours.
+        paper_seconds: the paper's, if it gives one.
     """
 
     paper: str
