@@ -30,7 +30,7 @@ class Weights:
         minimum, switching, gradient, hamiltonian: of delta_s^H, delta_s^I, delta_u and delta_H.
     """
 
-    ends: float = 1e3
+    ends: float = 1e4
     cost: float = 1.0
     minimum: float = 1.0
     switching: float = 1.0

@@ -22,7 +22,7 @@ from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch, Table
 GOAL = 1e-3
 """Largest error at the end of an accepted flight, in the problem's units."""
 
-NARROWING = 0.3
+NARROWING = 0.5
 """Ratio of the boxes of two stages."""
 
 CHUNK = 250
