@@ -8,8 +8,7 @@
 :mod:`~sailnet.ocp.ends` derive its necessary conditions, :mod:`~sailnet.ocp.functions` compiles them.
 The solvers are :mod:`~sailnet.ocp.shooting`, :mod:`~sailnet.ocp.collocation` and
 :mod:`~sailnet.ocp.arcs`; each returns a :class:`~sailnet.ocp.solution.Solution` or raises
-:class:`~sailnet.ocp.solution.ConvergenceError`. So does :mod:`sailnet.ocp.delta`, which needs pygmo (extra
-``ocp``) and is imported by itself. Problems are a file each in :mod:`sailnet.ocp.problems`.
+:class:`~sailnet.ocp.solution.ConvergenceError`. Problems are a file each in :mod:`sailnet.ocp.problems`.
 """
 
 from sailnet.ocp import arcs, collocation, shooting
