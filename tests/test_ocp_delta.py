@@ -231,6 +231,25 @@ def test_final_values_and_final_equations_are_the_same() -> None:
     np.testing.assert_allclose(totals[0], totals[1], rtol=1e-9)
 
 
+def test_a_running_cost_of_the_state_drives_the_costate() -> None:
+    x, u = symbols("x u")
+    problem = Problem(
+        name="ramp",
+        source="x = t, so lambda' = -x gives (4 - t^2) / 2 + 3",
+        dynamics={x: u},
+        controls=[Bounded(u, -1.0, 1.0)],
+        final_time=2.0,
+        initial={x: 0.0},
+        running_cost=0.5 * x**2,
+        terminal_cost=3.0 * x,
+    )
+    flyer = Flyer(problem, Controls(problem, delta.Legendre(), 1))
+    flights = flyer.fly(np.array([[-1.0]]), np.linspace(0.0, 1.0, 6))
+    last, _ = flyer.final_costates(flights)
+    costate = flyer.costates(flights, last)[0, :, :, 0, 0]
+    np.testing.assert_allclose(costate, 5.0 - 0.5 * flights.time[0] ** 2, atol=1e-13)
+
+
 def rosenbrock(points: Array) -> Array:
     return np.asarray(100.0 * (points[:, 1] - points[:, 0] ** 2) ** 2 + (1.0 - points[:, 0]) ** 2)
 
