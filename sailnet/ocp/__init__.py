@@ -7,8 +7,9 @@
 :mod:`~sailnet.ocp.problem` says what a problem is, :mod:`~sailnet.ocp.canonical` and
 :mod:`~sailnet.ocp.ends` derive its necessary conditions, :mod:`~sailnet.ocp.functions` compiles them.
 The solvers are :mod:`~sailnet.ocp.shooting`, :mod:`~sailnet.ocp.multiple` (shooting in pieces),
-:mod:`~sailnet.ocp.collocation`, :mod:`~sailnet.ocp.arcs` and :mod:`~sailnet.ocp.ponn`; each returns a
-:class:`~sailnet.ocp.solution.Solution` or raises :class:`~sailnet.ocp.solution.ConvergenceError`.
+:mod:`~sailnet.ocp.collocation`, :mod:`~sailnet.ocp.arcs`, :mod:`~sailnet.ocp.ponn` and, with the extra
+`ocp`, :mod:`~sailnet.ocp.delta`; each returns a :class:`~sailnet.ocp.solution.Solution` or raises
+:class:`~sailnet.ocp.solution.ConvergenceError`.
 :mod:`~sailnet.ocp.reach` and :mod:`~sailnet.ocp.survey` shoot from far away and from many starts,
 :mod:`~sailnet.ocp.switch_times` checks bang-bang controls without costates.
 Problems are a file each in :mod:`sailnet.ocp.problems`, the papers' figures in :mod:`sailnet.ocp.papers`.

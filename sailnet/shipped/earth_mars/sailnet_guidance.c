@@ -68,21 +68,22 @@
 #ifdef SAILNET_FLOAT64
 typedef uint64_t sailnet_bits;
 #define SAILNET_MANTISSA_BITS 52
-#define SAILNET_BITS_OF_ONE UINT64_C(0x3FF0000000000000)
-#define SAILNET_ROUNDER 6755399441055744.0 /* 1.5 * 2^52: adding it rounds to an integer */
+/* 1.5 * 2^52: adding it rounds to an integer; and the exponent of 1.0, so that the lowest bits are that of 2^n. */
+#define SAILNET_ROUNDER 6755399441056767.0
 #else
 typedef uint32_t sailnet_bits;
 #define SAILNET_MANTISSA_BITS 23
-#define SAILNET_BITS_OF_ONE UINT32_C(0x3F800000)
 #ifdef SAILNET_COMPACT
 /* 2^23 + 64: what is below -64 octaves is rounded to halves. Seven bits are bounds that ARM saturates to at once. */
 #define SAILNET_ROUNDER 8388672.0f
 #define SAILNET_BITS_OF_LEAST_POWER 0x4B000000
+#define SAILNET_EXPONENT_OF_ONE 127
 #define SAILNET_LEAST_POWER (-64)
 #define SAILNET_LARGEST_POWER 63
 #else
-#define SAILNET_ROUNDER 12582912.0f /* 1.5 * 2^23 */
-#define SAILNET_BITS_OF_ROUNDER 0x4B400000
+/* 1.5 * 2^23: adding it rounds to an integer; and the exponent of 1.0, so that the lowest bits are that of 2^n. */
+#define SAILNET_ROUNDER 12583039.0f
+#define SAILNET_BITS_OF_ROUNDER 0x4B40007F
 #define SAILNET_LARGEST_POWER 60
 #endif
 #endif
@@ -125,7 +126,7 @@ SAILNET_INLINE sailnet_real sailnet_power(sailnet_real octaves)
     const sailnet_real rounded = octaves + SAILNET_ROUNDER;
     sailnet_bits bits;
     sailnet_real power;
-    /* The lowest bits of `rounded` are n: moved into the exponent of 1.0 they scale it. */
+    /* The lowest bits of `rounded` become the exponent. */
 #ifdef SAILNET_FLOAT64
     (void)memcpy(&bits, &rounded, sizeof bits);
 #elif defined(SAILNET_COMPACT)
@@ -135,7 +136,7 @@ SAILNET_INLINE sailnet_real sailnet_power(sailnet_real octaves)
     integer = integer > 0 ? integer : 0;
     integer = integer < SAILNET_LARGEST_POWER - SAILNET_LEAST_POWER ? integer
                                                                     : SAILNET_LARGEST_POWER - SAILNET_LEAST_POWER;
-    integer += SAILNET_LEAST_POWER;
+    integer += SAILNET_LEAST_POWER + SAILNET_EXPONENT_OF_ONE;
     bits = (sailnet_bits)integer;
 #else
     int32_t integer;
@@ -148,7 +149,7 @@ SAILNET_INLINE sailnet_real sailnet_power(sailnet_real octaves)
                   : SAILNET_BITS_OF_ROUNDER + SAILNET_LARGEST_POWER;
     bits = (sailnet_bits)integer;
 #endif
-    bits = (bits << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
+    bits <<= SAILNET_MANTISSA_BITS;
     (void)memcpy(&power, &bits, sizeof power);
     return power;
 }
@@ -191,9 +192,10 @@ SAILNET_INLINE sailnet_lanes sailnet_lanes_power(sailnet_lanes octaves)
     const sailnet_mask n = (sailnet_mask)bits;
     const sailnet_mask small = n < SAILNET_BITS_OF_ROUNDER - SAILNET_LARGEST_POWER;
     const sailnet_mask large = n > SAILNET_BITS_OF_ROUNDER + SAILNET_LARGEST_POWER;
-    const sailnet_bits largest = (SAILNET_LARGEST_POWER << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
+    const sailnet_bits largest = (sailnet_bits)(SAILNET_BITS_OF_ROUNDER + SAILNET_LARGEST_POWER)
+                                 << SAILNET_MANTISSA_BITS;
 #endif
-    bits = (bits << SAILNET_MANTISSA_BITS) + SAILNET_BITS_OF_ONE;
+    bits <<= SAILNET_MANTISSA_BITS;
 #ifndef SAILNET_FLOAT64
     bits = ((bits & ~(sailnet_lanes_bits)large) | (largest & (sailnet_lanes_bits)large)) &
            ~(sailnet_lanes_bits)small;
