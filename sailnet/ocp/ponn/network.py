@@ -7,13 +7,13 @@ import numpy as np
 
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.ocp.flow import LostError
 from sailnet.ocp.functions import ExtremalFunctions
 from sailnet.ocp.ponn.bases import Basis, lobatto
 from sailnet.ocp.ponn.expressions import Expressions, Maps, curves
 from sailnet.ocp.ponn.held import held_ends
 from sailnet.ocp.problem import TIME, Problem
 from sailnet.ocp.solution import Solution
+from sailnet.ocp.tangents import LostError
 
 Conditions = Callable[[int, float, Array], tuple[Array, Array]]
 """What must vanish where domain k ends, at a time and at y there, and its derivatives by y."""

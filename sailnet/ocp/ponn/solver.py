@@ -9,7 +9,6 @@ import numpy as np
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.continuation import Schedule, follow
-from sailnet.ocp.flow import LostError
 from sailnet.ocp.functions import ExtremalFunctions
 from sailnet.ocp.newton import Root
 from sailnet.ocp.ponn.bases import Basis, Chebyshev
@@ -19,6 +18,7 @@ from sailnet.ocp.ponn.training import iterative_least_squares, levenberg_marquar
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.smoothing import HyperbolicTangent, Smoothing
 from sailnet.ocp.solution import ConvergenceError, Solution, Step
+from sailnet.ocp.tangents import LostError
 
 Training = Literal["iterative least squares", "levenberg-marquardt"]
 

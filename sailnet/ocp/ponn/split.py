@@ -13,7 +13,6 @@ import numpy as np
 
 from sailnet.dynamics import Array
 from sailnet.ocp.arcs import Arcs
-from sailnet.ocp.flow import LostError
 from sailnet.ocp.ponn.bases import Basis, Chebyshev
 from sailnet.ocp.ponn.network import Network
 from sailnet.ocp.ponn.table import tabulate
@@ -21,6 +20,7 @@ from sailnet.ocp.ponn.training import iterative_least_squares, levenberg_marquar
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.solution import ConvergenceError, Solution, Step
 from sailnet.ocp.switching import structure_of
+from sailnet.ocp.tangents import LostError
 
 GOAL = 1e-9
 """Mean loss of an accepted solution."""
