@@ -19,6 +19,7 @@ from sailnet.optics import OPTICS
 
 if TYPE_CHECKING:
     from sailnet.expert import Extremal
+    from sailnet.flight import History
 
 Result = dict[str, object]
 
@@ -122,17 +123,29 @@ def _parser() -> argparse.ArgumentParser:
         state,
         backend,
         loop,
-        example="sailnet fly 1.1 0.18 0.93 --beta-noise 0.15 --seed 3",
-    )
+        example="sailnet fly 1.1 0.18 0.93 --beta-noise 0.15 --seed 3 --plot flight.html",
+    ).add_argument("--plot", type=Path, metavar="FILE", help="show the flight: FILE.png or FILE.html")
     evaluate = command(
         "evaluate",
         _evaluate,
-        "Closed-loop flights from random starts of the generalisation set.",
+        "Closed-loop flights from random starts of the generalisation set, or a whole campaign.",
         backend,
         loop,
-        example="sailnet evaluate --flights 1000 --beta-noise 0.15 --rate-limit 5 --optics jpl",
+        example="sailnet evaluate --flights 1000 --beta-noise 0.15 --rate-limit 5 --optics jpl; "
+        "sailnet evaluate --campaign everything --workers 2",
     )
-    evaluate.add_argument("--flights", type=int, default=100, metavar="N", help="how many (%(default)s)")
+    evaluate.add_argument(
+        "--campaign",
+        metavar="NAME",
+        help="a ready campaign or a TOML file; its results and its report are written to --output",
+    )
+    evaluate.add_argument(
+        "--output", type=Path, default=Path("campaigns"), metavar="DIR", help="(%(default)s)"
+    )
+    evaluate.add_argument("--restart", action="store_true", help="throw away what was flown before")
+    evaluate.add_argument(
+        "--flights", type=int, metavar="N", help="how many (100, or what the campaign says for random starts)"
+    )
     evaluate.add_argument("--workers", type=int, default=1, metavar="N", help="processes (%(default)s)")
     evaluate.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler whose workers fly instead")
 
@@ -249,15 +262,20 @@ def _fly(options: argparse.Namespace) -> Result:
 
     mission = load_mission(options.mission)
     state = _state(options)
+    if options.plot is not None and options.plot.suffix not in (".png", ".html"):
+        raise SailnetError(f"--plot writes FILE.png or FILE.html, not {options.plot}")
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
     disturbance = _disturbance(options, mission)
-    flight = fly(mission, guidance, [state], disturbance=disturbance, period=options.period)
+    recorder: "list[History] | None" = None if options.plot is None else []
+    flight = fly(
+        mission, guidance, [state], disturbance=disturbance, period=options.period, recorder=recorder
+    )
     try:
-        optimum: float | None = solve(mission.problem, state).time_of_flight
+        optimum: "Extremal | None" = solve(mission.problem, state)
     except SolveError as error:
         print(f"note: {error}", file=sys.stderr)
         optimum = None
-    return {
+    result: Result = {
         "arrived": bool(flight.arrived[0]),
         "ending": Ending(flight.ending[0]).name.lower(),
         "time_of_flight": float(flight.time_of_flight[0]),
@@ -266,8 +284,34 @@ def _fly(options: argparse.Namespace) -> Result:
         "max_cone_angle": float(flight.max_cone_angle[0]),
         "beta_error": float(flight.beta_error[0]),
         "beta_estimate": float(flight.beta_estimate[0]),
-        "optimal_time_of_flight": optimum,
+        "optimal_time_of_flight": None if optimum is None else optimum.time_of_flight,
     }
+    if recorder is not None:
+        _plot(options.plot, mission, recorder[0], optimum, result)
+        result["plot"] = str(options.plot)
+    return result
+
+
+def _plot(
+    path: Path, mission: Mission, history: "History", optimum: "Extremal | None", result: Result
+) -> None:
+    try:
+        from sailnet.report.flight_charts import flight_columns, optimum_of
+        from sailnet.report.flight_page import write_flight_page, write_flight_picture
+    except ImportError as error:
+        raise SailnetError(f"no pictures here ({error}): pip install sailnet[report]") from error
+    from_costates = None
+    if optimum is not None:
+        from_costates = optimum_of(mission, optimum.arrival_costates, optimum.time_of_flight)
+    columns = flight_columns(mission, history, from_costates)
+    try:
+        if path.suffix == ".png":
+            write_flight_picture(path, mission, columns)
+        else:
+            facts = {key.replace("_", " "): _readable(value) for key, value in result.items()}
+            write_flight_page(path, mission, columns, "One flight", facts)
+    except OSError as error:
+        raise SailnetError(f"cannot write {path}: {error}") from error
 
 
 def _evaluate(options: argparse.Namespace) -> Result:
@@ -275,6 +319,8 @@ def _evaluate(options: argparse.Namespace) -> Result:
     from sailnet.executors import workers
     from sailnet.montecarlo import fly_campaign
 
+    if options.campaign is not None:
+        return _campaign(options)
     mission = load_mission(options.mission)
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
     disturbance = _disturbance(options, mission)
@@ -283,7 +329,7 @@ def _evaluate(options: argparse.Namespace) -> Result:
         campaign = fly_campaign(
             mission,
             guidance,
-            options.flights,
+            100 if options.flights is None else options.flights,
             disturbance,
             period=options.period,
             workers=pool,
@@ -296,6 +342,56 @@ def _evaluate(options: argparse.Namespace) -> Result:
         "error_quantiles": campaign.error_quantiles(),
         "attitude_violations": campaign.attitude_violations(mission.problem.phi_max),
     }
+
+
+def _campaign(options: argparse.Namespace) -> Result:
+    from sailnet.backends import load_guidance
+    from sailnet.campaign.plan import load_plan
+    from sailnet.campaign.run import fly_plan
+    from sailnet.campaign.scores import score_lines, score_record, scores_of
+    from sailnet.executors import workers
+
+    names = ["period", *(quantity.name for quantity in catalogue())]
+    if given := [name for name in names if getattr(options, name) is not None]:
+        flags = ", ".join(f"--{name.replace('_', '-')}" for name in given)
+        raise SailnetError(f"a campaign says itself what is flown: put {flags} into its TOML file")
+    mission, plan = load_mission(options.mission), load_plan(options.campaign)
+    plan = plan.changed(options.flights, options.seed)
+    guidance = load_guidance(mission, options.backend, options.precision, options.networks)
+    stored = options.output / f"{plan.name}.h5"
+    alone = options.workers == 1 and options.scheduler is None
+    with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:
+        results = fly_plan(
+            mission,
+            guidance,
+            plan,
+            stored,
+            workers=pool,
+            restart=options.restart,
+            facts={"backend": options.backend, "precision": options.precision},
+        )
+    scores = scores_of(results)
+    try:
+        from sailnet.report.campaign_page import write_report
+        from sailnet.report.comparison import comparison_lines
+    except ImportError as error:
+        raise SailnetError(
+            f"{stored} is written, but not its report ({error}): pip install sailnet[report], and the same "
+            "command again"
+        ) from error
+    try:
+        rows = write_report(results, options.output / plan.name)
+    except OSError as error:
+        raise SailnetError(f"{stored} is written, but not its report: {error}") from error
+    if not options.json:
+        if rows:
+            print("\n".join(comparison_lines(rows)), end="\n\n")
+        print("\n".join(score_lines(scores)), end="\n\n")
+    result: Result = {"results": str(stored), "report": str(options.output / plan.name / "index.html")}
+    if options.json:
+        result["scores"] = [score_record(score) for score in scores]
+        result["paper"] = [vars(row) for row in rows]
+    return result | {"digest": results.digest}
 
 
 def _disturbance(options: argparse.Namespace, mission: Mission) -> Disturbance:

@@ -26,9 +26,7 @@ def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
     return values
 
 
-Increasing = Annotated[
-    tuple[Positive, ...], Field(strict=False, min_length=1), AfterValidator(_increasing)
-]
+Increasing = Annotated[tuple[Positive, ...], Field(strict=False, min_length=1), AfterValidator(_increasing)]
 
 
 def _known(table: dict[str, Any]) -> dict[str, Any]:
@@ -107,7 +105,7 @@ class Plan(Section):
     optima: Annotated[int, Field(ge=0)] = 0
     thresholds: Increasing = (1e-4, 1e-3, 1e-2)
     sample: Annotated[int, Field(ge=0)] = 10
-    failures: Annotated[int, Field(ge=0)] = 100
+    failures: Annotated[int, Field(ge=0)] = 50
     series: Annotated[tuple[Series, ...], Field(strict=False, min_length=1)]
 
     @model_validator(mode="after")

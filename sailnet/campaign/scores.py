@@ -160,3 +160,13 @@ def score_record(score: Score) -> dict[str, object]:
         "too_long": score.too_long,
         "attitude_violations": score.violations,
     }
+
+
+def score_lines(scores: list[Score]) -> list[str]:
+    """The table for a terminal."""
+    heads, rows = score_table(scores)
+    widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)]
+    return [
+        "  ".join(f"{cell:{width}s}" for cell, width in zip(line, widths, strict=True)).rstrip()
+        for line in (heads, *rows)
+    ]

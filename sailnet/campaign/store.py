@@ -31,7 +31,11 @@ CHUNK = 8192
 
 
 def write_results(
-    path: Path, job: Job, pieces: Iterable[tuple[Unit, Columns]], provenance: Mapping[str, object], scratch: Path
+    path: Path,
+    job: Job,
+    pieces: Iterable[tuple[Unit, Columns]],
+    provenance: Mapping[str, object],
+    scratch: Path,
 ) -> None:
     """Write what the units of a campaign gave, in their order, into a new file.
 

@@ -148,9 +148,11 @@ class Job:
         costates = optima.arrival_costates[which.ravel()]
         return {
             "optimal_time": optima.time_of_flight[which.ravel()],
-            **{f"optimal_{name}": costates[:, i] for i, name in enumerate(("lambda_r", "lambda_u", "lambda_v"))},
+            **{
+                f"optimal_{name}": costates[:, i]
+                for i, name in enumerate(("lambda_r", "lambda_u", "lambda_v"))
+            },
         }
-
 
 
 def _thinned(record: Columns) -> Columns:

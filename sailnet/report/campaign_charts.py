@@ -19,6 +19,9 @@ ARRIVED_SHOWN = 1500
 
 BINS = 12
 
+COUNTED = 10
+"""Flights of a series below which a share says nothing."""
+
 FEWEST = 50
 """Flights of a series below which it has no distribution worth a curve."""
 
@@ -26,9 +29,15 @@ FEWEST = 50
 def campaign_charts(results: Results, scores: list[Score]) -> list[Chart]:
     """Every chart of a campaign that has something to show."""
     many = [score for score in scores if score.arrived.of >= FEWEST]
-    charts = [_shares(results, scores), _by_period(results, scores)]
+    counted = [score for score in scores if score.arrived.of >= COUNTED]
+    charts: list[Chart | None] = [_shares(counted), _by_period(scores)] if counted else [_by_period(scores)]
     if many:
-        charts += [_errors(results, many), _gaps(results, many), *_where(results, many), *_bins(results, many)]
+        charts += [
+            _errors(results, many),
+            _gaps(results, many),
+            *_where(results, many),
+            *_bins(results, many),
+        ]
     return [chart for chart in charts if chart is not None]
 
 
@@ -44,7 +53,7 @@ def _share_columns(shares: list[Share], suffix: str = "") -> dict[str, Array]:
     return {f"{name}{suffix}": 100.0 * column for name, column in named.items()}
 
 
-def _shares(results: Results, scores: list[Score]) -> Chart:
+def _shares(scores: list[Score]) -> Chart:
     words: dict[str, Array] = {"series": np.array([_label(score, scores) for score in scores])}
     thresholds = list(scores[0].within)
     curves = []
@@ -68,7 +77,7 @@ def _shares(results: Results, scores: list[Score]) -> Chart:
     )
 
 
-def _by_period(results: Results, scores: list[Score]) -> Chart | None:
+def _by_period(scores: list[Score]) -> Chart | None:
     columns: dict[str, Array] = {}
     curves = []
     for number in sorted({score.series for score in scores}):

@@ -3,6 +3,7 @@
 import csv
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -15,25 +16,24 @@ from sailnet.disturbances import switched_on
 from sailnet.dynamics import Array
 from sailnet.files import write_whole
 from sailnet.mission import Mission
+from sailnet.optics import OPTICS
 from sailnet.report.campaign_charts import campaign_charts, flight_facts, flight_title
 from sailnet.report.charts import Chart, for_page, page_columns, write_csv, write_picture
 from sailnet.report.comparison import Row
 from sailnet.report.flight_charts import (
     common_columns,
-    flight_charts,
     flight_columns,
     flight_templates,
     optimum_of,
 )
-from sailnet.report.page import render
+from sailnet.report.flight_page import chart_page, write_flight_picture
 from sailnet.report.paper_figures import is_paper, paper_charts, paper_flights, paper_rows
 
-FOLDER = Path(__file__).parent
+MOST_SHOWN = 300
+"""Failures in a page, which would become too large with more."""
 
 PICTURED = 6
 """Flights whose charts are also drawn for print: first those that failed."""
-
-PAGE = "campaign.html.jinja"
 
 
 def write_report(results: Results, folder: Path) -> list[Row]:
@@ -63,11 +63,9 @@ def write_report(results: Results, folder: Path) -> list[Row]:
         ],
     }  # fmt: skip
     heads, cells = score_table(scores)
-    text = render(
-        PAGE,
-        content=embedded(content),
-        script=(FOLDER / "page.js").read_text(encoding="utf-8"),
-        library=(FOLDER / "vendored" / "plotly-basic.min.js").read_text(encoding="utf-8"),
+    text = chart_page(
+        "campaign.html.jinja",
+        content,
         plan=results.plan,
         mission=results.mission,
         facts=_facts(results, scores),
@@ -88,16 +86,16 @@ def write_report(results: Results, folder: Path) -> list[Row]:
     return rows
 
 
-def embedded(content: Any) -> str:
-    """JSON that may stand in a script element."""
-    return json.dumps(content, ensure_ascii=False, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
-
-
 def _flights(results: Results) -> list[tuple[dict[str, Any], Mapping[str, Array]]]:
     """Every flight whose trajectory was kept, failures first."""
     flights = results.flights
     opened = []
-    for place in sorted(range(len(results.kept)), key=lambda i: bool(flights["arrived"][results.kept[i]])):
+    places = sorted(range(len(results.kept)), key=lambda i: bool(flights["arrived"][results.kept[i]]))
+    failed = int((flights["arrived"][results.kept] == 0).sum())
+    if failed > MOST_SHOWN:  # evenly over all series
+        spread = np.linspace(0, failed, MOST_SHOWN, endpoint=False).astype(int).tolist()
+        places = [places[i] for i in [*spread, *range(failed, len(places))]]
+    for place in places:
         row = int(results.kept[place])
         optimum = None
         if np.isfinite(flights["optimal_time"][row]):
@@ -124,7 +122,9 @@ def _facts(results: Results, scores: Sequence[Score]) -> list[tuple[str, str]]:
             f"{100 * first.arrived.share:.2f} %",
             f"of {first.name!r} arrive (95 %: {100 * low:.2f} to {100 * high:.2f} %)",
         )
-        facts.append((f"{first.error_quantiles[0.99]:.1e}", f"99 % of the errors of {first.name!r} are below"))
+        facts.append(
+            (f"{first.error_quantiles[0.99]:.1e}", f"99 % of the errors of {first.name!r} are below")
+        )
     if first.gap_quantiles:
         facts.append((f"{100 * first.gap_quantiles[0.5]:.3f} %", "median time above the optimum"))
     return facts
@@ -135,6 +135,9 @@ def _conditions(results: Results) -> list[tuple[str, str]]:
     described = []
     for series in results.plan.whole:
         on = switched_on(series.disturbances(results.mission, results.plan.seed))
+        known = {json.dumps(asdict(optics)): name for name, optics in OPTICS.items()}
+        if "optics" in on:
+            on["optics"] = known.get(json.dumps(on["optics"]), on["optics"])
         words = [f"{name} = {_value(value)}" for name, value in on.items() if name != "seed"]
         described.append((series.name, ", ".join(words) or "nothing"))
     return described
@@ -183,26 +186,3 @@ def _write_files(
     }
     text = json.dumps(record, indent=1, ensure_ascii=False)
     write_whole(folder / "scores.json", lambda beside: beside.write_text(text, encoding="utf-8"))
-
-
-def write_flight_picture(path: Path, mission: Mission, columns: Mapping[str, Array]) -> None:
-    """The charts of one flight as one PNG."""
-    write_picture(path, flight_charts(mission, columns), columns=2)
-
-
-def write_flight_page(
-    path: Path, mission: Mission, columns: Mapping[str, Array], title: str, facts: Mapping[str, str]
-) -> None:
-    """The charts of one flight as a page."""
-    charts = flight_charts(mission, columns)
-    text = render(
-        "flight.html.jinja",
-        content=embedded({"charts": [for_page(chart) for chart in charts], "flights": []}),
-        script=(FOLDER / "page.js").read_text(encoding="utf-8"),
-        library=(FOLDER / "vendored" / "plotly-basic.min.js").read_text(encoding="utf-8"),
-        charts=charts,
-        title=title,
-        facts=facts,
-        mission=mission,
-    )
-    write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.files import write_whole
 
-DIGITS = 6
+DIGITS = 5
 """Significant digits of a number in a page."""
 
 PALETTE = ("#0b6e99", "#e07a1f", "#8a6bbf", "#2e8b57", "#c0392b", "#7f6a3a", "#d06fa8", "#4a4a4a")

@@ -24,6 +24,12 @@ def _triple(values: Iterable[float]) -> str:
     return "(" + ", ".join(f"{value:.2e}" for value in values) + ")"
 
 
+def comparison_lines(rows: Sequence[Row]) -> list[str]:
+    """The table for a terminal."""
+    width = max(len(row.quantity) for row in rows)
+    return [f"{row.quantity:{width}s}  {row.paper or '-':38s}  {row.here}" for row in rows]
+
+
 def problem_rows(data: Dataset) -> list[Row]:
     """Flight times of Section 4.1.1 and the size of the data set."""
     nominal = data.provenance.get("nominal", {})  # of the paper's recipe alone

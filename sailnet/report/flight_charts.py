@@ -11,10 +11,10 @@ from sailnet.mission import Mission
 from sailnet.report.charts import PALETTE, Chart, Curve
 from sailnet.report.figures import BASELINE, GREY, NETWORK, OPTIMUM, Optimum
 
-SHOWN = 260
-"""Points of a curve in a page, evenly spread over the flight, and as many of the last periods as LAST."""
+SHOWN = 150
+"""Points of a curve in a page, evenly spread over the flight, and LAST of the last periods."""
 
-LAST = 60
+LAST = 40
 
 Columns = dict[str, Array]
 
@@ -131,7 +131,9 @@ def common_columns(mission: Mission) -> Columns:
     return columns
 
 
-def flight_columns(mission: Mission, history: History, optimum: Optimum | None, thin: bool = False) -> Columns:
+def flight_columns(
+    mission: Mission, history: History, optimum: Optimum | None, thin: bool = False
+) -> Columns:
     """What the charts of a flight show; what was as assumed all the time is left out.
 
     Args:
@@ -167,7 +169,7 @@ def flight_columns(mission: Mission, history: History, optimum: Optimum | None, 
     columns |= {"tolerance": np.full(2, mission.flight.arrival_tolerance)}
     columns |= {"ends_x": x[[0, -1]], "ends_y": y[[0, -1]]}
     if optimum is not None:
-        step = 5 if thin else 1
+        step = 10 if thin else 1
         angle = optimum.angle[::step]
         values = optimum.columns[::step].T
         columns |= {

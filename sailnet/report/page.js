@@ -3,15 +3,11 @@
 (() => {
   const content = JSON.parse(document.getElementById("content").textContent);
 
-  function values(name, columns) {
-    return columns[name];
-  }
-
   function trace(curve, columns) {
     const made = {
       type: "scatter",
-      x: values(curve.x, columns),
-      y: values(curve.y, columns),
+      x: columns[curve.x],
+      y: columns[curve.y],
       name: curve.label,
       showlegend: curve.label !== "",
       hoverinfo: curve.label === "" ? "skip" : "all",
@@ -24,18 +20,18 @@
                     shape: curve.kind === "steps" ? "hv" : "linear" };
     }
     if (curve.low) {
-      const low = values(curve.low, columns), high = values(curve.high, columns);
+      const low = columns[curve.low], high = columns[curve.high];
       made.error_y = { type: "data", symmetric: false, color: curve.colour, thickness: 1.2, width: 4,
                        array: made.y.map((y, i) => high[i] - y), arrayminus: made.y.map((y, i) => y - low[i]) };
     }
-    if (curve.link) made.customdata = values(curve.link, columns);
+    if (curve.link) made.customdata = columns[curve.link];
     return made;
   }
 
   function axis(title, logarithmic) {
     const made = { title: { text: title, standoff: 8 }, automargin: true, gridcolor: "#e6e6e6", zeroline: false,
                    linecolor: "#8c8c8c", ticks: "outside", tickcolor: "#8c8c8c" };
-    if (logarithmic) Object.assign(made, { type: "log", exponentformat: "power", dtick: 1, showexponent: "all" });
+    if (logarithmic) Object.assign(made, { type: "log", exponentformat: "power" });
     return made;
   }
 
@@ -56,10 +52,10 @@
   function draw(place, chart, columns) {
     const curves = chart.curves.filter((curve) => columns[curve.x] && columns[curve.y]);
     const layout = {
-      margin: { l: 56, r: 12, t: 8, b: 44 }, autosize: true, hovermode: "closest", dragmode: "zoom",
+      margin: { l: 56, r: 12, t: 30, b: 44 }, autosize: true, hovermode: "closest", dragmode: "zoom",
       font: { family: 'system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif', size: 12, color: "#1d2730" },
       xaxis: axis(chart.x, chart.logarithmic.includes("x")), yaxis: axis(chart.y, chart.logarithmic.includes("y")),
-      legend: { orientation: "h", x: 0, y: 1.02, yanchor: "bottom", font: { size: 11 } },
+      legend: { orientation: "h", x: 0, yref: "container", y: 0, yanchor: "bottom", font: { size: 11 } },
       paper_bgcolor: "#fff", plot_bgcolor: "#fff",
     };
     if (chart.equal) layout.yaxis.scaleanchor = "x";
@@ -103,6 +99,7 @@
     const charts = document.getElementById("flight-charts");
     charts.querySelectorAll(".chart").forEach((place) => Plotly.purge(place));
     charts.replaceChildren();
+    const drawn = [];  // once all figures are in their places
     for (const chart of content.templates) {
       const shown = chart.curves.filter((curve) => columns[curve.x] && columns[curve.y]);
       if (!shown.some((curve) => curve.label !== "")) continue;
@@ -110,8 +107,9 @@
       place.className = "chart";
       figure.append(element("h3", chart.title), place, element("figcaption", chart.caption));
       charts.append(figure);
-      draw(place, { ...chart, name: `flight-${row}-${chart.name}` }, columns);
+      drawn.push([place, { ...chart, name: `flight-${row}-${chart.name}` }]);
     }
+    drawn.forEach(([place, chart]) => draw(place, chart, columns));
     document.querySelectorAll(".flights a").forEach((link) => {
       if (link.hash === `#flight-${row}`) link.setAttribute("aria-current", "true");
       else link.removeAttribute("aria-current");

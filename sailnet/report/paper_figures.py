@@ -62,7 +62,7 @@ def paper_flights(results: Results) -> PaperFlights:
 
     some = places(RANDOM)
     number = [series.name for series in results.plan.series].index(RANDOM)
-    rows = results.rows(number, mission.flight.period)
+    rows = results.rows(number, results.plan.periods_of(results.plan.whole[number], mission)[0])
     return PaperFlights(
         {name: flown(name) for name in (*paper.CASES, NOISE)},
         results.as_flights(rows),
@@ -125,14 +125,14 @@ def _jump(mission: Mission, case: Flown) -> list[Chart]:
     left = time[-1] - time
     alpha = values[:, 6]
     columns = {
-        "left": left,
+        "time": time,
         "lambda_u": values[:, 4],
         "lambda_v": values[:, 5],
         "alpha": np.degrees(alpha),
         "alpha_pre": np.degrees(preprocess(alpha, left, case.extremal.jump_time)),
         "size": np.degrees(np.abs(alpha)),
     }
-    axis = "time to go τ [TU]"
+    axis = "time [TU]"
     costates = Chart(
         "fig-4",
         "Fig. 4: two costates along an optimum",
@@ -140,8 +140,8 @@ def _jump(mission: Mission, case: Flown) -> list[Chart]:
         axis,
         "costate [TU²/AU]",
         [
-            Curve("left", "lambda_u", "λ_u", colour=NETWORK),
-            Curve("left", "lambda_v", "λ_v", colour=OPTIMUM),
+            Curve("time", "lambda_u", "λ_u", colour=NETWORK),
+            Curve("time", "lambda_v", "λ_v", colour=OPTIMUM),
         ],
     )
     angles = Chart(
@@ -151,9 +151,9 @@ def _jump(mission: Mission, case: Flown) -> list[Chart]:
         axis,
         "cone angle [deg]",
         [
-            Curve("left", "alpha", "α", colour=OPTIMUM, width=3.5),
-            Curve("left", "alpha_pre", "α_pre, Eq. (23)", colour=NETWORK),
-            Curve("left", "size", "|α|", colour=BAD, dash=True),
+            Curve("time", "alpha", "α", colour=OPTIMUM, width=3.5),
+            Curve("time", "alpha_pre", "α_pre, Eq. (23)", colour=NETWORK),
+            Curve("time", "size", "|α|", colour=BAD, dash=True),
         ],
     )
     return [costates.with_columns(columns), angles.with_columns(columns)]
