@@ -257,6 +257,7 @@ def _guide(options: argparse.Namespace) -> Result:
 
 def _fly(options: argparse.Namespace) -> Result:
     from sailnet.backends import load_guidance
+    from sailnet.campaign.command import report
     from sailnet.expert import solve
     from sailnet.flight import Ending, fly
 
@@ -266,12 +267,12 @@ def _fly(options: argparse.Namespace) -> Result:
         raise SailnetError(f"--plot writes FILE.png or FILE.html, not {options.plot}")
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
     disturbance = _disturbance(options, mission)
-    recorder: "list[History] | None" = None if options.plot is None else []
+    recorder: list[History] | None = None if options.plot is None else []
     flight = fly(
         mission, guidance, [state], disturbance=disturbance, period=options.period, recorder=recorder
     )
     try:
-        optimum: "Extremal | None" = solve(mission.problem, state)
+        optimum: Extremal | None = solve(mission.problem, state)
     except SolveError as error:
         print(f"note: {error}", file=sys.stderr)
         optimum = None
@@ -287,31 +288,10 @@ def _fly(options: argparse.Namespace) -> Result:
         "optimal_time_of_flight": None if optimum is None else optimum.time_of_flight,
     }
     if recorder is not None:
-        _plot(options.plot, mission, recorder[0], optimum, result)
+        facts = {key.replace("_", " "): _readable(value) for key, value in result.items()}
+        report("flight_page").plot_flight(options.plot, mission, recorder[0], optimum, facts)
         result["plot"] = str(options.plot)
     return result
-
-
-def _plot(
-    path: Path, mission: Mission, history: "History", optimum: "Extremal | None", result: Result
-) -> None:
-    try:
-        from sailnet.report.flight_charts import flight_columns, optimum_of
-        from sailnet.report.flight_page import write_flight_page, write_flight_picture
-    except ImportError as error:
-        raise SailnetError(f"no pictures here ({error}): pip install sailnet[report]") from error
-    from_costates = None
-    if optimum is not None:
-        from_costates = optimum_of(mission, optimum.arrival_costates, optimum.time_of_flight)
-    columns = flight_columns(mission, history, from_costates)
-    try:
-        if path.suffix == ".png":
-            write_flight_picture(path, mission, columns)
-        else:
-            facts = {key.replace("_", " "): _readable(value) for key, value in result.items()}
-            write_flight_page(path, mission, columns, "One flight", facts)
-    except OSError as error:
-        raise SailnetError(f"cannot write {path}: {error}") from error
 
 
 def _evaluate(options: argparse.Namespace) -> Result:
@@ -320,7 +300,9 @@ def _evaluate(options: argparse.Namespace) -> Result:
     from sailnet.montecarlo import fly_campaign
 
     if options.campaign is not None:
-        return _campaign(options)
+        from sailnet.campaign.command import evaluate_campaign
+
+        return evaluate_campaign(options)
     mission = load_mission(options.mission)
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
     disturbance = _disturbance(options, mission)
@@ -342,56 +324,6 @@ def _evaluate(options: argparse.Namespace) -> Result:
         "error_quantiles": campaign.error_quantiles(),
         "attitude_violations": campaign.attitude_violations(mission.problem.phi_max),
     }
-
-
-def _campaign(options: argparse.Namespace) -> Result:
-    from sailnet.backends import load_guidance
-    from sailnet.campaign.plan import load_plan
-    from sailnet.campaign.run import fly_plan
-    from sailnet.campaign.scores import score_lines, score_record, scores_of
-    from sailnet.executors import workers
-
-    names = ["period", *(quantity.name for quantity in catalogue())]
-    if given := [name for name in names if getattr(options, name) is not None]:
-        flags = ", ".join(f"--{name.replace('_', '-')}" for name in given)
-        raise SailnetError(f"a campaign says itself what is flown: put {flags} into its TOML file")
-    mission, plan = load_mission(options.mission), load_plan(options.campaign)
-    plan = plan.changed(options.flights, options.seed)
-    guidance = load_guidance(mission, options.backend, options.precision, options.networks)
-    stored = options.output / f"{plan.name}.h5"
-    alone = options.workers == 1 and options.scheduler is None
-    with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:
-        results = fly_plan(
-            mission,
-            guidance,
-            plan,
-            stored,
-            workers=pool,
-            restart=options.restart,
-            facts={"backend": options.backend, "precision": options.precision},
-        )
-    scores = scores_of(results)
-    try:
-        from sailnet.report.campaign_page import write_report
-        from sailnet.report.comparison import comparison_lines
-    except ImportError as error:
-        raise SailnetError(
-            f"{stored} is written, but not its report ({error}): pip install sailnet[report], and the same "
-            "command again"
-        ) from error
-    try:
-        rows = write_report(results, options.output / plan.name)
-    except OSError as error:
-        raise SailnetError(f"{stored} is written, but not its report: {error}") from error
-    if not options.json:
-        if rows:
-            print("\n".join(comparison_lines(rows)), end="\n\n")
-        print("\n".join(score_lines(scores)), end="\n\n")
-    result: Result = {"results": str(stored), "report": str(options.output / plan.name / "index.html")}
-    if options.json:
-        result["scores"] = [score_record(score) for score in scores]
-        result["paper"] = [vars(row) for row in rows]
-    return result | {"digest": results.digest}
 
 
 def _disturbance(options: argparse.Namespace, mission: Mission) -> Disturbance:

@@ -45,8 +45,8 @@ class Series(Section):
     Attributes:
         name: in a few words, unique in the campaign.
         flights: how many; by default one from each start that is listed.
-        starts: ``generalisation`` for random ones of the mission's generalisation set, or a list of (r, u, v),
-            flown in turn.
+        starts: ``generalisation`` for random ones of the mission's generalisation set, or a list of
+            (r, u, v), flown in turn.
         periods: guidance periods [TU], each of which flies all the flights; the mission's by default.
         disturbance: table of disturbances by name, on top of the mission's.
         optima: for the first so many flights the expert is asked how fast they could have been.

@@ -57,11 +57,10 @@ def fly_plan(
     }
     if not restart and (found := _finished(output, run)) is not None:
         return found
-    with claim(output, run, restart, "results") as parts, _telling(parts):
-        with asked_to_stop() as asked:
-            pieces = _watched(job, _pieces(job, parts, workers), asked)
-            origin = {"run": run, **software()}
-            write_results(output, job, pieces, origin, parts.folder)
+    with claim(output, run, restart, "results") as parts, _telling(parts), asked_to_stop() as asked:
+        pieces = _watched(job, _pieces(job, parts, workers), asked)
+        origin = {"run": run, **software()}
+        write_results(output, job, pieces, origin, parts.folder)
     return open_results(output)
 
 
@@ -105,6 +104,7 @@ def _pieces(job: Job, parts: Parts, workers: Workers | None) -> Iterator[Columns
     finished = parts.finished()
     numbers = range(len(job.units))
     missing = [number for number in numbers if number not in finished]
+    made: Iterator[Columns | None]
     if workers is None:
         made = map(partial(_carry_out, job, parts), missing)
     else:

@@ -91,7 +91,8 @@ def _digest(values: NDArray[Any]) -> str:
 def _in_order(job: Job, pieces: Iterable[tuple[Unit, Columns]], file: Any) -> Iterator[Columns]:
     """Rows as they are appended: flights, their kept trajectories up to the plan's limit, and optima."""
     failures: dict[tuple[int, float], int] = {}
-    total, places = 0, []
+    places: list[tuple[Unit, int]] = []
+    total = 0
     for unit, columns in pieces:
         if unit.kind == "optima":
             _spread(job.plan, unit, columns, places, file)

@@ -61,8 +61,8 @@ def _shares(scores: list[Score]) -> Chart:
         words |= _share_columns([score.within[threshold] for score in scores], f"_{threshold:g}")
         curves.append(
             Curve(
-                "series", f"share_{threshold:g}", f"within {threshold:g}", "points", PALETTE[number % len(PALETTE)],
-                7.0, low=f"low_{threshold:g}", high=f"high_{threshold:g}",
+                "series", f"share_{threshold:g}", f"within {threshold:g}", "points",
+                PALETTE[number % len(PALETTE)], 7.0, low=f"low_{threshold:g}", high=f"high_{threshold:g}",
             )
         )  # fmt: skip
     return Chart(
@@ -79,7 +79,7 @@ def _shares(scores: list[Score]) -> Chart:
 
 def _by_period(scores: list[Score]) -> Chart | None:
     columns: dict[str, Array] = {}
-    curves = []
+    curves: list[Curve] = []
     for number in sorted({score.series for score in scores}):
         mine = [score for score in scores if score.series == number]
         if len(mine) < 2:
@@ -94,8 +94,8 @@ def _by_period(scores: list[Score]) -> Chart | None:
     return Chart(
         "periods",
         "Error for several guidance periods",
-        "Median of the largest component of the terminal error: a stop rule that is lucky at one period is not "
-        "at all.",
+        "Median of the largest component of the terminal error: a stop rule that is lucky at one period is "
+        "not at all.",
         "guidance period [TU]",
         "largest error [AU, AU/TU]",
         curves,
@@ -152,8 +152,8 @@ def _gaps(results: Results, scores: list[Score]) -> Chart | None:
     return Chart(
         "gaps",
         "Time above the optimum",
-        "Of flights that arrived, against the expert's shortest time for the sail as assumed; a stronger sail is "
-        "faster than that.",
+        "Of flights that arrived, against the expert's shortest time for the sail as assumed; a stronger "
+        "sail is faster than that.",
         "time above the optimum [%]",
         "flights [%]",
         curves,
@@ -185,7 +185,7 @@ def _where(results: Results, scores: list[Score]) -> list[Chart]:
                 f"flight_{number}": np.array([row if row in kept else -1 for row in failed.tolist()]),
             }
             colour = BAD if len(scores) == 1 else PALETTE[number % len(PALETTE)]
-            label_ = f"{_label(score, scores)}: {len(failed)} missed"
+            label_ = f"{_label(score, scores)}: {len(failed)}"
             curves.append(
                 Curve(f"x_{number}", f"v_{number}", label_, "points", colour, 6.0, link=f"flight_{number}")
             )
@@ -193,8 +193,8 @@ def _where(results: Results, scores: list[Score]) -> list[Chart]:
             Chart(
                 f"where-{component}",
                 f"Where flights start that fail: {component} and v",
-                f"Grey: starts of up to {ARRIVED_SHOWN} flights of the first series that arrived. A click on a "
-                "flight that failed opens it if its trajectory was kept.",
+                f"Grey: starts of up to {ARRIVED_SHOWN} flights of the first series that arrived. "
+                "Colours: those that failed, and how many; a click on one opens it if its trajectory was kept.",
                 f"start {label}",
                 "start v [AU/TU]",
                 curves,
@@ -259,6 +259,7 @@ def flight_facts(results: Results, row: int) -> Mapping[str, str]:
     state = ", ".join(f"{flights[f'start_{name}'][row]:.5g}" for name in "ruv")
     error = ", ".join(f"{flights[f'error_{name}'][row]:.1e}" for name in "ruv")
     optimal = flights["optimal_time"][row]
+    near, when = flights["nearest_error"][row], flights["nearest_time"][row]
     ending = {1: "stopped by its guidance", 2: "lost", 3: "too long"}[int(flights["ending"][row])]
     return {
         "result": "arrived" if flights["arrived"][row] else f"failed: {ending}",
@@ -266,7 +267,7 @@ def flight_facts(results: Results, row: int) -> Mapping[str, str]:
         "terminal error (r, u, v)": error,
         "time of flight": f"{flights['time_of_flight'][row]:.4f} TU",
         "optimum": f"{optimal:.4f} TU" if np.isfinite(optimal) else "not asked for",
-        "nearest to the target": f"{flights['nearest_error'][row]:.1e} after {flights['nearest_time'][row]:.4f} TU",
+        "nearest to the target": f"{near:.1e} after {when:.4f} TU",
         "constant error of β": f"{100 * flights['beta_error'][row]:+.2f} %",
         "estimated β": f"{100 * (flights['beta_estimate'][row] / results.mission.sail.beta - 1):+.2f} %",
     }

@@ -15,7 +15,6 @@ from sailnet.campaign.tables import FLIGHTS
 from sailnet.disturbances import switched_on
 from sailnet.dynamics import Array
 from sailnet.files import write_whole
-from sailnet.mission import Mission
 from sailnet.optics import OPTICS
 from sailnet.report.campaign_charts import campaign_charts, flight_facts, flight_title
 from sailnet.report.charts import Chart, for_page, page_columns, write_csv, write_picture
@@ -29,7 +28,7 @@ from sailnet.report.flight_charts import (
 from sailnet.report.flight_page import chart_page, write_flight_picture
 from sailnet.report.paper_figures import is_paper, paper_charts, paper_flights, paper_rows
 
-MOST_SHOWN = 300
+MOST_SHOWN = 200
 """Failures in a page, which would become too large with more."""
 
 PICTURED = 6
@@ -68,7 +67,7 @@ def write_report(results: Results, folder: Path) -> list[Row]:
         content,
         plan=results.plan,
         mission=results.mission,
-        facts=_facts(results, scores),
+        facts=_facts(scores),
         heads=heads,
         cells=cells,
         conditions=_conditions(results),
@@ -89,7 +88,7 @@ def write_report(results: Results, folder: Path) -> list[Row]:
 def _flights(results: Results) -> list[tuple[dict[str, Any], Mapping[str, Array]]]:
     """Every flight whose trajectory was kept, failures first."""
     flights = results.flights
-    opened = []
+    opened: list[tuple[dict[str, Any], Mapping[str, Array]]] = []
     places = sorted(range(len(results.kept)), key=lambda i: bool(flights["arrived"][results.kept[i]]))
     failed = int((flights["arrived"][results.kept] == 0).sum())
     if failed > MOST_SHOWN:  # evenly over all series
@@ -111,7 +110,7 @@ def _flights(results: Results) -> list[tuple[dict[str, Any], Mapping[str, Array]
     return opened
 
 
-def _facts(results: Results, scores: Sequence[Score]) -> list[tuple[str, str]]:
+def _facts(scores: Sequence[Score]) -> list[tuple[str, str]]:
     first = scores[0]
     flown = sum(score.arrived.of for score in scores)
     arrived = sum(score.arrived.count for score in scores)

@@ -11,7 +11,7 @@ from sailnet.mission import Mission
 from sailnet.report.charts import PALETTE, Chart, Curve
 from sailnet.report.figures import BASELINE, GREY, NETWORK, OPTIMUM, Optimum
 
-SHOWN = 150
+SHOWN = 200
 """Points of a curve in a page, evenly spread over the flight, and LAST of the last periods."""
 
 LAST = 40
@@ -22,7 +22,10 @@ Columns = dict[str, Array]
 def flight_templates(mission: Mission) -> list[Chart]:
     """The charts of one flight; :func:`flight_columns` gives what they show."""
     bound = f"{mission.sail.max_cone_angle:g}"
-    optimal = {"colour": OPTIMUM, "width": 3.5}
+
+    def optimal(x: str, y: str, label: str) -> Curve:
+        return Curve(x, y, label, colour=OPTIMUM, width=3.5)
+
     first, second, third = PALETTE[0], PALETTE[3], PALETTE[2]
     return [
         Chart(
@@ -34,7 +37,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
             [
                 Curve("departure_x", "departure_y", "departure orbit", colour=GREY, dash=True, width=1.0),
                 Curve("target_x", "target_y", "target orbit", colour=GREY, width=1.0),
-                Curve("optimum_x", "optimum_y", "optimum", **optimal),
+                optimal("optimum_x", "optimum_y", "optimum"),
                 Curve("x", "y", "flown", colour=NETWORK),
                 Curve("ends_x", "ends_y", "", "points", colour=NETWORK, width=7.0),
                 Curve("sun_x", "sun_y", "", "points", colour="#f2b705", width=11.0),
@@ -50,7 +53,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
             [
                 Curve("span", "bound_high", "", colour=GREY, dash=True, width=1.0),
                 Curve("span", "bound_low", "", colour=GREY, dash=True, width=1.0),
-                Curve("optimum_time", "optimum_cone", "optimum", **optimal),
+                optimal("optimum_time", "optimum_cone", "optimum"),
                 Curve("time", "attitude", "flown", "steps", colour=BASELINE),
                 Curve("time", "cone", "commanded", "steps", colour=NETWORK),
             ],
@@ -62,9 +65,9 @@ def flight_templates(mission: Mission) -> list[Chart]:
             "time [TU]",
             "r [AU], u, v [AU/TU]",
             [
-                Curve("optimum_time", "optimum_r", "", **optimal),
-                Curve("optimum_time", "optimum_u", "", **optimal),
-                Curve("optimum_time", "optimum_v", "", **optimal),
+                optimal("optimum_time", "optimum_r", ""),
+                optimal("optimum_time", "optimum_u", ""),
+                optimal("optimum_time", "optimum_v", ""),
                 Curve("time", "r", "r", colour=first),
                 Curve("time", "u", "u", colour=second),
                 Curve("time", "v", "v", colour=third),
@@ -91,7 +94,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
             "time [TU]",
             "time of flight left [TU]",
             [
-                Curve("optimum_time", "optimum_left", "of the optimum", **optimal),
+                optimal("optimum_time", "optimum_left", "of the optimum"),
                 Curve("time", "left", "predicted", colour=NETWORK),
             ],
         ),

@@ -6,10 +6,13 @@ from pathlib import Path
 from typing import Any
 
 from sailnet.dynamics import Array
+from sailnet.errors import SailnetError
+from sailnet.expert import Extremal
 from sailnet.files import write_whole
+from sailnet.flight import History
 from sailnet.mission import Mission
 from sailnet.report.charts import for_page, write_picture
-from sailnet.report.flight_charts import flight_charts
+from sailnet.report.flight_charts import flight_charts, flight_columns, optimum_of
 from sailnet.report.page import render
 
 FOLDER = Path(__file__).parent
@@ -18,15 +21,15 @@ LIBRARY = FOLDER / "vendored" / "plotly-basic.min.js"
 """plotly.js 4.1.1, its basic bundle, MIT licence, as it comes from its makers."""
 
 
-def chart_page(template: str, charts: Mapping[str, Any], **content: object) -> str:
+def chart_page(template: str, drawn: Mapping[str, Any], **content: object) -> str:
     """Fill a template whose charts are drawn by ``page.js``.
 
     Args:
         template: name of the template.
-        charts: what the script reads.
+        drawn: what the script reads.
         content: for the template itself.
     """
-    text = json.dumps(charts, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    text = json.dumps(drawn, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
     return render(
         template,
         content=text.replace("<", "\\u003c"),  # nothing in it ends the script element
@@ -55,3 +58,31 @@ def write_flight_page(
         mission=mission,
     )
     write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))
+
+
+def plot_flight(
+    path: Path, mission: Mission, history: History, extremal: Extremal | None, facts: Mapping[str, str]
+) -> None:
+    """Show one flight.
+
+    Args:
+        path: ends in ``.png`` for a picture, else a page is written.
+        mission: that was flown.
+        history: of the flight.
+        extremal: the optimum from the same start, if there is one.
+        facts: about the flight, for the page.
+
+    Raises:
+        SailnetError: the file cannot be written.
+    """
+    optimum = None
+    if extremal is not None:
+        optimum = optimum_of(mission, extremal.arrival_costates, extremal.time_of_flight)
+    columns = flight_columns(mission, history, optimum)
+    try:
+        if path.suffix == ".png":
+            write_flight_picture(path, mission, columns)
+        else:
+            write_flight_page(path, mission, columns, "One flight", facts)
+    except OSError as error:
+        raise SailnetError(f"cannot write {path}: {error}") from error

@@ -82,7 +82,7 @@ def paper_charts(mission: Mission, flights: PaperFlights) -> list[Chart]:
     first, second, noise = (flights.single[name] for name in (*paper.CASES, NOISE))
     return [
         _nominal_commands(mission),
-        *_jump(mission, second),
+        *_jump(second),
         _of_flight(mission, first, "left", "fig-8a", "Fig. 8a: time of flight left, Case 1"),
         _of_flight(mission, first, "command", "fig-8c", "Fig. 8c: cone angle, Case 1"),
         _of_flight(mission, first, "path", "fig-9", "Fig. 9: path, Case 1"),
@@ -119,7 +119,7 @@ def _nominal_commands(mission: Mission) -> Chart:
     )
 
 
-def _jump(mission: Mission, case: Flown) -> list[Chart]:
+def _jump(case: Flown) -> list[Chart]:
     """Figs 4 and 5, along the optimum of Case 2, which jumps."""
     time, values = case.optimum.time, case.optimum.columns
     left = time[-1] - time
