@@ -153,12 +153,12 @@ def test_the_same_to_the_last_bit_for_any_workers(tmp_path: Path) -> None:
 TOML = """schema = 1
 name = "many"
 title = "Many"
-flights = 60
+flights = 40
 sample = 0
 failures = 0
 [[series]]
 name = "a"
-periods = [0.004, 0.005, 0.006, 0.007, 0.008, 0.009, 0.01, 0.012]
+periods = [0.005, 0.006, 0.007, 0.008, 0.009, 0.01, 0.012, 0.015]
 """
 
 

@@ -51,7 +51,9 @@ def write_results(
     """
 
     def write(beside: Path) -> None:
-        with h5py.File(beside, "w", libver="v110") as file:  # v110: all metadata carries checksums
+        # v110: all metadata carries checksums. In memory first: where a disk is full, HDF5 itself ends the
+        # process instead of raising.
+        with h5py.File(beside.name, "w", libver="v110", driver="core", backing_store=False) as file:
             columns = _create(file)
             for groups in _in_order(job, pieces, file):
                 for key, values in groups.items():
@@ -64,6 +66,8 @@ def write_results(
             put_text(file, schema=SCHEMA, mission=job.mission.to_json(), campaign=job.plan.to_json())
             put_text(file, networks=job.guidance.networks_digest, provenance=origin)
             put_text(file, provenance_sha256=text_digest(origin), sha256=content_digest(file, GROUPS, TEXTS))
+            file.flush()
+            beside.write_bytes(file.id.get_file_image())
 
     try:
         write_whole(path, write, scratch)

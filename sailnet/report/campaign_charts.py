@@ -194,7 +194,7 @@ def _where(results: Results, scores: list[Score]) -> list[Chart]:
                 f"where-{component}",
                 f"Where flights start that fail: {component} and v",
                 f"Grey: starts of up to {ARRIVED_SHOWN} flights of the first series that arrived. "
-                "Colours: those that failed, and how many; a click on one opens it if its trajectory was kept.",
+                "Colours: those that failed, and how many; a click on one opens it if it is listed below.",
                 f"start {label}",
                 "start v [AU/TU]",
                 curves,

@@ -31,7 +31,7 @@ from sailnet.report.paper_figures import is_paper, paper_charts, paper_flights, 
 MOST_SHOWN = 200
 """Failures in a page, which would become too large with more."""
 
-PICTURED = 6
+PICTURED = 3
 """Flights whose charts are also drawn for print: first those that failed."""
 
 

@@ -164,4 +164,4 @@ def write_picture(path: Path, charts: Sequence[Chart], columns: int = 1) -> None
                 axes.set_visible(False)
             else:
                 draw_chart(axes, chart)
-        write_whole(path, lambda beside: figure.savefig(beside, format="png", dpi=200))
+        write_whole(path, lambda beside: figure.savefig(beside, format="png", dpi=160))
