@@ -56,7 +56,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> tuple[Results, Path]:
     return results, folder / "page"
 
 
-def browse(page: Path, profile: Path, *arguments: str) -> str:
+def browse(profile: Path, *arguments: str) -> str:
     """The document after its scripts; complaints of the browser fail."""
     found = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
     if found is None:
@@ -109,7 +109,7 @@ def test_charts_appear_and_a_failure_opens(flown: tuple[Results, Path], tmp_path
         '<script>addEventListener("message", (event) => '
         'document.querySelector("pre").textContent = event.data)</script>'
     )
-    text = browse(outer, tmp_path / "profile", f"--window-size={width + 100},1000", outer.as_uri())
+    text = browse(tmp_path / "profile", f"--window-size={width + 100},1000", outer.as_uri())
     told = re.search(r"<pre>(\{.*\})</pre>", text)
     assert told is not None
     said = json.loads(told[1].replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&"))
@@ -127,7 +127,7 @@ def test_charts_appear_and_a_failure_opens(flown: tuple[Results, Path], tmp_path
 def test_a_link_to_a_flight_opens_it(flown: tuple[Results, Path], tmp_path: Path) -> None:
     results, folder = flown
     row = int(results.kept[0])
-    text = browse(folder / "index.html", tmp_path / "p", f"{(folder / 'index.html').as_uri()}#flight-{row}")
+    text = browse(tmp_path / "p", f"{(folder / 'index.html').as_uri()}#flight-{row}")
     assert re.search(r'<h3 id="flight-title">calm, 0.02 TU, flight 0<', text)
     assert text.count('aria-current="true"') == 1
 
@@ -198,7 +198,7 @@ def test_fly_plots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with Image.open(picture) as drawn:
         assert min(drawn.size) > 1000
     assert main([*case, "--plot", str(page), "--json"]) == 0
-    text = browse(page, tmp_path / "profile", page.as_uri())
+    text = browse(tmp_path / "profile", page.as_uri())
     assert text.count('data-drawn="yes"') == 6  # beta too
     assert main([*case, "--plot", "f.svg"]) == 1
     assert "FILE.png or FILE.html" in capsys.readouterr().err

@@ -20,10 +20,10 @@ def campaign_tables(records: Sequence[Mapping[str, Any]]) -> str:
     for record in records:
         table = record["table"]
         software, lines = record["software"], [table["heads"], ["---"] * len(table["heads"]), *table["cells"]]
+        made = f"{software['machine']}, {software['date']}, revision {software['revision']}"
         blocks.append(
             f"**{record['title']}** (`{record['campaign']}`, networks `{record['networks'][:8]}`, seed "
-            f"{record['seed']}, {software['machine']}, {software['date']}, revision {software['revision']})\n\n"
-            + "\n".join(f"| {' | '.join(line)} |" for line in lines)
+            f"{record['seed']}, {made})\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines)
         )
     return "\n\n".join(blocks)
 

@@ -18,6 +18,7 @@ from sailnet.guidance import Guidance
 from sailnet.interruption import asked_to_stop
 from sailnet.mission import Mission
 from sailnet.parts import Parts, claim
+from sailnet.plant import sources_digest
 from sailnet.provenance import environment, software
 
 
@@ -53,6 +54,7 @@ def fly_plan(
         "campaign": plan.to_json(),
         "networks": guidance.networks_digest,
         **(facts or {}),
+        "plant": sources_digest(),
         **environment(()),
     }
     if not restart and (found := _finished(output, run)) is not None:

@@ -64,7 +64,7 @@ class Chart:
         columns: by name; numbers, or words for the places on an axis.
         logarithmic: axes with a logarithmic scale.
         equal: whether both axes have the same scale.
-        y_range: of the axis, if it is not chosen by the data.
+        x_range: of the axis, if it is not chosen by the data.
     """
 
     name: str
@@ -76,7 +76,7 @@ class Chart:
     columns: Mapping[str, ArrayLike] = field(default_factory=dict)
     logarithmic: str = ""
     equal: bool = False
-    y_range: tuple[float, float] | None = None
+    x_range: tuple[float, float] | None = None
 
     def with_columns(self, columns: Mapping[str, ArrayLike]) -> "Chart":
         """The same chart of other numbers; curves whose columns there are none of are left out."""
@@ -137,8 +137,8 @@ def draw_chart(axes: Any, chart: Chart) -> None:
     axes.set_yscale("log" if "y" in chart.logarithmic else axes.get_yscale())
     if chart.equal:
         axes.set_aspect("equal", adjustable="datalim")
-    if chart.y_range:
-        axes.set_ylim(*chart.y_range)
+    if chart.x_range:
+        axes.set_xlim(*chart.x_range)
     labels = sum(bool(curve.label) for curve in chart.curves)
     if labels > 1:
         axes.legend(fontsize=8, frameon=False, loc="upper left", bbox_to_anchor=(0.0, -0.14), ncols=2)

@@ -59,7 +59,7 @@
       paper_bgcolor: "#fff", plot_bgcolor: "#fff",
     };
     if (chart.equal) layout.yaxis.scaleanchor = "x";
-    if (chart.y_range) layout.yaxis.range = chart.y_range;
+    if (chart.x_range) layout.xaxis.range = chart.x_range;
     const config = {
       responsive: true, displaylogo: false,
       modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
