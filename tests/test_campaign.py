@@ -128,8 +128,9 @@ def test_scores_are_those_of_the_campaign_command(small: Results) -> None:
     assert gap[0.5] == small.flights["time_of_flight"][first] / small.flights["optimal_time"][first] - 1
 
 
-def threads() -> Workers:
-    return Workers(lambda: ThreadPoolExecutor(2), 4)
+def threads(share_files: bool) -> Workers:
+    """Without sharing files, as on a cluster."""
+    return Workers(lambda: ThreadPoolExecutor(2), 4, share_files)
 
 
 def test_the_same_to_the_last_bit_for_any_workers(tmp_path: Path) -> None:
@@ -139,14 +140,17 @@ def test_the_same_to_the_last_bit_for_any_workers(tmp_path: Path) -> None:
     ]
     plan = plan_of(series=series, periods=[0.05], failures=20)
     digests = {fly_plan(short(7.5), GUIDANCE, plan, tmp_path / "alone.h5").digest}
-    digests.add(fly_plan(short(7.5), GUIDANCE, plan, tmp_path / "threads.h5", workers=threads()).digest)
+    for name, share_files in (("threads", True), ("cluster", False)):
+        pool = threads(share_files)
+        found = fly_plan(short(7.5), GUIDANCE, plan, tmp_path / f"{name}.h5", workers=pool)
+        digests.add(found.digest)
     with processes(2) as pool:
         digests.add(fly_plan(short(7.5), GUIDANCE, plan, tmp_path / "processes.h5", workers=pool).digest)
     assert len(digests) == 1
     other = fly_plan(short(7.5), GUIDANCE, plan.changed(None, 6), tmp_path / "other.h5")
     assert other.digest not in digests
     assert sorted(path.name for path in tmp_path.iterdir()) == [
-        "alone.h5", "other.h5", "processes.h5", "threads.h5",
+        "alone.h5", "cluster.h5", "other.h5", "processes.h5", "threads.h5",
     ]  # fmt: skip
 
 
@@ -220,6 +224,8 @@ def test_interrupted_and_killed_it_goes_on(tmp_path: Path) -> None:
     assert more.items() < parts(tmp_path).items()
     assert len(parts(tmp_path)) == 8
 
+    damaged = folder / sorted(more)[0]
+    damaged.write_bytes(damaged.read_bytes()[:-3])
     plan = load_plan(tmp_path / "many.toml")
     whole = fly_plan(MISSION, GUIDANCE, plan, tmp_path / "whole.h5")
     facts = {"backend": "c", "precision": "float64"}

@@ -15,7 +15,7 @@ POINTS = 300
 """Of a distribution's curve."""
 
 SHOWN = 0.99
-"""Share of the times above the optimum that is in view: one flight that went astray would squeeze the rest."""
+"""Share of the times above the optimum that is in view: one flight gone astray would squeeze the rest."""
 
 ARRIVED_SHOWN = 1500
 """Starts of flights that arrived, as a background."""
@@ -156,8 +156,8 @@ def _gaps(results: Results, scores: list[Score]) -> Chart | None:
     return Chart(
         "gaps",
         "Time above the optimum",
-        "Of flights that arrived, against the expert's shortest time for the sail as assumed; a stronger "
-        f"sail is faster than that. The last {100 * (1 - SHOWN):.0f} % begin beyond the right edge: zoom out.",
+        "Of flights that arrived, against the expert's shortest time for the sail as assumed; a "
+        f"stronger sail is faster than that. The last {100 * (1 - SHOWN):.0f} % begin beyond the right edge: zoom out.",
         "time above the optimum [%]",
         "flights [%]",
         curves,
