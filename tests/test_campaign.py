@@ -114,6 +114,50 @@ def test_optima_are_the_experts_for_all_periods_of_the_first_flights(small: Resu
     assert np.isnan(optimal[small.rows(1, 0.05)]).all()
 
 
+def test_optima_go_to_series_with_the_same_starts_alone(tmp_path: Path) -> None:
+    """As many as each asks for."""
+    other = (1.0, 0.0, 1.0)
+    series = [
+        {"name": "two", "starts": [CASE, other], "optima": 2},
+        {"name": "one of them", "starts": [CASE, other], "optima": 1},
+        {"name": "others", "starts": [other, CASE], "optima": 2},
+        {"name": "none", "starts": [CASE, other]},
+    ]
+    plan = plan_of(series=series, periods=[0.05], sample=0, failures=0)
+    optimal = fly_plan(short(0.1), GUIDANCE, plan, tmp_path / "x.h5").flights["optimal_time"]
+    first, second = (solve(MISSION.problem, state).time_of_flight for state in (CASE, other))
+    nan = float("nan")
+    expected = [first, second, first, nan, second, first, nan, nan]
+    np.testing.assert_allclose(optimal, expected, rtol=1e-12)
+
+
+def test_flights_of_later_batches_have_their_own_starts_and_numbers(tmp_path: Path) -> None:
+    """Of listed starts too; and a trajectory is that of its flight."""
+    starts = [CASE, (1.0, 0.0, 1.0), (1.1, 0.18, 0.93)]
+    series = [
+        {"name": "listed", "starts": starts, "flights": BATCH + 4, "disturbance": {"beta_noise": 0.1}},
+    ]
+    plan = plan_of(series=series, periods=[0.05], sample=0, failures=5 * (BATCH + 4))
+    found = fly_plan(short(0.3), GUIDANCE, plan, tmp_path / "x.h5")
+    expected = np.array(starts)[np.arange(BATCH + 4) % 3]
+    np.testing.assert_array_equal(found.as_flights(np.arange(BATCH + 4)).starts, expected)
+    noise, recorder = Disturbance(beta_noise=0.1, seed=5), list[History]()
+    number = BATCH + 2
+    fly(
+        short(0.3), GUIDANCE, expected[number : number + 1],
+        disturbance=noise, period=0.05, first=number, recorder=recorder,
+    )  # fmt: skip
+    assert_same(found.history(found.kept.tolist().index(number)), recorder[0])
+
+
+def test_a_flight_that_never_stopped_counts_at_no_threshold(tmp_path: Path) -> None:
+    """However near it is when its time is up."""
+    plan = plan_of(series=[{"name": "near", "starts": [CASE], "periods": [0.05]}], thresholds=[1.0])
+    (score,) = scores_of(fly_plan(short(6.0), GUIDANCE, plan, tmp_path / "x.h5"))
+    assert score.error_quantiles[1.0] < 1.0
+    assert (score.within[1.0].count, score.too_long) == (0, 1)
+
+
 def test_scores_are_those_of_the_campaign_command(small: Results) -> None:
     score = scores_of(small)[-1]
     campaign = fly_campaign(small.mission, GUIDANCE, 40, Disturbance(beta_noise=0.15, seed=5), period=0.05)
@@ -241,8 +285,11 @@ def test_what_is_flown_already_is_not_flown_again(tmp_path: Path) -> None:
     written = path.stat().st_mtime_ns
     fly_plan(MISSION, GUIDANCE, plan, path)
     assert path.stat().st_mtime_ns == written
+    fly_plan(MISSION, GUIDANCE, plan, path, restart=True)
+    again = path.stat().st_mtime_ns
+    assert again > written
     fly_plan(MISSION, GUIDANCE, plan.changed(None, 6), path)
-    assert path.stat().st_mtime_ns > written
+    assert path.stat().st_mtime_ns > again
 
 
 def test_damage_is_noticed(tmp_path: Path) -> None:
