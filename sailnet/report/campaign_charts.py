@@ -157,8 +157,8 @@ def _gaps(results: Results, scores: list[Score]) -> Chart | None:
         "gaps",
         "Time above the optimum",
         "Of flights that arrived, against the expert's shortest time for the sail as assumed; a "
-        f"stronger sail is faster than that. The last {100 * (1 - SHOWN):.0f} % lie beyond the right edge: zoom "
-        "out.",
+        f"stronger sail is faster than that. The last {100 * (1 - SHOWN):.0f} % lie beyond the right edge: "
+        "zoom out.",
         "time above the optimum [%]",
         "flights [%]",
         curves,
