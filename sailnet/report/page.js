@@ -58,6 +58,9 @@
       legend: { orientation: "h", x: 0, yref: "container", y: 0, yanchor: "bottom", font: { size: 11 } },
       paper_bgcolor: "#fff", plot_bgcolor: "#fff",
     };
+    // Many names need room of their own, or they would take it from the curves.
+    const names = curves.filter((curve) => curve.label !== "").length;
+    if (names > 4) place.style.height = `${24 + 1.15 * (names - 4)}rem`;
     if (chart.equal) layout.yaxis.scaleanchor = "x";
     if (chart.x_range) layout.xaxis.range = chart.x_range;
     const config = {
