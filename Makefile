@@ -20,7 +20,7 @@ networks := $(run)/networks
 exported := $(run)/export
 learned  := $(run).h5
 
-.PHONY: all paper setup dataset coverage train export evaluate accept bench benchmarks report ship test checks lint clean
+.PHONY: all paper setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship test checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -76,6 +76,15 @@ accept: $(run)/acceptance.json
 $(run)/acceptance.json: $(exported)/exported $(wildcard sailnet/*.py) | $(READY)
 	$(PYTHON) -m sailnet.acceptance --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED) \
 	    --output $@
+
+# Every ready campaign with the networks that ship: results, pages, pictures; then the README's tables of
+# them. One that was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
+campaigns: | $(READY)
+	for name in $(basename $(notdir $(wildcard sailnet/campaigns/*.toml))); do \
+	    $(VENV)/bin/sailnet evaluate --campaign $$name --mission $(MISSION) --output $(BUILD)/campaigns \
+	        --workers 2 $(addprefix --flights ,$(CAMPAIGN_FLIGHTS)) || exit 1; \
+	done
+	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.readme $(BUILD)/campaigns README.md)
 
 bench: $(run)/bench.json
 $(run)/bench.json: $(exported)/exported $(wildcard c_runtime/bench/*) | $(READY)

@@ -2,23 +2,22 @@
 
 import argparse
 import os
-import signal
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from threading import Event
 
 from tqdm import tqdm
 
 from data.generate import generate
-from data.parts import Parts, claim
 from data.recipes import RECIPES, prepare
 from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.errors import DatasetError, SailnetError
 from sailnet.executors import workers
+from sailnet.interruption import asked_to_stop
 from sailnet.mission import Mission, load_mission
+from sailnet.parts import Parts, claim
 from sailnet.propagation import TOLERANCE
 from sailnet.provenance import environment, software
 
@@ -54,23 +53,6 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-@contextmanager
-def _asked_to_stop() -> Iterator[Event]:
-    """Set at Ctrl-C, which may come where Python loses the exception; a second one raises it."""
-    asked = Event()
-
-    def handle(*_: object) -> None:
-        if asked.is_set():
-            raise KeyboardInterrupt
-        asked.set()
-
-    previous = signal.signal(signal.SIGINT, handle)
-    try:
-        yield asked
-    finally:
-        signal.signal(signal.SIGINT, previous)
-
-
 def _watched(blocks: Iterator[Block], total: int, quiet: bool, asked: Event) -> Iterator[Block]:
     hidden = True if quiet else None  # None: hidden unless stderr is a terminal
     with tqdm(total=total, unit="trajectory", desc="data set", disable=hidden, file=sys.stderr) as bar:
@@ -92,7 +74,7 @@ def _run(options: argparse.Namespace, mission: Mission, parts: Parts) -> None:
             )
         wanted = options.trajectories or prepared.trajectories
         provenance = {**prepared.origin, "tolerance": TOLERANCE, **software()}
-        with _asked_to_stop() as asked:
+        with asked_to_stop() as asked:
             made = generate(prepared.shard_of, wanted, pool, parts, prepared.shards)
             blocks = _watched(made, wanted, options.quiet, asked)
             write_dataset(options.output, mission, blocks, provenance, parts.folder)

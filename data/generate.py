@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from itertools import count, tee
 
-from data.parts import Parts
 from sailnet.dataset import Block
 from sailnet.errors import DatasetError
 from sailnet.executors import Workers
+from sailnet.parts import Parts
 
 FUTILE = 64
 """Shards in a row without a single trajectory after which the recipe is given up."""
@@ -71,13 +71,13 @@ def _stored(shard_of: ShardOf, workers: Workers, parts: Parts, numbers: Iterable
         if number not in finished:
             block = next(made)
             if block is not None and workers.share_files is False:
-                parts.store(number, block)
-        loaded = parts.load(number)
-        if loaded is None:  # damaged
-            loaded = shard_of(number)
-            parts.store(number, loaded)
-        yield loaded
+                parts.store(number, block.to_columns())
+        columns = parts.load(number)
+        if columns is None:  # damaged
+            columns = shard_of(number).to_columns()
+            parts.store(number, columns)
+        yield Block.from_columns(columns)
 
 
 def _make(shard_of: ShardOf, parts: Parts, number: int) -> None:
-    parts.store(number, shard_of(number))
+    parts.store(number, shard_of(number).to_columns())

@@ -17,7 +17,7 @@ from export.model_card import TRIO, Facts, made_by, model_card
 from export.write import export
 from sailnet import SailnetError, load_mission
 from sailnet.acceptance import acceptance_table
-from sailnet.files import write_whole
+from sailnet.files import fill_block, write_whole
 from sailnet.mission import Mission
 from sailnet.networks import load_guidance_networks
 
@@ -35,13 +35,6 @@ def _read(path: Path, command: str) -> Any:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise ExportError(f"{path} is missing or damaged: {error}; run {command} first") from error
-
-
-def _fill(readme: Path, name: str, content: str) -> None:
-    opening, closing = f"<!-- {name} -->", f"<!-- /{name} -->"
-    before, rest = readme.read_text(encoding="utf-8").split(opening)
-    text = f"{before}{opening}\n{content}\n{closing}{rest.split(closing)[1]}"
-    write_whole(readme, lambda beside: beside.write_text(text, encoding="utf-8"))
 
 
 def ship(build: Path, package: Path, mission: Mission, readme: Path | None, paper: Path | None) -> None:
@@ -68,10 +61,12 @@ def ship(build: Path, package: Path, mission: Mission, readme: Path | None, pape
     card = model_card(networks, acceptance, timings, agreement)
     write_whole(package / "MODEL_CARD.md", lambda beside: beside.write_text(card, encoding="utf-8"))
     if readme is not None:
-        _fill(readme, "results", "\n".join([made_by("make", acceptance), "", *acceptance_table(acceptance)]))
+        fill_block(
+            readme, "results", "\n".join([made_by("make", acceptance), "", *acceptance_table(acceptance)])
+        )
         if paper is not None:
             report = _read(paper, "make paper")
-            _fill(readme, "paper", "\n".join([made_by("make paper", report), "", _paper_table(report)]))
+            fill_block(readme, "paper", "\n".join([made_by("make paper", report), "", _paper_table(report)]))
 
 
 def main() -> int:

@@ -19,6 +19,7 @@ from sailnet.optics import OPTICS
 
 if TYPE_CHECKING:
     from sailnet.expert import Extremal
+    from sailnet.flight import History
 
 Result = dict[str, object]
 
@@ -122,17 +123,29 @@ def _parser() -> argparse.ArgumentParser:
         state,
         backend,
         loop,
-        example="sailnet fly 1.1 0.18 0.93 --beta-noise 0.15 --seed 3",
-    )
+        example="sailnet fly 1.1 0.18 0.93 --beta-noise 0.15 --seed 3 --plot flight.html",
+    ).add_argument("--plot", type=Path, metavar="FILE", help="show the flight: FILE.png or FILE.html")
     evaluate = command(
         "evaluate",
         _evaluate,
-        "Closed-loop flights from random starts of the generalisation set.",
+        "Closed-loop flights from random starts of the generalisation set, or a whole campaign.",
         backend,
         loop,
-        example="sailnet evaluate --flights 1000 --beta-noise 0.15 --rate-limit 5 --optics jpl",
+        example="sailnet evaluate --flights 1000 --beta-noise 0.15 --rate-limit 5 --optics jpl; "
+        "sailnet evaluate --campaign everything --workers 2",
     )
-    evaluate.add_argument("--flights", type=int, default=100, metavar="N", help="how many (%(default)s)")
+    evaluate.add_argument(
+        "--campaign",
+        metavar="NAME",
+        help="a ready campaign or a TOML file; its results and its report are written to --output",
+    )
+    evaluate.add_argument(
+        "--output", type=Path, default=Path("campaigns"), metavar="DIR", help="(%(default)s)"
+    )
+    evaluate.add_argument("--restart", action="store_true", help="throw away what was flown before")
+    evaluate.add_argument(
+        "--flights", type=int, metavar="N", help="how many (100, or what the campaign says for random starts)"
+    )
     evaluate.add_argument("--workers", type=int, default=1, metavar="N", help="processes (%(default)s)")
     evaluate.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler whose workers fly instead")
 
@@ -244,20 +257,26 @@ def _guide(options: argparse.Namespace) -> Result:
 
 def _fly(options: argparse.Namespace) -> Result:
     from sailnet.backends import load_guidance
+    from sailnet.campaign.command import report
     from sailnet.expert import solve
     from sailnet.flight import Ending, fly
 
     mission = load_mission(options.mission)
     state = _state(options)
+    if options.plot is not None and options.plot.suffix not in (".png", ".html"):
+        raise SailnetError(f"--plot writes FILE.png or FILE.html, not {options.plot}")
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
     disturbance = _disturbance(options, mission)
-    flight = fly(mission, guidance, [state], disturbance=disturbance, period=options.period)
+    recorder: list[History] | None = None if options.plot is None else []
+    flight = fly(
+        mission, guidance, [state], disturbance=disturbance, period=options.period, recorder=recorder
+    )
     try:
-        optimum: float | None = solve(mission.problem, state).time_of_flight
+        optimum: Extremal | None = solve(mission.problem, state)
     except SolveError as error:
         print(f"note: {error}", file=sys.stderr)
         optimum = None
-    return {
+    result: Result = {
         "arrived": bool(flight.arrived[0]),
         "ending": Ending(flight.ending[0]).name.lower(),
         "time_of_flight": float(flight.time_of_flight[0]),
@@ -266,8 +285,13 @@ def _fly(options: argparse.Namespace) -> Result:
         "max_cone_angle": float(flight.max_cone_angle[0]),
         "beta_error": float(flight.beta_error[0]),
         "beta_estimate": float(flight.beta_estimate[0]),
-        "optimal_time_of_flight": optimum,
+        "optimal_time_of_flight": None if optimum is None else optimum.time_of_flight,
     }
+    if recorder is not None:
+        facts = {key.replace("_", " "): _readable(value) for key, value in result.items()}
+        report("flight_page").plot_flight(options.plot, mission, recorder[0], optimum, facts)
+        result["plot"] = str(options.plot)
+    return result
 
 
 def _evaluate(options: argparse.Namespace) -> Result:
@@ -275,6 +299,10 @@ def _evaluate(options: argparse.Namespace) -> Result:
     from sailnet.executors import workers
     from sailnet.montecarlo import fly_campaign
 
+    if options.campaign is not None:
+        from sailnet.campaign.command import evaluate_campaign
+
+        return evaluate_campaign(options)
     mission = load_mission(options.mission)
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
     disturbance = _disturbance(options, mission)
@@ -283,7 +311,7 @@ def _evaluate(options: argparse.Namespace) -> Result:
         campaign = fly_campaign(
             mission,
             guidance,
-            options.flights,
+            100 if options.flights is None else options.flights,
             disturbance,
             period=options.period,
             workers=pool,

@@ -23,3 +23,7 @@ class SolveError(SailnetError):
 
 class GuidanceError(SailnetError):
     """A guidance back end that cannot be loaded or run."""
+
+
+class CampaignError(SailnetError):
+    """A campaign that cannot be flown, or results of one that are damaged."""

@@ -149,8 +149,15 @@ def sample(transfer: Transfer, extremal: Extremal, count: int = 501) -> tuple[Ar
         (count,) time since departure [TU], and (count, 7) columns r, u, v, lambda_r, lambda_u,
         lambda_v and the optimal cone angle [rad].
     """
-    tau = np.linspace(0.0, extremal.time_of_flight, count)
-    states = propagate_extremals(transfer, extremal.arrival_costates, tau).states[0, ::-1]
+    return sample_backward(transfer, extremal.arrival_costates, extremal.time_of_flight, count)
+
+
+def sample_backward(
+    transfer: Transfer, arrival_costates: Array, time_of_flight: float, count: int = 501
+) -> tuple[Array, Array]:
+    """The same from the two facts that determine an extremal: (3,) costates at arrival and a time [TU]."""
+    tau = np.linspace(0.0, time_of_flight, count)
+    states = propagate_extremals(transfer, arrival_costates, tau).states[0, ::-1]
     alpha = guidance_law(transfer, states[:, 4], states[:, 5])
     return tau, np.column_stack([states, alpha])
 

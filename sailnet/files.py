@@ -5,6 +5,8 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
+from sailnet.errors import SailnetError
+
 
 def write_whole(
     path: Path, write: Callable[[Path], object], scratch: Path | None = None, *, durable: bool = True
@@ -32,3 +34,18 @@ def write_whole(
         beside.replace(path)
     finally:
         beside.unlink(missing_ok=True)
+
+
+def fill_block(path: Path, name: str, content: str) -> None:
+    """Write anew what stands between the marks ``<!-- name -->`` and ``<!-- /name -->`` of a text.
+
+    Raises:
+        SailnetError: it has no such marks.
+    """
+    opening, closing = f"<!-- {name} -->", f"<!-- /{name} -->"
+    text = path.read_text(encoding="utf-8")
+    if text.count(opening) != 1 or closing not in text.split(opening)[1]:
+        raise SailnetError(f"{path} has no place for this: put {opening} and {closing} where it belongs")
+    before, rest = text.split(opening)
+    filled = f"{before}{opening}\n{content}\n{closing}{rest.split(closing, 1)[1]}"
+    write_whole(path, lambda beside: beside.write_text(filled, encoding="utf-8"))

@@ -48,12 +48,14 @@ class Transfer:
         return (self.target_radius, 0.0, 1.0 / math.sqrt(self.target_radius))
 
 
-class _Section(BaseModel):
+class Section(BaseModel):
+    """A table of a TOML file: no unknown keys, no NaN, nothing converted silently."""
+
     # allow_inf_nan: a NaN would pass every comparison that is written as a rejection.
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, strict=True)
 
 
-class Sail(_Section):
+class Sail(Section):
     """The sail: characteristic acceleration and attitude constraint; 90 degrees mean no constraint."""
 
     beta: Annotated[float, Field(gt=0.0, lt=1.0)]
@@ -61,14 +63,14 @@ class Sail(_Section):
     smoothing: Annotated[float, Field(ge=0.0, le=0.1)]
 
 
-class Orbits(_Section):
+class Orbits(Section):
     """Departure and target, both circular and coplanar [AU]."""
 
     departure_radius: Positive
     target_radius: Positive
 
 
-class FlightRules(_Section):
+class FlightRules(Section):
     """Closed-loop flight [TU]."""
 
     period: Positive
@@ -77,7 +79,7 @@ class FlightRules(_Section):
     longest: Positive
 
 
-class _Ordered(_Section):
+class _Ordered(Section):
     @field_validator("*", mode="after")
     @classmethod
     def _lower_before_upper(cls, value: object) -> object:
@@ -103,7 +105,7 @@ class Region(_Ordered):
         return low, high
 
 
-class DomainRecipe(_Section):
+class DomainRecipe(Section):
     """Optimal trajectories from everywhere in the generalisation set, widened by a margin.
 
     ``margin`` is added on both sides of r, u and v [AU, AU/TU, AU/TU], for states that disturbances
@@ -149,7 +151,7 @@ class WideRecipe(_Ordered):
     seed: Annotated[int, Field(ge=0)]
 
 
-class Recipes(_Section):
+class Recipes(Section):
     """How data sets are made: for guidance, aimed at a domain, and where there is one the paper's box."""
 
     wide: WideRecipe
@@ -157,7 +159,7 @@ class Recipes(_Section):
     box: BoxRecipe | None = None
 
 
-class TrainingRecipe(_Section):
+class TrainingRecipe(Section):
     """Network size and Levenberg-Marquardt settings."""
 
     hidden: Annotated[tuple[Count, ...], Field(strict=False, min_length=1)]
@@ -170,7 +172,7 @@ class TrainingRecipe(_Section):
     seed: Annotated[int, Field(ge=0)]
 
 
-class Training(_Section):
+class Training(Section):
     """Recipes for networks of the paper's form, and for those of approach coordinates on wide data."""
 
     paper: TrainingRecipe
@@ -186,7 +188,7 @@ def _read_disturbance(table: object) -> object:
         raise ValueError(str(error)) from error
 
 
-class Mission(_Section):
+class Mission(Section):
     """One transfer, how its sails differ from the model, and the recipes for data set and networks."""
 
     schema_version: Annotated[Literal[1], Field(alias="schema")]
@@ -293,17 +295,22 @@ def parse_mission(content: dict[str, object], source: str) -> Mission:
     try:
         return Mission.model_validate(content)
     except ValidationError as error:
-        lines = [_explain(dict(item)) for item in error.errors()]
-        raise MissionError(f"mission {source} cannot be used:\n  " + "\n  ".join(lines)) from error
+        raise MissionError(f"mission {source} cannot be used:\n  {explain(error, Mission)}") from error
 
 
-def _explain(problem: dict[str, object]) -> str:
+def explain(error: ValidationError, model: type[BaseModel]) -> str:
+    """What is wrong with a table, a line each: key, value, what is allowed."""
+    return "\n  ".join(_explain(dict(item), model) for item in error.errors())
+
+
+def _explain(problem: dict[str, object], model: type[BaseModel]) -> str:
     location = problem["loc"]
     assert isinstance(location, tuple)
     key = ".".join(str(part) for part in location)
     if problem["type"] == "extra_forbidden":
-        model: type[BaseModel] = Mission
         for part in location[:-1]:
+            if isinstance(part, int):  # a row of an array of tables
+                continue
             annotation = model.model_fields[str(part)].annotation
             options = [option for option in get_args(annotation) or (annotation,) if option is not NoneType]
             model = options[0]

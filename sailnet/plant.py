@@ -140,6 +140,12 @@ def library() -> ctypes.CDLL:
     return loaded
 
 
+def sources_digest() -> str:
+    """SHA-256 of the C that the plant was compiled from."""
+    digest: bytes = library().plant_sources_digest()
+    return digest.decode("ascii")
+
+
 def rules(mission: Mission, disturbance: Disturbance, period: float) -> Rules:
     """What the plant has to know.
 

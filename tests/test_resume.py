@@ -11,12 +11,13 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import MappingProxyType
 
+import numpy as np
 import pytest
 
-from data.parts import Parts, claim
-from sailnet.dataset import open_dataset
+from sailnet.dataset import Block, open_dataset
 from sailnet.errors import DatasetError
 from sailnet.mission import load_mission
+from sailnet.parts import Parts, claim
 from tests.small_datasets import INVENTED, invented_shard, undisturbed
 
 ROOT = Path(__file__).parent.parent
@@ -223,7 +224,7 @@ def test_a_target_that_cannot_be_is_refused_at_once(target: str, tmp_path: Path)
 def leave(output: Path, run: Mapping[str, str], number: int, restart: bool = False) -> Parts:
     """What a run of one shard that is interrupted leaves."""
     with suppress(KeyboardInterrupt), claim(output, run, restart) as parts:
-        parts.store(number, invented_shard(0.0, number))
+        parts.store(number, invented_shard(0.0, number).to_columns())
         raise KeyboardInterrupt
     return parts
 
@@ -250,14 +251,20 @@ def test_shards_of_something_else_are_not_mixed_in(tmp_path: Path) -> None:
 def test_a_damaged_shard_is_none(tmp_path: Path) -> None:
     parts = Parts(tmp_path, "run")
     block = invented_shard(0.0, 0)
-    parts.store(0, block)
+    expected = block.to_columns()
+    parts.store(0, expected)
     (path,) = tmp_path.iterdir()
     raw = path.read_bytes()
     found = parts.load(0)
     assert found is not None
-    for expected, stored in ((block.samples, found.samples), (block.trajectories, found.trajectories)):
-        assert {k: v.tobytes() for k, v in expected.items()} == {k: v.tobytes() for k, v in stored.items()}
-    assert (found.lengths == block.lengths).all()
+    assert {k: v.tobytes() for k, v in expected.items()} == {k: v.tobytes() for k, v in found.items()}
+    again = Block.from_columns(found)
+    assert (again.samples.keys(), again.trajectories.keys()) == (
+        block.samples.keys(),
+        block.trajectories.keys(),
+    )
+    np.testing.assert_array_equal(again.samples["tau"], block.samples["tau"])
+    np.testing.assert_array_equal(again.lengths, block.lengths)
     for position in (3, 20, 300, 900, len(raw) // 2, len(raw) - 1):
         path.write_bytes(raw[:position] + bytes([raw[position] ^ 4]) + raw[position + 1 :])
         assert parts.load(0) is None, position

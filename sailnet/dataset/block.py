@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,3 +45,20 @@ class Block:
             {name: values[:count] for name, values in self.trajectories.items()},
             self.lengths[:count],
         )
+
+    def to_columns(self) -> dict[str, NDArray[Any]]:
+        """Everything by name, as it is kept in a file of parts."""
+        columns: dict[str, NDArray[Any]] = {
+            f"samples/{name}": column for name, column in self.samples.items()
+        }
+        columns |= {f"trajectories/{name}": column for name, column in self.trajectories.items()}
+        return columns | {"lengths": self.lengths}
+
+    @staticmethod
+    def from_columns(columns: Mapping[str, NDArray[Any]]) -> "Block":
+        """What :meth:`to_columns` gave."""
+
+        def group(prefix: str) -> dict[str, NDArray[Any]]:
+            return {name.removeprefix(prefix): c for name, c in columns.items() if name.startswith(prefix)}
+
+        return Block(group("samples/"), group("trajectories/"), columns["lengths"])

@@ -56,12 +56,22 @@ def text_digest(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def content_digest(file: Any) -> str:
-    """The same for the same samples of the same mission, whenever and wherever they were made."""
+def content_digest(
+    file: Any,
+    groups: Mapping[str, Mapping[str, tuple[str, str]]] = GROUPS,
+    texts: tuple[str, ...] = ("schema", "mission"),
+) -> str:
+    """The same for the same columns and texts, whenever and wherever they were made.
+
+    Args:
+        file: an HDF5 file whose columns have their checksums.
+        groups: names of columns.
+        texts: names of text attributes that count.
+    """
     content = hashlib.sha256()
-    for name in ("schema", "mission"):
+    for name in texts:
         content.update(get_text(file, name).encode())
-    for group, schema in GROUPS.items():
+    for group, schema in groups.items():
         for name in schema:
             column = file[group][name]
             content.update(f"{group}/{name}{column.shape}{get_text(column, 'sha256')}".encode())

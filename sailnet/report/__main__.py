@@ -170,9 +170,7 @@ def _run(options: argparse.Namespace) -> None:
         text = json.dumps(table, indent=1, ensure_ascii=False)
         write_whole(options.output / "report.json", lambda beside: beside.write_text(text, encoding="utf-8"))
         bar.update()
-    width = max(len(row.quantity) for row in rows)
-    for row in rows:
-        print(f"{row.quantity:{width}s}  {row.paper or '-':38s}  {row.here}")
+    print("\n".join(comparison.comparison_lines(rows)))
 
 
 def main() -> int:

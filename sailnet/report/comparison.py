@@ -4,9 +4,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from sailnet.dataset import Dataset
+from sailnet.flight import Flights
 from sailnet.networks import Network
 from sailnet.report import paper
-from sailnet.report.evaluation import Section5
+from sailnet.report.evaluation import Flown, Section5
 
 
 @dataclass(frozen=True)
@@ -21,6 +22,12 @@ class Row:
 
 def _triple(values: Iterable[float]) -> str:
     return "(" + ", ".join(f"{value:.2e}" for value in values) + ")"
+
+
+def comparison_lines(rows: Sequence[Row]) -> list[str]:
+    """The table for a terminal."""
+    width = max(len(row.quantity) for row in rows)
+    return [f"{row.quantity:{width}s}  {row.paper or '-':38s}  {row.here}" for row in rows]
 
 
 def problem_rows(data: Dataset) -> list[Row]:
@@ -90,54 +97,18 @@ def flight_rows(section5: Section5) -> list[Row]:
     """Sections 5.1 to 5.3."""
     rows = []
     for name, flown in section5.three.items():
-        rows += [
-            Row(
-                f"{name}: optimal time of flight [TU]",
-                f"{paper.CASE_OPTIMUM[name]:.4f}",
-                f"{flown.extremal.time_of_flight:.5f}",
-                "indirect method",
-            ),
-            Row(
-                f"{name}: time of flight predicted at departure [TU]",
-                f"{paper.CASE_PREDICTED[name]:.4f}",
-                f"{flown.history.predicted_time_of_flight[0]:.4f}",
-            ),
-            Row(
-                f"{name}: time of flight flown, three networks [TU]",
-                "",
-                f"{flown.time_of_flight:.4f}",
-                "the last command is held for the time predicted then",
-            ),
-            Row(f"{name}: ΔΦ, three networks", _triple(paper.CASE_ERROR[name]), _triple(flown.error)),
+        rows += case_rows(name, flown)
+        two = section5.two[name]
+        rows.append(
             Row(
                 f"{name}: ΔΦ, two networks",
                 _triple(paper.CASE_1_ERROR_TWO_NETWORKS) if name == "Case 1" else "",
-                _triple(section5.two[name].error),
-                "" if section5.two[name].flights.stopped[0] else "never met the stop rule",
-            ),
-        ]
-    noise = section5.noise
-    rows += [
-        Row(
-            "β noise ±15 %: time of flight [TU]",
-            f"{paper.NOISE_TIME:.4f}",
-            f"{noise.time_of_flight:.4f}",
-            f"optimum without noise {noise.extremal.time_of_flight:.4f}; the noise differs from the paper's",
-        ),
-        Row("β noise ±15 %: ΔΦ", _triple(paper.NOISE_ERROR), _triple(noise.error), f"seed {section5.seed}"),
-    ]
-    some = section5.generalisation
-    rows.append(
-        Row(
-            "random starts that arrive",
-            f"{paper.GENERALISATION_SUCCESSES} of {paper.GENERALISATION_FLIGHTS}",
-            f"{int(some.arrived.sum())} of {len(some.arrived)}",
-            f"arrive: within 1e-3 in every component; seed {section5.seed}",
+                _triple(two.error),
+                "" if two.flights.stopped[0] else "never met the stop rule",
+            )
         )
-    )
-    if some.arrived.any():
-        mean = some.terminal_error[some.arrived].mean(axis=0)
-        rows.append(Row("their mean ΔΦ", _triple(paper.GENERALISATION_ERROR), _triple(mean)))
+    rows += noise_rows(section5.noise, section5.seed)
+    rows += random_start_rows(section5.generalisation, section5.seed)
     campaign = section5.campaign
     low, high = campaign.confidence_interval
     rows.append(
@@ -148,6 +119,59 @@ def flight_rows(section5: Section5) -> list[Row]:
             f"95 % interval {100 * low:.1f} to {100 * high:.1f} %",
         )
     )
+    return rows
+
+
+def case_rows(name: str, flown: Flown) -> list[Row]:
+    """A case of Section 5.1, with three networks."""
+    return [
+        Row(
+            f"{name}: optimal time of flight [TU]",
+            f"{paper.CASE_OPTIMUM[name]:.4f}",
+            f"{flown.extremal.time_of_flight:.5f}",
+            "indirect method",
+        ),
+        Row(
+            f"{name}: time of flight predicted at departure [TU]",
+            f"{paper.CASE_PREDICTED[name]:.4f}",
+            f"{flown.history.predicted_time_of_flight[0]:.4f}",
+        ),
+        Row(
+            f"{name}: time of flight flown, three networks [TU]",
+            "",
+            f"{flown.time_of_flight:.4f}",
+            "the last command is held for the time predicted then",
+        ),
+        Row(f"{name}: ΔΦ, three networks", _triple(paper.CASE_ERROR[name]), _triple(flown.error)),
+    ]
+
+
+def noise_rows(noise: Flown, seed: int) -> list[Row]:
+    """The flight of Section 5.2."""
+    return [
+        Row(
+            "β noise ±15 %: time of flight [TU]",
+            f"{paper.NOISE_TIME:.4f}",
+            f"{noise.time_of_flight:.4f}",
+            f"optimum without noise {noise.extremal.time_of_flight:.4f}; the noise differs from the paper's",
+        ),
+        Row("β noise ±15 %: ΔΦ", _triple(paper.NOISE_ERROR), _triple(noise.error), f"seed {seed}"),
+    ]
+
+
+def random_start_rows(flights: Flights, seed: int) -> list[Row]:
+    """The random starts of Section 5.3."""
+    rows = [
+        Row(
+            "random starts that arrive",
+            f"{paper.GENERALISATION_SUCCESSES} of {paper.GENERALISATION_FLIGHTS}",
+            f"{int(flights.arrived.sum())} of {len(flights.arrived)}",
+            f"arrive: within 1e-3 in every component; seed {seed}",
+        )
+    ]
+    if flights.arrived.any():
+        mean = flights.terminal_error[flights.arrived].mean(axis=0)
+        rows.append(Row("their mean ΔΦ", _triple(paper.GENERALISATION_ERROR), _triple(mean)))
     return rows
 
 

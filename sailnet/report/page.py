@@ -19,13 +19,18 @@ class Picture:
     svg: str
 
 
-def write_page(path: Path, figures: Sequence[Picture], **content: object) -> None:
-    """Render the report to ``path``; ``content`` fills the template ``page.html.jinja``."""
+def render(template: str, **content: object) -> str:
+    """Fill one of the templates of this package."""
     environment = Environment(
         loader=PackageLoader("sailnet", "report"),
         autoescape=select_autoescape(["jinja"], default=True),
         undefined=StrictUndefined,
         trim_blocks=False,
     )
-    text = environment.get_template("page.html.jinja").render(figures=figures, **content)
+    return environment.get_template(template).render(**content)
+
+
+def write_page(path: Path, figures: Sequence[Picture], **content: object) -> None:
+    """Render the report to ``path``; ``content`` fills the template ``page.html.jinja``."""
+    text = render("page.html.jinja", figures=figures, **content)
     write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))

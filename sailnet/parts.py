@@ -1,7 +1,7 @@
-"""Finished shards on disk, so that a run that was killed goes on where it was.
+"""Finished parts of a long computation on disk, so that a run that was killed goes on where it was.
 
-Beside the output lies a folder ``.NAME.parts``: one file a shard, each written whole by rename and
-with a checksum, and what they were made of. When the data set is complete the folder goes.
+Beside the output lies a folder ``.NAME.parts``: one file a part (a shard), each written whole by rename
+and with a checksum, and what they were made of. When the output is complete the folder goes.
 """
 
 import json
@@ -19,16 +19,17 @@ from numpy.typing import NDArray
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save_file
 
-from sailnet.dataset import Block
 from sailnet.errors import DatasetError
 from sailnet.files import write_whole
 
 SUFFIX = ".safetensors"
 
+Columns = Mapping[str, NDArray[Any]]
+
 
 @dataclass(frozen=True)
 class Parts:
-    """The finished shards of one run.
+    """The finished parts of one run.
 
     Attributes:
         folder: where they lie.
@@ -39,16 +40,16 @@ class Parts:
     run: str
 
     def finished(self) -> set[int]:
-        """Numbers of the shards that are there."""
+        """Numbers of the parts that are there."""
         return {int(path.stem) for path in self.folder.glob(f"*{SUFFIX}")}
 
-    def store(self, number: int, block: Block) -> None:
-        """Write one shard, whole or not at all.
+    def store(self, number: int, columns: Columns) -> None:
+        """Write the arrays of one part, whole or not at all.
 
         Raises:
             DatasetError: it cannot be written (full disk, no permission).
         """
-        columns = _columns(block)
+        columns = {name: np.ascontiguousarray(column) for name, column in columns.items()}
         facts = {"run": self.run, "number": str(number), "crc32": _checksum(columns)}
         try:
             # Not durable: after a power cut the checksum tells, and the shard is made again.
@@ -56,8 +57,8 @@ class Parts:
         except (OSError, SafetensorError) as error:
             raise DatasetError(f"cannot write {self._path(number)}: {error}") from error
 
-    def load(self, number: int) -> Block | None:
-        """Read one shard; None if it is missing, damaged or of another run."""
+    def load(self, number: int) -> Columns | None:
+        """Read one part; None if it is missing, damaged or of another run."""
         try:
             with safe_open(self._path(number), framework="numpy") as file:
                 facts = file.metadata()
@@ -65,27 +66,13 @@ class Parts:
         except (OSError, SafetensorError):
             return None
         expected = {"run": self.run, "number": str(number), "crc32": _checksum(columns)}
-        return _block(columns) if facts == expected else None
+        return columns if facts == expected else None
 
     def _path(self, number: int) -> Path:
         return self.folder / f"{number:08d}{SUFFIX}"
 
 
-def _columns(block: Block) -> dict[str, NDArray[Any]]:
-    columns: dict[str, NDArray[Any]] = {f"samples/{name}": column for name, column in block.samples.items()}
-    columns |= {f"trajectories/{name}": column for name, column in block.trajectories.items()}
-    columns["lengths"] = block.lengths
-    return {name: np.ascontiguousarray(column) for name, column in columns.items()}
-
-
-def _block(columns: Mapping[str, NDArray[Any]]) -> Block:
-    def group(prefix: str) -> dict[str, NDArray[Any]]:
-        return {name.removeprefix(prefix): c for name, c in columns.items() if name.startswith(prefix)}
-
-    return Block(group("samples/"), group("trajectories/"), columns["lengths"])
-
-
-def _checksum(columns: Mapping[str, NDArray[Any]]) -> str:
+def _checksum(columns: Columns) -> str:
     checksum = 0
     for name in sorted(columns):
         checksum = zlib.crc32(columns[name].data, zlib.crc32(name.encode(), checksum))
@@ -93,23 +80,26 @@ def _checksum(columns: Mapping[str, NDArray[Any]]) -> str:
 
 
 @contextmanager
-def claim(output: Path, run: Mapping[str, str], restart: bool = False) -> Iterator[Parts]:
-    """Reserve ``output`` for this run, with the shards that an earlier run of the same finished.
+def claim(
+    output: Path, run: Mapping[str, str], restart: bool = False, kind: str = "data set"
+) -> Iterator[Parts]:
+    """Reserve ``output`` for this run, with the parts that an earlier run of the same finished.
 
-    The folder of parts goes when the block ends; after an error the finished shards stay.
+    The folder of parts goes when the block ends; after an error the finished parts stay.
 
     Args:
-        output: the data set to be made.
-        run: everything the shards depend on.
+        output: the file to be made.
+        run: everything the parts depend on.
         restart: throw away what an earlier run left.
+        kind: of file, for messages.
 
     Raises:
-        DatasetError: the place cannot be written, another run is at it, or the shards there were made
+        DatasetError: the place cannot be written, another run is at it, or the parts there were made
             of something else.
     """
     folder = output.parent / f".{output.name}.parts"
     if output.is_dir():
-        raise DatasetError(f"cannot write data set {output}: it is a folder; name a file in it")
+        raise DatasetError(f"cannot write {kind} {output}: it is a folder; name a file in it")
     lock = FileLock(folder / "lock")
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -119,7 +109,7 @@ def claim(output: Path, run: Mapping[str, str], restart: bool = False) -> Iterat
             f"another run is making {output}: wait for it to end, or name another file"
         ) from error
     except (OSError, NotImplementedError) as error:
-        raise DatasetError(f"cannot write data set {output}: {error}") from error
+        raise DatasetError(f"cannot write {kind} {output}: {error}") from error
     with lock:
         lock.release()  # `with` took it a second time
         if restart:

@@ -1,0 +1,200 @@
+"""What a campaign flies: series of flights under conditions of their own, read from a TOML file."""
+
+import json
+import tomllib
+from importlib import resources
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import AfterValidator, Field, ValidationError, model_validator
+
+from sailnet.disturbances import Disturbance, disturbance_from
+from sailnet.dynamics import Array
+from sailnet.errors import CampaignError, SailnetError
+from sailnet.mission import Count, Mission, Positive, Section, explain
+from sailnet.montecarlo import random_starts
+
+State = Annotated[tuple[Positive, float, float], Field(strict=False)]
+Starts = Literal["generalisation"] | Annotated[tuple[State, ...], Field(strict=False, min_length=1)]
+Seed = Annotated[int, Field(ge=0, lt=2**63)]
+
+
+def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
+    if list(values) != sorted(set(values)):
+        raise ValueError("the values must increase")
+    return values
+
+
+Increasing = Annotated[tuple[Positive, ...], Field(strict=False, min_length=1), AfterValidator(_increasing)]
+
+
+def _known(table: dict[str, Any]) -> dict[str, Any]:
+    if "seed" in table:
+        raise ValueError("the seed is the campaign's own key")
+    try:
+        disturbance_from(table)
+    except SailnetError as error:
+        raise ValueError(str(error)) from error
+    return table
+
+
+class Series(Section):
+    """Flights under the same conditions; what it leaves out is as the campaign says.
+
+    Attributes:
+        name: in a few words, unique in the campaign.
+        flights: how many; by default one from each start that is listed.
+        starts: ``generalisation`` for random ones of the mission's generalisation set, or a list of
+            (r, u, v), flown in turn.
+        periods: guidance periods [TU], each of which flies all the flights; the mission's by default.
+        disturbance: table of disturbances by name, on top of the mission's.
+        optima: for the first so many flights the expert is asked how fast they could have been.
+    """
+
+    name: Annotated[str, Field(min_length=1, max_length=60)]
+    flights: Count | None = None
+    starts: Starts | None = None
+    periods: Increasing | None = None
+    disturbance: Annotated[dict[str, Any], AfterValidator(_known)] = Field(default_factory=dict)
+    optima: Annotated[int, Field(ge=0)] | None = None
+
+    @property
+    def count(self) -> int:
+        """Flights for each guidance period."""
+        if self.flights is not None:
+            return self.flights
+        assert isinstance(self.starts, tuple)
+        return len(self.starts)
+
+    def states(self, mission: Mission, seed: int, first: int, count: int) -> Array:
+        """(count, 3) starts r, u, v of flights number ``first`` and on."""
+        if not isinstance(self.starts, tuple):
+            return random_starts(mission, count, seed, first)
+        return np.array(self.starts)[np.arange(first, first + count) % len(self.starts)]
+
+    def disturbances(self, mission: Mission, seed: int) -> Disturbance:
+        """Everything that disturbs the flights."""
+        return disturbance_from({**self.disturbance, "seed": seed}, mission.disturbance)
+
+
+class Plan(Section):
+    """A campaign: series of flights, and what is kept and reported of them.
+
+    Attributes:
+        name: of the campaign and of its files.
+        title: heading of its report.
+        text: what it is about, for its report.
+        seed: of every random number.
+        thresholds: terminal errors [AU, AU/TU] at which arrivals are counted; the mission's tolerance is
+            always one.
+        sample: of the first so many flights of each series, at its first period, trajectories are kept.
+        failures: trajectories of at most so many flights that did not arrive are kept, of each series and
+            period.
+        series: with the attributes of the campaign itself where they leave them out.
+    """
+
+    schema_version: Annotated[Literal[1], Field(alias="schema")]
+    name: Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]*$")]
+    title: str
+    text: str = ""
+    seed: Seed = 2
+    flights: Count | None = None
+    starts: Starts = "generalisation"
+    periods: Increasing | None = None
+    optima: Annotated[int, Field(ge=0)] = 0
+    thresholds: Increasing = (1e-4, 1e-3, 1e-2)
+    sample: Annotated[int, Field(ge=0)] = 10
+    failures: Annotated[int, Field(ge=0)] = 50
+    series: Annotated[tuple[Series, ...], Field(strict=False, min_length=1)]
+
+    @model_validator(mode="after")
+    def _complete(self) -> "Plan":
+        names = [series.name for series in self.series]
+        if len(set(names)) < len(names):
+            raise ValueError("two series have the same name")
+        for series in self.whole:
+            if series.starts == "generalisation" and series.flights is None:
+                raise ValueError(f"say how many flights of {series.name!r} there are: flights = 1000")
+        return self
+
+    @property
+    def whole(self) -> tuple[Series, ...]:
+        """The series with nothing left out but their periods."""
+        return tuple(
+            series.model_copy(
+                update={
+                    name: getattr(self, name)
+                    for name in ("flights", "starts", "periods", "optima")
+                    if getattr(series, name) is None
+                    and not (name == "flights" and isinstance(series.starts, tuple))
+                }
+            )
+            for series in self.series
+        )
+
+    def periods_of(self, series: Series, mission: Mission) -> tuple[float, ...]:
+        """Guidance periods of one of the ``whole`` series [TU]."""
+        return series.periods or (mission.flight.period,)
+
+    def changed(self, flights: int | None, seed: int | None) -> "Plan":
+        """With another seed, or so many flights in each series of random starts; None keeps what is.
+
+        Raises:
+            CampaignError: a number that the file could not have.
+        """
+        content = self.model_dump(by_alias=True, mode="json", exclude_none=True)
+        if seed is not None:
+            content["seed"] = seed
+        if flights is not None:
+            content["flights"] = flights
+            for series in content["series"]:
+                if series.get("starts", content["starts"]) == "generalisation":
+                    series["flights"] = flights
+        return parse_plan(content, f"{self.name} with other numbers")
+
+    def to_json(self) -> str:
+        """Canonical text, as stored in results."""
+        return json.dumps(self.model_dump(by_alias=True, mode="json", exclude_none=True), sort_keys=True)
+
+
+def ready_campaigns() -> list[str]:
+    """Names of the campaigns that come with the package."""
+    folder = resources.files("sailnet") / "campaigns"
+    return sorted(p.name.removesuffix(".toml") for p in folder.iterdir() if p.name.endswith(".toml"))
+
+
+def load_plan(name_or_path: str | Path) -> Plan:
+    """Load a campaign by name (``generalisation``) or from a TOML file.
+
+    Raises:
+        CampaignError: no such campaign, not TOML, an unknown or missing key, a value out of range.
+    """
+    path = Path(name_or_path)
+    try:
+        if path.suffix == ".toml":
+            text = path.read_text(encoding="utf-8")
+        elif str(name_or_path) in ready_campaigns():
+            text = (resources.files("sailnet") / "campaigns" / f"{name_or_path}.toml").read_text("utf-8")
+        else:
+            raise CampaignError(
+                f"no campaign named {str(name_or_path)!r}: known are {', '.join(ready_campaigns())}; "
+                "or give the path of a .toml file"
+            )
+        return parse_plan(tomllib.loads(text), str(name_or_path))
+    except (OSError, UnicodeDecodeError) as error:
+        raise CampaignError(f"cannot read campaign file {path}: {error}") from error
+    except tomllib.TOMLDecodeError as error:
+        raise CampaignError(f"campaign {name_or_path} is not valid TOML: {error}") from error
+
+
+def parse_plan(content: dict[str, Any], source: str) -> Plan:
+    """Validate the content of a campaign file; ``source`` names it in the message.
+
+    Raises:
+        CampaignError: naming each offending key, its value, and what is allowed.
+    """
+    try:
+        return Plan.model_validate(content)
+    except ValidationError as error:
+        raise CampaignError(f"campaign {source} cannot be flown:\n  {explain(error, Plan)}") from error

@@ -1,0 +1,164 @@
+"""The work of a campaign in pieces: each depends on the plan and its own number alone."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sailnet.campaign.plan import Plan, Starts
+from sailnet.campaign.tables import KEPT, RECORDS, flight_columns, record_columns
+from sailnet.expert import solve_states
+from sailnet.flight import Flights, History, fly
+from sailnet.guidance import Guidance
+from sailnet.mission import Mission
+from sailnet.montecarlo import BATCH
+
+OPTIMA_BATCH = 2500
+"""States solved at once."""
+
+FEW = 25
+"""Up to so many states are solved one by one: indexing the generalisation set takes some twenty seconds."""
+
+SHARE = 5
+"""Of the failures whose trajectories are kept, a batch of many contributes at most one part in this."""
+
+MOST_RECORDS = 1500
+"""Periods of a trajectory that are kept at most: evenly spread, and all of the last ones."""
+
+LAST_RECORDS = 300
+
+Columns = dict[str, NDArray[Any]]
+
+
+@dataclass(frozen=True)
+class Unit:
+    """One piece of work.
+
+    Attributes:
+        kind: fly, or ask the expert.
+        series: number of the series; for optima, the first of those with these starts.
+        period: guidance period [TU]; 0 for optima.
+        first: number of the first flight.
+        count: of flights.
+        sampled: flights of a number below this leave their trajectories.
+        failures: and at most so many others that did not arrive.
+    """
+
+    kind: Literal["flights", "optima"]
+    series: int
+    period: float
+    first: int
+    count: int
+    sampled: int
+    failures: int
+
+
+def units_of(plan: Plan, mission: Mission) -> list[Unit]:
+    """The pieces of a campaign: flights in order of series, period and number, then optima."""
+    units: list[Unit] = []
+    wanted: dict[Starts | None, tuple[int, int]] = {}
+    for number, series in enumerate(plan.whole):
+        for place, period in enumerate(plan.periods_of(series, mission)):
+            sampled = plan.sample if place == 0 else 0
+            for first in range(0, series.count, BATCH):
+                count = min(BATCH, series.count - first)
+                failures = plan.failures if series.count <= BATCH else -(-plan.failures // SHARE)
+                units.append(Unit("flights", number, period, first, count, sampled, failures))
+        if optima := min(series.optima or 0, series.count):
+            shown_by, most = wanted.get(series.starts, (number, 0))
+            wanted[series.starts] = (shown_by, max(most, optima))
+    for number, count in wanted.values():
+        for first in range(0, count, OPTIMA_BATCH):
+            units.append(Unit("optima", number, 0.0, first, min(OPTIMA_BATCH, count - first), 0, 0))
+    return units
+
+
+@dataclass(frozen=True)
+class Job:
+    """Whatever a worker has to know; picklable.
+
+    Attributes:
+        mission: plant, target and rules of flight.
+        guidance: what flies.
+        plan: the campaign.
+    """
+
+    mission: Mission
+    guidance: Guidance
+    plan: Plan
+
+    @cached_property
+    def units(self) -> list[Unit]:
+        """The pieces, by number."""
+        return units_of(self.plan, self.mission)
+
+    def carry_out(self, number: int) -> Columns:
+        """One piece: columns of ``FLIGHTS`` (``flights/...``), ``KEPT`` and ``RECORDS``, or optima."""
+        unit = self.units[number]
+        return self._optima(unit) if unit.kind == "optima" else self._fly(unit)
+
+    def _fly(self, unit: Unit) -> Columns:
+        series = self.plan.whole[unit.series]
+        disturbance = series.disturbances(self.mission, self.plan.seed)
+        starts = series.states(self.mission, self.plan.seed, unit.first, unit.count)
+
+        def flown(row: int, recorder: list[History] | None) -> Flights:
+            rows = slice(None) if recorder is None else slice(row, row + 1)
+            return fly(
+                self.mission,
+                self.guidance,
+                starts[rows],
+                disturbance=disturbance,
+                period=unit.period,
+                first=unit.first + row,
+                recorder=recorder,
+            )
+
+        flights = flown(0, None)
+        numbers = np.arange(unit.first, unit.first + unit.count)
+        failed = np.flatnonzero(~flights.arrived & (numbers >= unit.sampled))[: unit.failures]
+        kept = np.concatenate([np.flatnonzero(numbers < unit.sampled), failed])
+        # Memory for the histories of all flights would be too much; flown again, a flight is the same.
+        histories: list[History] = []
+        for row in kept.tolist():
+            flown(row, histories)
+        columns = {f"flights/{name}": values for name, values in flight_columns(flights).items()}
+        columns["flights/series"] = np.full(unit.count, unit.series)
+        columns["flights/period"] = np.full(unit.count, unit.period)
+        columns["flights/number"] = numbers
+        columns["kept/flight"] = kept
+        records = [_thinned(record_columns(history)) for history in histories]
+        columns["kept/records"] = np.array([len(record["time"]) for record in records], np.int64)
+        for name in RECORDS:
+            parts = [record[name] for record in records]
+            columns[f"records/{name}"] = np.concatenate(parts) if parts else np.empty(0)
+        assert {f"kept/{name}" for name in KEPT} <= columns.keys()
+        return columns
+
+    def _optima(self, unit: Unit) -> Columns:
+        series = self.plan.whole[unit.series]
+        states = series.states(self.mission, self.plan.seed, unit.first, unit.count)
+        region = None
+        if series.starts == "generalisation" and (series.optima or 0) > FEW:
+            region = self.mission.generalisation.corners
+        distinct, which = np.unique(states, axis=0, return_inverse=True)
+        optima = solve_states(self.mission.problem, distinct, region=region)
+        costates = optima.arrival_costates[which.ravel()]
+        return {
+            "optimal_time": optima.time_of_flight[which.ravel()],
+            **{
+                f"optimal_{name}": costates[:, i]
+                for i, name in enumerate(("lambda_r", "lambda_u", "lambda_v"))
+            },
+        }
+
+
+def _thinned(record: Columns) -> Columns:
+    length = len(record["time"])
+    if length <= MOST_RECORDS:
+        return record
+    spread = np.linspace(0, length - LAST_RECORDS, MOST_RECORDS - LAST_RECORDS, endpoint=False)
+    rows = np.append(spread.astype(int), np.arange(length - LAST_RECORDS, length))
+    return {name: values[rows] for name, values in record.items()}

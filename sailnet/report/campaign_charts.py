@@ -1,0 +1,281 @@
+"""A whole campaign as charts: how many arrive, how near, how fast, and where they fail."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sailnet.campaign.scores import Score, Share, largest_error, optimality_gap
+from sailnet.campaign.store import Results
+from sailnet.dynamics import Array
+from sailnet.report.charts import PALETTE, Chart, Curve
+from sailnet.report.figures import BAD, GREY
+
+POINTS = 300
+"""Of a distribution's curve."""
+
+SHOWN = 0.99
+"""Share of the times above the optimum that is in view: one flight gone astray would squeeze the rest."""
+
+ARRIVED_SHOWN = 1500
+"""Starts of flights that arrived, as a background."""
+
+BINS = 12
+
+COUNTED = 10
+"""Flights of a series below which a share says nothing."""
+
+FEWEST = 50
+"""Flights of a series below which it has no distribution worth a curve."""
+
+
+def campaign_charts(results: Results, scores: list[Score]) -> list[Chart]:
+    """Every chart of a campaign that has something to show."""
+    many = [score for score in scores if score.arrived.of >= FEWEST]
+    counted = [score for score in scores if score.arrived.of >= COUNTED]
+    charts: list[Chart | None] = [_shares(counted), _by_period(scores)] if counted else [_by_period(scores)]
+    if many:
+        charts += [
+            _errors(results, many),
+            _gaps(results, many),
+            *_where(results, many),
+            *_bins(results, many),
+        ]
+    return [chart for chart in charts if chart is not None]
+
+
+def _label(score: Score, scores: list[Score]) -> str:
+    alone = sum(other.series == score.series for other in scores) == 1
+    return score.name if alone else f"{score.name}, {score.period:g} TU"
+
+
+def _share_columns(shares: list[Share], suffix: str = "") -> dict[str, Array]:
+    low, high = np.array([share.interval for share in shares]).T
+    values = np.array([share.share for share in shares])
+    named = {"share": values, "low": low, "high": high}
+    return {f"{name}{suffix}": 100.0 * column for name, column in named.items()}
+
+
+def _shares(scores: list[Score]) -> Chart:
+    words: dict[str, Array] = {"series": np.array([_label(score, scores) for score in scores])}
+    thresholds = list(scores[0].within)
+    curves = []
+    for number, threshold in enumerate(thresholds):
+        words |= _share_columns([score.within[threshold] for score in scores], f"_{threshold:g}")
+        curves.append(
+            Curve(
+                "series", f"share_{threshold:g}", f"within {threshold:g}", "points",
+                PALETTE[number % len(PALETTE)], 7.0, low=f"low_{threshold:g}", high=f"high_{threshold:g}",
+            )
+        )  # fmt: skip
+    return Chart(
+        "shares",
+        "Share of flights that arrive",
+        "Within a threshold in each of r, u, v where the guidance on board stopped; bars are 95 % Wilson "
+        "intervals.",
+        "",
+        "flights that arrive [%]",
+        curves,
+        words,
+    )
+
+
+def _by_period(scores: list[Score]) -> Chart | None:
+    columns: dict[str, Array] = {}
+    curves: list[Curve] = []
+    for number in sorted({score.series for score in scores}):
+        mine = [score for score in scores if score.series == number]
+        if len(mine) < 2:
+            continue
+        columns[f"period_{number}"] = np.array([score.period for score in mine])
+        columns[f"error_{number}"] = np.array([score.error_quantiles[0.5] for score in mine])
+        colour = PALETTE[len(curves) % len(PALETTE)]
+        curves.append(Curve(f"period_{number}", f"error_{number}", mine[0].name, "line", colour))
+        curves.append(Curve(f"period_{number}", f"error_{number}", "", "points", colour, 7.0))
+    if not curves:
+        return None
+    return Chart(
+        "periods",
+        "Error for several guidance periods",
+        "Median of the largest component of the terminal error: a stop rule that is lucky at one period is "
+        "not at all.",
+        "guidance period [TU]",
+        "largest error [AU, AU/TU]",
+        curves,
+        columns,
+        logarithmic="xy",
+    )
+
+
+def _distribution(values: Array) -> tuple[Array, Array]:
+    levels = np.linspace(0.0, 1.0, min(POINTS, len(values)))
+    return np.quantile(values, levels), 100.0 * levels
+
+
+def _errors(results: Results, scores: list[Score]) -> Chart:
+    columns: dict[str, Array] = {}
+    curves = []
+    for number, score in enumerate(scores):
+        flights = results.as_flights(results.rows(score.series, score.period))
+        error, level = _distribution(np.maximum(largest_error(flights), 1e-9))
+        columns |= {f"error_{number}": error, f"share_{number}": level}
+        curves.append(_curve(number, "error", _label(score, scores)))
+    tolerance = results.mission.flight.arrival_tolerance
+    columns |= {"tolerance": np.full(2, tolerance), "all": np.array([0.0, 100.0])}
+    curves.append(Curve("tolerance", "all", "", colour=GREY, dash=True, width=1.0))
+    return Chart(
+        "errors",
+        "Terminal error",
+        "Share of the flights whose largest component is below; dashed: the mission's tolerance.",
+        "largest component of the terminal error [AU, AU/TU]",
+        "flights [%]",
+        curves,
+        columns,
+        logarithmic="x",
+    )
+
+
+def _curve(number: int, name: str, label: str) -> Curve:
+    colour = PALETTE[number % len(PALETTE)]
+    return Curve(f"{name}_{number}", f"share_{number}", label, colour=colour, dash=number >= len(PALETTE))
+
+
+def _gaps(results: Results, scores: list[Score]) -> Chart | None:
+    columns: dict[str, Array] = {}
+    curves, ends = [], []
+    for number, score in enumerate(scores):
+        gap = optimality_gap(results, results.rows(score.series, score.period))
+        if len(gap) < FEWEST:
+            continue
+        value, level = _distribution(100.0 * gap)
+        ends += np.quantile(value, [0.0, SHOWN]).tolist()
+        columns |= {f"gap_{number}": value, f"share_{number}": level}
+        curves.append(_curve(number, "gap", _label(score, scores)))
+    if not curves:
+        return None
+    return Chart(
+        "gaps",
+        "Time above the optimum",
+        "Of flights that arrived, against the expert's shortest time for the sail as assumed; a "
+        f"stronger sail is faster than that. The last {100 * (1 - SHOWN):.0f} % lie beyond the right edge: "
+        "zoom out.",
+        "time above the optimum [%]",
+        "flights [%]",
+        curves,
+        columns,
+        x_range=(min(ends), max(ends)),
+    )
+
+
+def _where(results: Results, scores: list[Score]) -> list[Chart]:
+    """Starts of flights, those that fail to be clicked."""
+    flights = results.flights
+    first = results.rows(scores[0].series, scores[0].period)
+    arrived = first[flights["arrived"][first] == 1][:ARRIVED_SHOWN]
+    kept = set(results.kept.tolist())
+    charts = []
+    for component, label in (("r", "r [AU]"), ("u", "u [AU/TU]")):
+        columns: dict[str, NDArray[np.generic]] = {
+            "x_arrived": flights[f"start_{component}"][arrived],
+            "v_arrived": flights["start_v"][arrived],
+        }
+        curves = [Curve("x_arrived", "v_arrived", "arrived", "points", "#c9d3da", 4.0)]
+        for number, score in enumerate(scores):
+            rows = results.rows(score.series, score.period)
+            failed = rows[flights["arrived"][rows] == 0][:ARRIVED_SHOWN]
+            if not len(failed):
+                continue
+            columns |= {
+                f"x_{number}": flights[f"start_{component}"][failed],
+                f"v_{number}": flights["start_v"][failed],
+                f"flight_{number}": np.array([row if row in kept else -1 for row in failed.tolist()]),
+            }
+            colour = BAD if len(scores) == 1 else PALETTE[number % len(PALETTE)]
+            label_ = f"{_label(score, scores)}: {len(failed)}"
+            curves.append(
+                Curve(f"x_{number}", f"v_{number}", label_, "points", colour, 6.0, link=f"flight_{number}")
+            )
+        if len(curves) == 1:
+            return []
+        charts.append(
+            Chart(
+                f"where-{component}",
+                f"Where flights start that fail: {component} and v",
+                f"Grey: starts of up to {ARRIVED_SHOWN} flights of the first series that arrived. "
+                "Colours: those that failed, and how many; a click on one opens it if it is listed below.",
+                f"start {label}",
+                "start v [AU/TU]",
+                curves,
+                columns,
+            )
+        )
+    return charts
+
+
+def _bins(results: Results, scores: list[Score]) -> list[Chart]:
+    """Share of failures along each component of the start."""
+    flights, charts = results.flights, []
+    if flights["arrived"].all():
+        return []
+    low, high = results.mission.generalisation.corners
+    for place, (component, unit) in enumerate((("r", "AU"), ("u", "AU/TU"), ("v", "AU/TU"))):
+        edges = np.linspace(low[place], high[place], BINS + 1)
+        columns: dict[str, Array] = {"middle": (edges[1:] + edges[:-1]) / 2.0}
+        curves = []
+        for number, score in enumerate(scores):
+            rows = results.rows(score.series, score.period)
+            start, missed = flights[f"start_{component}"][rows], flights["arrived"][rows] == 0
+            of, count = (np.histogram(start[chosen], edges)[0] for chosen in (slice(None), missed))
+            shares = [Share(int(a), int(b)) for a, b in zip(count, of, strict=True)]
+            if not missed.any() or not of.all():
+                continue
+            columns |= _share_columns(shares, f"_{number}")
+            colour = PALETTE[number % len(PALETTE)]
+            label = _label(score, scores)
+            curves += [
+                Curve("middle", f"share_{number}", "", colour=colour, width=1.0),
+                Curve(
+                    "middle", f"share_{number}", label, "points", colour, 6.0,
+                    low=f"low_{number}", high=f"high_{number}",
+                ),
+            ]  # fmt: skip
+        if curves:
+            charts.append(
+                Chart(
+                    f"bins-{component}",
+                    f"Failures along the start's {component}",
+                    "Share that does not arrive, with 95 % Wilson intervals.",
+                    f"start {component} [{unit}]",
+                    "flights that fail [%]",
+                    curves,
+                    columns,
+                )
+            )
+    return charts
+
+
+def flight_title(results: Results, row: int) -> str:
+    """A flight in a few words."""
+    flights = results.flights
+    series = results.plan.whole[int(flights["series"][row])].name
+    return f"{series}, {flights['period'][row]:g} TU, flight {int(flights['number'][row])}"
+
+
+def flight_facts(results: Results, row: int) -> Mapping[str, str]:
+    """What there is to know of a flight without looking at it."""
+    flights = results.flights
+    state = ", ".join(f"{flights[f'start_{name}'][row]:.5g}" for name in "ruv")
+    error = ", ".join(f"{flights[f'error_{name}'][row]:.1e}" for name in "ruv")
+    optimal = flights["optimal_time"][row]
+    near, when = flights["nearest_error"][row], flights["nearest_time"][row]
+    ending = {1: "stopped by its guidance", 2: "lost", 3: "too long"}[int(flights["ending"][row])]
+    return {
+        "result": "arrived" if flights["arrived"][row] else f"failed: {ending}",
+        "start (r, u, v)": state,
+        "terminal error (r, u, v)": error,
+        "time of flight": f"{flights['time_of_flight'][row]:.4f} TU",
+        "optimum": f"{optimal:.4f} TU" if np.isfinite(optimal) else "not asked for",
+        "nearest to the target": f"{near:.1e} after {when:.4f} TU",
+        "constant error of β": f"{100 * flights['beta_error'][row]:+.2f} %",
+        "estimated β": f"{100 * (flights['beta_estimate'][row] / results.mission.sail.beta - 1):+.2f} %",
+    }

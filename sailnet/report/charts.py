@@ -1,0 +1,167 @@
+"""Charts that are drawn twice, from one description: interactive in a page, and as a picture for papers."""
+
+import csv
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import zip_longest
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sailnet.files import write_whole
+
+DIGITS = 5
+"""Significant digits of a number in a page."""
+
+PALETTE = ("#0b6e99", "#e07a1f", "#8a6bbf", "#2e8b57", "#c0392b", "#7f6a3a", "#d06fa8", "#4a4a4a")
+"""Told apart by most eyes, in this order."""
+
+Values = NDArray[Any]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """One curve of a chart.
+
+    Attributes:
+        x: name of a column.
+        y: name of a column.
+        label: in the legend; a curve without one is left out of it.
+        kind: how it is drawn; ``steps`` hold a value until the next.
+        colour: as in HTML.
+        width: of the line, or size of the points.
+        dash: whether the line is dashed.
+        low: name of a column with lower ends of error bars.
+        high: and of upper ends.
+        link: name of a column with numbers of flights that a click opens.
+    """
+
+    x: str
+    y: str
+    label: str = ""
+    kind: Literal["line", "points", "steps"] = "line"
+    colour: str = PALETTE[0]
+    width: float = 1.6
+    dash: bool = False
+    low: str = ""
+    high: str = ""
+    link: str = ""
+
+
+@dataclass(frozen=True)
+class Chart:
+    """A chart: curves, and the columns that they show.
+
+    Attributes:
+        name: of its files, and in the page.
+        title: heading.
+        caption: what one sees.
+        x: label of the axis, with units.
+        y: likewise.
+        curves: drawn one over the other.
+        columns: by name; numbers, or words for the places on an axis.
+        logarithmic: axes with a logarithmic scale.
+        equal: whether both axes have the same scale.
+        x_range: of the axis, if it is not chosen by the data.
+    """
+
+    name: str
+    title: str
+    caption: str
+    x: str
+    y: str
+    curves: Sequence[Curve]
+    columns: Mapping[str, ArrayLike] = field(default_factory=dict)
+    logarithmic: str = ""
+    equal: bool = False
+    x_range: tuple[float, float] | None = None
+
+    def with_columns(self, columns: Mapping[str, ArrayLike]) -> "Chart":
+        """The same chart of other numbers; curves whose columns there are none of are left out."""
+        shown = [curve for curve in self.curves if curve.x in columns and curve.y in columns]
+        used = {name for curve in shown for name in (curve.x, curve.y, curve.low, curve.high) if name}
+        kept = {name: values for name, values in columns.items() if name in used}
+        values = {**vars(self), "curves": shown, "columns": kept}
+        return Chart(**values)
+
+
+def for_page(chart: Chart) -> dict[str, Any]:
+    """A chart as the page's script reads it."""
+    curves = [vars(curve) for curve in chart.curves]
+    return {**vars(chart), "curves": curves, "columns": page_columns(chart.columns)}
+
+
+def page_columns(columns: Mapping[str, ArrayLike]) -> dict[str, list[Any]]:
+    """Columns for JSON: few digits, and null for what is no number."""
+    return {name: _short(np.asarray(values)) for name, values in columns.items()}
+
+
+def _short(values: Values) -> list[Any]:
+    if values.dtype.kind != "f":
+        return list(values.tolist())
+    return [float(f"{value:.{DIGITS}g}") if np.isfinite(value) else None for value in values.tolist()]
+
+
+def write_csv(path: Path, columns: Mapping[str, ArrayLike]) -> None:
+    """Write columns, which may differ in length, under their names."""
+
+    def write(beside: Path) -> None:
+        with beside.open("w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file)
+            writer.writerow(columns)
+            writer.writerows(zip_longest(*(np.asarray(c).tolist() for c in columns.values()), fillvalue=""))
+
+    write_whole(path, write)
+
+
+def draw_chart(axes: Any, chart: Chart) -> None:
+    """Draw on matplotlib axes."""
+    for curve in chart.curves:
+        x, y = np.asarray(chart.columns[curve.x]), np.asarray(chart.columns[curve.y], float)
+        style = {"color": curve.colour, "label": curve.label or None}
+        if curve.kind == "points":
+            if curve.low:
+                ends = [np.asarray(chart.columns[name], float) for name in (curve.low, curve.high)]
+                axes.errorbar(
+                    x, y, np.abs(np.array(ends) - y), fmt="o", ms=curve.width, capsize=3, lw=1.2, **style
+                )
+            else:
+                axes.plot(x, y, "o", ms=curve.width / 1.6, mec="none", **style)
+        else:
+            drawn = "steps-post" if curve.kind == "steps" else "default"
+            axes.plot(x, y, "--" if curve.dash else "-", lw=curve.width, drawstyle=drawn, **style)
+    axes.set(title=chart.title, xlabel=chart.x, ylabel=chart.y)
+    axes.set_xscale("log" if "x" in chart.logarithmic else axes.get_xscale())
+    axes.set_yscale("log" if "y" in chart.logarithmic else axes.get_yscale())
+    if chart.equal:
+        axes.set_aspect("equal", adjustable="datalim")
+    if chart.x_range:
+        axes.set_xlim(*chart.x_range)
+    labels = sum(bool(curve.label) for curve in chart.curves)
+    if labels > 1:
+        axes.legend(fontsize=8, frameon=False, loc="upper left", bbox_to_anchor=(0.0, -0.14), ncols=2)
+    if chart.columns and np.asarray(chart.columns[chart.curves[0].x]).dtype.kind == "U":
+        axes.tick_params(axis="x", rotation=30)
+        for tick in axes.get_xticklabels():
+            tick.set_horizontalalignment("right")
+
+
+def write_picture(path: Path, charts: Sequence[Chart], columns: int = 1) -> None:
+    """Write charts side by side as a PNG for print."""
+    import matplotlib as mpl
+    from matplotlib.figure import Figure
+
+    from sailnet.report.figures import STYLE
+
+    rows = -(-len(charts) // columns)
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(6.4 * columns, 4.4 * rows), layout="constrained")
+        places = figure.subplots(rows, columns, squeeze=False).ravel()
+        for axes, chart in zip_longest(places, charts):
+            if chart is None:
+                axes.set_visible(False)
+            else:
+                draw_chart(axes, chart)
+        write_whole(path, lambda beside: figure.savefig(beside, format="png", dpi=160))

@@ -1,0 +1,88 @@
+"""Pages with interactive charts, self-contained, and the page and the picture of one flight."""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from sailnet.dynamics import Array
+from sailnet.errors import SailnetError
+from sailnet.expert import Extremal
+from sailnet.files import write_whole
+from sailnet.flight import History
+from sailnet.mission import Mission
+from sailnet.report.charts import for_page, write_picture
+from sailnet.report.flight_charts import flight_charts, flight_columns, optimum_of
+from sailnet.report.page import render
+
+FOLDER = Path(__file__).parent
+
+LIBRARY = FOLDER / "vendored" / "plotly-basic.min.js"
+"""plotly.js 4.1.1, its basic bundle, MIT licence, as it comes from its makers."""
+
+
+def chart_page(template: str, drawn: Mapping[str, Any], **content: object) -> str:
+    """Fill a template whose charts are drawn by ``page.js``.
+
+    Args:
+        template: name of the template.
+        drawn: what the script reads.
+        content: for the template itself.
+    """
+    text = json.dumps(drawn, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    return render(
+        template,
+        content=text.replace("<", "\\u003c"),  # nothing in it ends the script element
+        script=(FOLDER / "page.js").read_text(encoding="utf-8"),
+        library=LIBRARY.read_text(encoding="utf-8"),
+        **content,
+    )
+
+
+def write_flight_picture(path: Path, mission: Mission, columns: Mapping[str, Array]) -> None:
+    """The charts of one flight as one PNG."""
+    write_picture(path, flight_charts(mission, columns), columns=2)
+
+
+def write_flight_page(
+    path: Path, mission: Mission, columns: Mapping[str, Array], title: str, facts: Mapping[str, str]
+) -> None:
+    """The charts of one flight as a page."""
+    charts = flight_charts(mission, columns)
+    text = chart_page(
+        "flight.html.jinja",
+        {"charts": [for_page(chart) for chart in charts], "flights": []},
+        charts=charts,
+        title=title,
+        facts=facts,
+        mission=mission,
+    )
+    write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))
+
+
+def plot_flight(
+    path: Path, mission: Mission, history: History, extremal: Extremal | None, facts: Mapping[str, str]
+) -> None:
+    """Show one flight.
+
+    Args:
+        path: ends in ``.png`` for a picture, else a page is written.
+        mission: that was flown.
+        history: of the flight.
+        extremal: the optimum from the same start, if there is one.
+        facts: about the flight, for the page.
+
+    Raises:
+        SailnetError: the file cannot be written.
+    """
+    optimum = None
+    if extremal is not None:
+        optimum = optimum_of(mission, extremal.arrival_costates, extremal.time_of_flight)
+    columns = flight_columns(mission, history, optimum)
+    try:
+        if path.suffix == ".png":
+            write_flight_picture(path, mission, columns)
+        else:
+            write_flight_page(path, mission, columns, "One flight", facts)
+    except OSError as error:
+        raise SailnetError(f"cannot write {path}: {error}") from error

@@ -1,0 +1,189 @@
+"""The paper's figures, redrawn from a campaign that flies its Section 5, and its numbers beside ours."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sailnet.campaign.store import Results
+from sailnet.dynamics import Array
+from sailnet.expert import sample, solve
+from sailnet.flight import Flights, History
+from sailnet.jumps import preprocess
+from sailnet.mission import Mission
+from sailnet.nominal import solve_nominal
+from sailnet.report import paper
+from sailnet.report.charts import PALETTE, Chart, Curve
+from sailnet.report.comparison import Row, case_rows, noise_rows, random_start_rows
+from sailnet.report.evaluation import Flown
+from sailnet.report.figures import BAD, GREY, NETWORK, OPTIMUM, Optimum
+from sailnet.report.flight_charts import common_columns, flight_columns, flight_templates
+
+NOISE, RANDOM = "β noise ±15 %", "random starts"
+
+
+def is_paper(results: Results) -> bool:
+    """Whether a campaign has the series of the paper's Section 5."""
+    names = {series.name for series in results.plan.series}
+    return results.mission.name == "earth_mars" and {*paper.CASES, NOISE, RANDOM} <= names
+
+
+@dataclass(frozen=True)
+class PaperFlights:
+    """The flights of Section 5, beside their optima.
+
+    Attributes:
+        single: the cases and the flight with noise, by name.
+        random: the random starts.
+        histories: theirs.
+    """
+
+    single: Mapping[str, Flown]
+    random: Flights
+    histories: list[History]
+
+
+def paper_flights(results: Results) -> PaperFlights:
+    """Collect them from the results of a campaign with the series of Section 5."""
+    mission = results.mission
+
+    def places(name: str) -> list[int]:
+        number = [series.name for series in results.plan.series].index(name)
+        period = results.plan.periods_of(results.plan.whole[number], mission)[0]
+        rows = set(results.rows(number, period).tolist())
+        return [place for place, row in enumerate(results.kept.tolist()) if row in rows]
+
+    def flown(name: str) -> Flown:
+        place = places(name)[0]
+        flights = results.as_flights(results.kept[[place]])
+        extremal = solve(mission.problem, flights.starts[0])
+        optimum = Optimum(*sample(mission.problem, extremal))
+        return Flown(flights, results.history(place), extremal, optimum)
+
+    some = places(RANDOM)
+    number = [series.name for series in results.plan.series].index(RANDOM)
+    rows = results.rows(number, results.plan.periods_of(results.plan.whole[number], mission)[0])
+    return PaperFlights(
+        {name: flown(name) for name in (*paper.CASES, NOISE)},
+        results.as_flights(rows),
+        [results.history(place) for place in some],
+    )
+
+
+def paper_rows(flights: PaperFlights, seed: int) -> list[Row]:
+    """The table "paper | here"."""
+    rows = [row for name in paper.CASES for row in case_rows(name, flights.single[name])]
+    rows += noise_rows(flights.single[NOISE], seed)
+    return rows + random_start_rows(flights.random, seed)
+
+
+def paper_charts(mission: Mission, flights: PaperFlights) -> list[Chart]:
+    """Figs 3 to 5 and 8 to 14; Fig. 7, the training, is in the report of a reproduction."""
+    first, second, noise = (flights.single[name] for name in (*paper.CASES, NOISE))
+    return [
+        _nominal_commands(mission),
+        *_jump(second),
+        _of_flight(mission, first, "left", "fig-8a", "Fig. 8a: time of flight left, Case 1"),
+        _of_flight(mission, first, "command", "fig-8c", "Fig. 8c: cone angle, Case 1"),
+        _of_flight(mission, first, "path", "fig-9", "Fig. 9: path, Case 1"),
+        _of_flight(mission, second, "command", "fig-10", "Fig. 10: cone angle, Case 2"),
+        _of_flight(mission, second, "path", "fig-11", "Fig. 11: path, Case 2"),
+        _of_flight(mission, noise, "path", "fig-12", "Fig. 12: path, ±15 % noise on β"),
+        _of_flight(mission, noise, "command", "fig-13", "Fig. 13: cone angle, ±15 % noise on β"),
+        _all_paths(mission, flights.histories),
+    ]
+
+
+def _nominal_commands(mission: Mission) -> Chart:
+    """Fig. 3: the optimum with and without the bound."""
+    nominal = solve_nominal(mission)
+    free = replace(mission.problem, phi_max=np.pi / 2, delta=0.0)
+    columns: dict[str, Array] = {}
+    for name, transfer, extremal in (
+        ("free", free, nominal.unconstrained),
+        ("bound", replace(mission.problem, delta=0.0), nominal.constrained),
+    ):
+        time, values = sample(transfer, extremal)
+        columns |= {f"time_{name}": time, f"cone_{name}": np.degrees(values[:, 6])}
+    return Chart(
+        "fig-3",
+        "Fig. 3: optimal cone angle with and without a bound",
+        "From the departure orbit.",
+        "time [TU]",
+        "cone angle [deg]",
+        [
+            Curve("time_free", "cone_free", "unconstrained", colour=OPTIMUM),
+            Curve("time_bound", "cone_bound", f"within ±{mission.sail.max_cone_angle:g}°", colour=NETWORK),
+        ],
+        columns,
+    )
+
+
+def _jump(case: Flown) -> list[Chart]:
+    """Figs 4 and 5, along the optimum of Case 2, which jumps."""
+    time, values = case.optimum.time, case.optimum.columns
+    left = time[-1] - time
+    alpha = values[:, 6]
+    columns = {
+        "time": time,
+        "lambda_u": values[:, 4],
+        "lambda_v": values[:, 5],
+        "alpha": np.degrees(alpha),
+        "alpha_pre": np.degrees(preprocess(alpha, left, case.extremal.jump_time)),
+        "size": np.degrees(np.abs(alpha)),
+    }
+    axis = "time [TU]"
+    costates = Chart(
+        "fig-4",
+        "Fig. 4: two costates along an optimum",
+        "Of Case 2: λ_v crosses zero while λ_u > 0, where the cone angle jumps.",
+        axis,
+        "costate [TU²/AU]",
+        [
+            Curve("time", "lambda_u", "λ_u", colour=NETWORK),
+            Curve("time", "lambda_v", "λ_v", colour=OPTIMUM),
+        ],
+    )
+    angles = Chart(
+        "fig-5",
+        "Fig. 5: the jump and its preprocessing",
+        "Eq. (23) removes the jump by a change of sign, |α| by forgetting it.",
+        axis,
+        "cone angle [deg]",
+        [
+            Curve("time", "alpha", "α", colour=OPTIMUM, width=3.5),
+            Curve("time", "alpha_pre", "α_pre, Eq. (23)", colour=NETWORK),
+            Curve("time", "size", "|α|", colour=BAD, dash=True),
+        ],
+    )
+    return [costates.with_columns(columns), angles.with_columns(columns)]
+
+
+def _of_flight(mission: Mission, flown: Flown, template: str, name: str, title: str) -> Chart:
+    columns = {**common_columns(mission), **flight_columns(mission, flown.history, flown.optimum)}
+    (chart,) = (chart for chart in flight_templates(mission) if chart.name == template)
+    return replace(chart.with_columns(columns), name=name, title=title)
+
+
+def _all_paths(mission: Mission, histories: list[History]) -> Chart:
+    """Fig. 14."""
+    columns = common_columns(mission)
+    curves = [
+        Curve("departure_x", "departure_y", "departure orbit", colour=GREY, dash=True, width=1.0),
+        Curve("target_x", "target_y", "target orbit", colour=GREY, width=2.0),
+    ]
+    for number, history in enumerate(histories):
+        r, theta = history.states[::5, 0], history.states[::5, 1]
+        columns |= {f"x_{number}": r * np.cos(theta), f"y_{number}": r * np.sin(theta)}
+        colour = PALETTE[number % len(PALETTE)]
+        curves.append(Curve(f"x_{number}", f"y_{number}", "", colour=colour, width=0.8))
+    return Chart(
+        "fig-14",
+        "Fig. 14: paths from random starts",
+        f"{len(histories)} starts of the generalisation set.",
+        "X [AU]",
+        "Y [AU]",
+        curves,
+        columns,
+        equal=True,
+    )
