@@ -98,3 +98,19 @@ def test_vectors_and_single_numbers_give_the_same_bits(
         library = compiled(tmp_path, name.replace(" ", ""), (*defines, *flags))
         assert library.lanes() > 1
         np.testing.assert_array_equal(commands(library, given), expected, err_msg=name)
+
+
+def test_the_compact_layout_agrees_however_near_the_target(tmp_path: Path, mission: Mission) -> None:
+    """Where the scale of what is missing meets its least value, too."""
+    networks = random_guidance(approach=True)
+    facts = describe(networks, mission)
+    write_c(networks, facts, tmp_path)
+    rng = np.random.default_rng(8)
+    missing = rng.normal(size=(COUNT, 3)) * 10.0 ** rng.uniform(-14.0, -2.0, (COUNT, 1))
+    given = np.column_stack([np.array(facts.target_state) + missing, np.full(COUNT, mission.sail.beta)])
+    hosts, compact = (
+        np.abs(commands(compiled(tmp_path, name, ("-DSAILNET_FLOAT64", f"-DSAILNET_{name}")), given))
+        for name in ("PLAIN", "COMPACT")
+    )
+    np.testing.assert_allclose(compact[:, 1], hosts[:, 1], atol=1e-9)
+    np.testing.assert_allclose(compact[:, 2], hosts[:, 2], rtol=1e-9)

@@ -18,10 +18,12 @@ def tags(build: str, flight_file: Path) -> frozenset[str]:
 
 
 def defines(build: str) -> list[str]:
-    """Compiler options of a build such as ``f64_compact``."""
+    """Options for an analyser of a build such as ``f64_compact``: the layout for hosts on single numbers."""
+    compact = build.endswith("_compact")
     chosen = {
         "SAILNET_FLOAT64": build.startswith("f64"),
-        "SAILNET_COMPACT": build.endswith("_compact"),
+        "SAILNET_COMPACT": compact,
+        "SAILNET_PLAIN": not compact,
     }
     return [f"-{'D' if given else 'U'}{name}" for name, given in chosen.items()]
 

@@ -101,7 +101,8 @@ SAILNET_INLINE uint32_t sailnet_observed(const sailnet_state *state, sailnet_rea
     const sailnet_real speed2 = missing[1] * missing[1] + missing[2] * missing[2];
     const sailnet_real distance = R(2.0) * missing[0];
 #if SAILNET_READS_BETA
-    const sailnet_real s4 = speed2 * speed2 + distance * distance;
+    /* Bounded here too: the root of what is left of it beneath would be too small. */
+    const sailnet_real s4 = sailnet_clamped(speed2 * speed2 + distance * distance, R(1e-24), R(1e24));
     const sailnet_real per_s = sailnet_per_root(s4 * sailnet_per_root(s4));
     input[0] = missing[0] * per_s * per_s;
     input[1] = missing[1] * per_s;

@@ -828,7 +828,8 @@ SAILNET_INLINE uint32_t sailnet_observed(const sailnet_state *state, sailnet_rea
     const sailnet_real speed2 = missing[1] * missing[1] + missing[2] * missing[2];
     const sailnet_real distance = R(2.0) * missing[0];
 #if SAILNET_READS_BETA
-    const sailnet_real s4 = speed2 * speed2 + distance * distance;
+    /* Bounded here too: the root of what is left of it beneath would be too small. */
+    const sailnet_real s4 = sailnet_clamped(speed2 * speed2 + distance * distance, R(1e-24), R(1e24));
     const sailnet_real per_s = sailnet_per_root(s4 * sailnet_per_root(s4));
     input[0] = missing[0] * per_s * per_s;
     input[1] = missing[1] * per_s;
@@ -969,7 +970,11 @@ typedef sailnet_real sailnet_lanes;
 /* The lanes from `first` on, of an array that is aligned to whole vectors. */
 SAILNET_INLINE sailnet_lanes sailnet_at(const sailnet_real *first)
 {
-    return *(const sailnet_lanes *)first;
+#ifdef SAILNET_VECTORS
+    return *(const sailnet_lanes *)(const void *)first;
+#else
+    return *first;
+#endif
 }
 
 /* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
@@ -979,7 +984,9 @@ SAILNET_INLINE sailnet_real sailnet_product(const sailnet_real *a, const sailnet
     typedef sailnet_real sailnet_16_bytes __attribute__((vector_size(16), __may_alias__));
     sailnet_16_bytes sums = {R(0.0)};
     for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
-        sums += *(const sailnet_16_bytes *)&a[j] * *(const sailnet_16_bytes *)&b[j];
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
     }
 #else
     sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
