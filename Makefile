@@ -20,7 +20,7 @@ networks := $(run)/networks
 exported := $(run)/export
 learned  := $(run).h5
 
-.PHONY: all paper setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship test checks lint clean
+.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship test checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -109,6 +109,10 @@ ship: $(run)/acceptance.json $(run)/bench.json $(run)/agreement.json
 # torch-levenberg-marquardt takes part if it is installed: pip install -c constraints.txt -e '.[benchmarks]'.
 benchmarks: | $(READY)
 	$(PYTHON) -m benchmarks --seed $(SEED)
+
+# Every figure that the four papers on optimal control print, beside ours and a second method's; some minutes.
+papers: | $(READY)
+	$(VENV)/bin/sailnet papers --output build/papers --readme sailnet/ocp/README.md
 
 lint: | $(READY)
 	$(PYTHON) -m ruff check .

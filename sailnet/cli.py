@@ -25,10 +25,10 @@ Result = dict[str, object]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line; returns the exit status: 0, or 1 when something cannot be done."""
+    """Run the command line; returns the exit status: 0, or 1 when something cannot be done or is wrong."""
     given = sys.argv[1:] if arguments is None else list(arguments)
     options = _parser().parse_args([_shield(argument) for argument in given])
-    run: Callable[[argparse.Namespace], Result] = options.run
+    run: Callable[[argparse.Namespace], Result | int] = options.run
     try:
         result = run(options)
     except SailnetError as error:
@@ -37,6 +37,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return 130
+    if isinstance(result, int):
+        return result  # The command has printed what it found.
     if options.json:
         print(json.dumps(result))
     else:
@@ -155,6 +157,15 @@ def _parser() -> argparse.ArgumentParser:
     info.add_argument("file", metavar="FILE", type=Path, help="the HDF5 file")
     info.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
     info.set_defaults(run=_info)
+
+    about = "What four papers print, beside ours and a second method's; minutes."
+    example = "example: sailnet papers 003; sailnet papers goddard --json"
+    papers = commands.add_parser("papers", help=about, description=about, epilog=example)
+    papers.add_argument("name", metavar="NAME", nargs="?", help="number of a paper or a problem (all)")
+    papers.add_argument("--json", action="store_true", help="print one JSON list and nothing else")
+    papers.add_argument("--output", metavar="DIR", type=Path, help="write papers.json, papers.md there")
+    papers.add_argument("--readme", metavar="FILE", type=Path, help="fill its block `papers` with the table")
+    papers.set_defaults(run=_papers)
     return parser
 
 
@@ -340,6 +351,12 @@ def _info(options: argparse.Namespace) -> Result:
     # Shown where it takes longer than two seconds.
     with tqdm(desc="verify", unit="value", unit_scale=True, delay=2.0, file=sys.stderr, disable=None) as bar:
         return inspect_dataset(options.file, bar)
+
+
+def _papers(options: argparse.Namespace) -> int:
+    from sailnet.ocp.papers import command
+
+    return command.run(options.name, options.json, options.output, options.readme)
 
 
 def _state(options: argparse.Namespace) -> tuple[float, float, float]:

@@ -36,8 +36,8 @@ def write_whole(
         beside.unlink(missing_ok=True)
 
 
-def fill_block(path: Path, name: str, content: str) -> None:
-    """Write anew what stands between the marks ``<!-- name -->`` and ``<!-- /name -->`` of a text.
+def split_at_block(path: Path, name: str) -> tuple[str, str]:
+    """What stands in a text before the mark ``<!-- name -->`` and after the mark ``<!-- /name -->``.
 
     Raises:
         SailnetError: it has no such marks.
@@ -47,5 +47,15 @@ def fill_block(path: Path, name: str, content: str) -> None:
     if text.count(opening) != 1 or closing not in text.split(opening)[1]:
         raise SailnetError(f"{path} has no place for this: put {opening} and {closing} where it belongs")
     before, rest = text.split(opening)
-    filled = f"{before}{opening}\n{content}\n{closing}{rest.split(closing, 1)[1]}"
+    return before, rest.split(closing, 1)[1]
+
+
+def fill_block(path: Path, name: str, content: str) -> None:
+    """Write anew what stands between the marks ``<!-- name -->`` and ``<!-- /name -->`` of a text.
+
+    Raises:
+        SailnetError: it has no such marks.
+    """
+    before, after = split_at_block(path, name)
+    filled = f"{before}<!-- {name} -->\n{content}\n<!-- /{name} -->{after}"
     write_whole(path, lambda beside: beside.write_text(filled, encoding="utf-8"))

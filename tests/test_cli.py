@@ -157,7 +157,7 @@ def test_a_mission_file_with_an_unknown_key_is_refused(tmp_path: Path) -> None:
     assert "colour" in done.stderr
 
 
-@pytest.mark.parametrize("command", ["solve", "guide", "fly", "evaluate"])
+@pytest.mark.parametrize("command", ["solve", "guide", "fly", "evaluate", "papers"])
 def test_help_has_an_example(command: str) -> None:
     done = _run(command, "--help")
     assert done.returncode == 0

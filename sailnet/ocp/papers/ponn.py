@@ -40,11 +40,6 @@ PLAIN_RHO = 0.03
 """Below it switches are sharper than the papers' training points can tell."""
 
 
-def rows() -> list[Row]:
-    """Every figure of both papers; a few minutes."""
-    return [*intercept_rows(), *bounded_rows(), *earth_mars_rows(), *landing_rows()]
-
-
 def verdict(printed: str, ours: float) -> Verdict:
     """Whether a printed figure is ours to within one unit of its last digit: rounded, or cut off."""
     digit = 10.0 ** -len(printed.partition(".")[2])
@@ -127,7 +122,10 @@ def _table_2(gamma: float, printed: Sequence[str], seconds: float, starts: int) 
         ("mean loss", loss, worst, worst_polynomial, POLYNOMIALS, as_small, most),
         (tried, "all", len(random), len(polynomial), POLYNOMIALS, all_of_them, ""),
     ]
-    return [Row("002", f"intercept, Gamma = {gamma:g}", *figure, spent, seconds) for figure in figures]
+    return [
+        Row("002", f"intercept, Gamma = {gamma:g}", *figure, spent, seconds, same=figure[4] == CLOSED_FORM)
+        for figure in figures
+    ]
 
 
 def bounded_rows() -> list[Row]:

@@ -22,6 +22,7 @@ class Row:
         reason: for the verdict, and what the figure depends on.
         seconds: wall time of ours.
         paper_seconds: the paper's, if it gives one.
+        same: whether ours and the check are one and the same number, so that they must agree to six digits.
     """
 
     paper: str
@@ -35,3 +36,4 @@ class Row:
     reason: str
     seconds: float
     paper_seconds: float | None
+    same: bool = True
