@@ -270,4 +270,4 @@ def test_lines_know_their_function_and_builds_their_tags(exported: Exported) -> 
     assert where["#include <string.h>"] == "file"
     form = "approach" if exported.networks.approach else "paper"
     assert tags("f64_compact", path) == {"f64", "compact", form}
-    assert defines("f64") == ["-DSAILNET_FLOAT64", "-USAILNET_COMPACT"]
+    assert defines("f64") == ["-DSAILNET_FLOAT64", "-USAILNET_COMPACT", "-DSAILNET_PLAIN"]
