@@ -9,8 +9,11 @@ from typing import Any
 import pytest
 
 from sailnet import cli
+from sailnet.mission import Transfer
+from sailnet.ocp import Saturation, collocation
 from sailnet.ocp.papers import command, sail, trial
 from sailnet.ocp.papers.trial import MINIMUM, Trial
+from sailnet.ocp.problems import solar_sail
 
 GOOD = Trial("shooting", "5 | 6 TU", MINIMUM, 1e-12, 1.5, "agrees", "")
 LOST = Trial("ponn", "1 start", math.nan, math.nan, 0.5, "no solution", "largest residual 0.2")
@@ -48,6 +51,13 @@ def test_what_does_not_converge_appears_with_its_residuals(monkeypatch: pytest.M
     assert (one.verdict, math.isnan(one.ours)) == ("no solution", True)
     assert "largest residual" in one.reason
     assert "rho = 0.1" in one.reason
+
+
+def test_straight_lines_are_not_rounded_where_the_costate_is_an_integer() -> None:
+    problem = solar_sail.problem(Transfer(0.16892, math.pi / 3, 1e-3, 1.524))
+    y = collocation.Collocation(problem, Saturation()).mesh(None, -10, 3).y
+    assert y[0] == pytest.approx([1.0, 1.262, 1.524])
+    assert y[3] == pytest.approx([-10.0] * 3)
 
 
 def test_what_begins_at_no_solution_has_none() -> None:

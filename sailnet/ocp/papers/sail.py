@@ -1,7 +1,7 @@
 """Every solver on the solar sail's transfer from the Earth to Mars, the one that paper 001 prints.
 
-No guess holds the answer: costates are random or all alike, flights are found by a heuristic. Solvers that
-only refine begin at what shooting found from random costates, and say so.
+What finds its own way begins at a guess that does not hold the answer: random costates, straight lines,
+random weights. What only refines begins at shooting's solution, and its settings say so.
 """
 
 import math

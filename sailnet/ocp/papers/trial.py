@@ -28,7 +28,7 @@ class Trial:
         settings: and its guess.
         ours: its time of flight [TU]; NaN where it has none.
         residual: largest error of its end conditions; NaN where it has none.
-        seconds: wall time, compilation included, that of the solution it begins at not.
+        seconds: wall time with compilation of what is not compiled yet, without the solution it begins at.
         verdict: on the printed figure, by this solver alone.
         reason: why there is no time, or what the time is worth.
     """
