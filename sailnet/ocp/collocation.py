@@ -70,7 +70,7 @@ class Collocation:
         if self.problem.time_is_free:
             unknowns[-1] = self.problem.time_guess
         clock = np.linspace(0.0, 1.0, nodes)
-        y = np.full((2 * len(self.problem.states), nodes), costate)
+        y = np.full((2 * len(self.problem.states), nodes), costate, float)
         for row, x in zip(y, self.problem.states, strict=False):
             first = self.problem.initial.get(x, self.problem.final.get(x, 1.0))
             row[:] = first + (self.problem.final.get(x, first) - first) * clock

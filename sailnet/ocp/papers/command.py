@@ -11,15 +11,18 @@ from tqdm import tqdm
 
 from sailnet.errors import SailnetError
 from sailnet.files import fill_block, split_at_block, write_whole
-from sailnet.ocp.papers import bbsr, delta, ponn
+from sailnet.ocp.papers import bbsr, delta, ponn, sail, trial
 from sailnet.ocp.papers.row import Row
+from sailnet.ocp.papers.trial import Trial
 from sailnet.provenance import software
 
 AGREEMENT = 1e-6
 """Ours and the check may differ by this, relatively: six digits."""
 
 BLOCK = "papers"
-"""Name of the block of a README that the table is written to."""
+"""Name of the block of a README that the table is written to; the sail's has the sail's name."""
+
+Entry = Row | Trial
 
 
 @dataclass(frozen=True)
@@ -34,7 +37,7 @@ class Part:
 
     paper: str
     problems: tuple[str, ...]
-    rows: Callable[[], list[Row]]
+    rows: Callable[[], Sequence[Entry]]
 
 
 PARTS = (
@@ -47,6 +50,7 @@ PARTS = (
     Part("003", ("reorientation-2",), bbsr.second_reorientation),
     Part("003", ("earth-dionysus",), bbsr.dionysus_rows),
     Part("004", ("lunar-landing", "asteroid-rendezvous", "leo-geo-time", "leo-geo-fuel"), delta.rows),
+    Part(trial.PAPER, (trial.NAME,), sail.trials),
 )
 """In the order of the table; a paper that is added is a line here."""
 
@@ -60,7 +64,8 @@ def run(name: str | None, as_json: bool, folder: Path | None = None, readme: Pat
         name: number of a paper or name of a problem; all of them by default.
         as_json: print a list of objects instead of tables.
         folder: gets ``papers.json`` and ``papers.md`` too.
-        readme: a file whose block ``papers`` gets the Markdown table too, if all is well.
+        readme: a file whose block ``papers`` gets the Markdown table too, and whose block ``sail`` the
+            sail's, if all is well.
 
     Returns:
         Exit status: 0, or 1 where ours and the check differ beyond six digits or nothing converged.
@@ -72,21 +77,28 @@ def run(name: str | None, as_json: bool, folder: Path | None = None, readme: Pat
     if readme is not None:
         if name is not None:
             raise SailnetError("a README gets the whole table: leave out NAME, or --readme")
-        split_at_block(readme, BLOCK)
-    rows, failures = _computed(parts, name)
-    found = json.dumps([_object(row) for row in rows], indent=1, allow_nan=False)
-    print(found if as_json else tables(rows))
+        for block in [BLOCK, *(trial.NAME for part in parts if trial.NAME in part.problems)]:
+            split_at_block(readme, block)
+    entries, failures = _computed(parts, name)
+    rows = [entry for entry in entries if isinstance(entry, Row)]
+    trials = [entry for entry in entries if isinstance(entry, Trial)]
+    found = json.dumps([_object(entry) for entry in entries], indent=1, allow_nan=False)
+    print(found if as_json else "\n\n".join(filter(None, [tables(rows), trial_table(trials)])))
     if folder is not None:
         _write(folder / "papers.json", found + "\n")
-        _write(folder / "papers.md", markdown(rows) + "\n")
+        _write(folder / "papers.md", "\n\n".join([markdown(rows), *_trials_markdown(trials)]) + "\n")
     failures += [
         f"{row.problem}, {row.quantity}: ours {row.ours:.9g} and {row.check:.9g} by {row.check_method}"
         " are not the same to six digits; neither is to be trusted before it is known why"
         for row in rows
         if not agree(row)
     ]
+    wrong = trial.failure(trials) if trials else None
+    failures += [wrong] if wrong else []
     if readme is not None and not failures:
         fill_block(readme, BLOCK, markdown(rows))
+        for table in _trials_markdown(trials):
+            fill_block(readme, trial.NAME, f"{_made()}\n\n{table}")
     for failure in failures:
         print(f"error: {failure}", file=sys.stderr)
     return 1 if failures else 0
@@ -111,9 +123,9 @@ def _chosen(name: str | None) -> list[Part]:
     return chosen
 
 
-def _computed(parts: Sequence[Part], name: str | None) -> tuple[list[Row], list[str]]:
+def _computed(parts: Sequence[Part], name: str | None) -> tuple[list[Entry], list[str]]:
     """The rows asked for, and what could not be solved: one failure must not cost the other rows."""
-    rows: list[Row] = []
+    rows: list[Entry] = []
     failures: list[str] = []
     with tqdm(parts, desc="papers", unit="part", file=sys.stderr, disable=None) as bar:
         for part in bar:
@@ -127,16 +139,17 @@ def _computed(parts: Sequence[Part], name: str | None) -> tuple[list[Row], list[
     return rows, failures
 
 
-def _problem(row: Row) -> str:
+def _problem(row: Entry) -> str:
     """The problem's name: behind a comma stands which instance of it."""
     return row.problem.partition(",")[0]
 
 
-def _object(row: Row) -> dict[str, object]:
+def _object(row: Entry) -> dict[str, object]:
     """As JSON has it, which knows no NaN: null."""
+    values = asdict(row) | ({"difference": row.difference} if isinstance(row, Trial) else {})
     return {
         key: None if isinstance(value, float) and not math.isfinite(value) else value
-        for key, value in asdict(row).items()
+        for key, value in values.items()
     }
 
 
@@ -176,16 +189,35 @@ def _aligned(table: Table) -> str:
 
 def markdown(rows: Iterable[Row]) -> str:
     """The same for a README, with the reasons, and with machine, date and revision."""
-    made = software()
-    parts = [
-        f"Written by `sailnet papers` on {made['machine']}, {made['date']}, revision {made['revision']}."
-    ]
+    parts = [_made()]
     for paper, those in _by_paper(rows).items():
-        table = [[*HEADINGS, "why"], ["---"] * (len(HEADINGS) + 1)]
-        table += [[*_cells(row), row.reason] for row in those]
-        lines = ("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in table)
-        parts.append(f"**Paper {paper}**\n\n" + "\n".join(lines))
+        table = _piped([*HEADINGS, "why"], [[*_cells(row), row.reason] for row in those])
+        parts.append(f"**Paper {paper}**\n\n{table}")
     return "\n\n".join(parts)
+
+
+def trial_table(trials: Sequence[Trial]) -> str:
+    """What became of every solver on the sail, for people to read; reasons beneath."""
+    if not trials:
+        return ""
+    table = _aligned([trial.HEADINGS, *map(trial.cells, trials)])
+    reasons = [f"{one.solver}: {one.reason}" for one in trials if one.reason]
+    return "\n".join([f"Paper {trial.PAPER}, {trial.NAME}", table, *reasons])
+
+
+def _trials_markdown(trials: Sequence[Trial]) -> list[str]:
+    rows = [[*trial.cells(one), one.reason] for one in trials]
+    return [_piped([*trial.HEADINGS, "why"], rows)] if trials else []
+
+
+def _made() -> str:
+    made = software()
+    return f"Written by `sailnet papers` on {made['machine']}, {made['date']}, revision {made['revision']}."
+
+
+def _piped(headings: Sequence[str], rows: Table) -> str:
+    lines = [headings, ["---"] * len(headings), *rows]
+    return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)
 
 
 def _write(path: Path, text: str) -> None:
