@@ -87,8 +87,8 @@ def test_flight_file_runs_as_the_reference_says(bench: Bench, target: Target) ->
             # Not all that is reserved is written: room for arguments and register windows.
             assert 0.7 * reserved <= calls.stack <= reserved + 16
             assert calls.counts is not None
-            # One multiplication and addition for each weight; commands hardly differ.
-            assert 2700 < calls.counts.mean <= calls.counts.most < 1.01 * calls.counts.mean
+            # One multiplication and addition for each weight; at the target the tube is not asked.
+            assert 2700 < calls.counts.mean <= calls.counts.most < 1.02 * calls.counts.mean
             assert (calls.counts.retired == calls.counts.total) == target.retires
         if target.fuses:
             fused = bench.measure(target, precision, "compact", True)
