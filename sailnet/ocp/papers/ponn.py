@@ -81,6 +81,7 @@ def intercept_rows(starts: int = 100) -> list[Row]:
             ("t_f [s]", t_f, solution.final_time, time),
             ("J", j, solution.cost, cost),
         ):
+            rounded = f"{ours:.{len(text.partition('.')[2])}f}"
             found.append(
                 Row(
                     "002",
@@ -91,7 +92,7 @@ def intercept_rows(starts: int = 100) -> list[Row]:
                     check,
                     CLOSED_FORM,
                     verdict(text, ours),
-                    "ours by shooting",
+                    "ours by shooting" + (f", to these digits {rounded}" if rounded != text else ""),
                     solution.wall_time,
                     seconds,
                 )
