@@ -7,9 +7,7 @@ what is wrong is reported by key, value and what is allowed.
 import hashlib
 import json
 import math
-import tomllib
 from dataclasses import dataclass
-from importlib import resources
 from pathlib import Path
 from types import NoneType
 from typing import Annotated, Literal, get_args
@@ -20,6 +18,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 
 from sailnet.disturbances import Disturbance, disturbance_from
 from sailnet.errors import MissionError, SailnetError
+from sailnet.toml_files import read_table, shipped_names
 
 Positive = Annotated[float, Field(gt=0.0)]
 NotNegative = Annotated[float, Field(ge=0.0)]
@@ -255,8 +254,7 @@ class Mission(Section):
 
 def shipped_missions() -> list[str]:
     """Names of the missions that come with the package."""
-    folder = resources.files("sailnet") / "missions"
-    return sorted(p.name.removesuffix(".toml") for p in folder.iterdir() if p.name.endswith(".toml"))
+    return shipped_names("missions")
 
 
 def load_mission(name_or_path: str | Path) -> Mission:
@@ -265,25 +263,7 @@ def load_mission(name_or_path: str | Path) -> Mission:
     Raises:
         MissionError: no such mission, not TOML, an unknown or missing key, a value out of range.
     """
-    path = Path(name_or_path)
-    if path.suffix == ".toml":
-        source = str(path)
-        try:
-            text = path.read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as error:
-            raise MissionError(f"cannot read mission file {path}: {error}") from error
-    elif str(name_or_path) in shipped_missions():
-        source = str(name_or_path)
-        text = (resources.files("sailnet") / "missions" / f"{name_or_path}.toml").read_text("utf-8")
-    else:
-        raise MissionError(
-            f"no mission named {str(name_or_path)!r}: "
-            f"known are {', '.join(shipped_missions())}; or give the path of a .toml file"
-        )
-    try:
-        return parse_mission(tomllib.loads(text), source)
-    except tomllib.TOMLDecodeError as error:
-        raise MissionError(f"mission {source} is not valid TOML: {error}") from error
+    return parse_mission(read_table(name_or_path, "mission", "missions", MissionError), str(name_or_path))
 
 
 def parse_mission(content: dict[str, object], source: str) -> Mission:

@@ -4,6 +4,7 @@
 #include <stdint.h>
 #include <time.h>
 
+#include "../plant/prepare_processor.h"
 #include "candidate.h"
 
 #define VISIBLE __attribute__((visibility("default")))
@@ -14,24 +15,6 @@ static double now(void)
     struct timespec time;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return 1e9 * (double)time.tv_sec + (double)time.tv_nsec;
-}
-
-#if defined(__GNUC__) && defined(__x86_64__)
-__attribute__((target("avx"))) static void clear_upper_halves(void)
-{
-    __builtin_ia32_vzeroupper();
-}
-#endif
-
-/* Other code of the process may have left the upper halves of vector registers in use, with which some
-   processors take four times as long for code without AVX. A program without AVX never meets that. */
-static void prepare_processor(void)
-{
-#if defined(__GNUC__) && defined(__x86_64__)
-    if (__builtin_cpu_supports("avx")) {
-        clear_upper_halves();
-    }
-#endif
 }
 
 /* Nanoseconds a call: a processor may begin the next command before this one is finished. */

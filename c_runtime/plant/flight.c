@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "prepare_processor.h"
 #include "sailnet_plant.h"
 
 /* sailnet_status */
@@ -262,24 +263,6 @@ static void put(const plant_steering *steering, void *numbers, uint64_t at, doub
 static double get(const plant_steering *steering, const void *numbers, uint64_t at)
 {
     return steering->f64 != NULL ? ((const double *)numbers)[at] : (double)((const float *)numbers)[at];
-}
-
-#if defined(__GNUC__) && defined(__x86_64__)
-/* What ran before may have left the upper halves of vector registers in use, with which some processors
-   take four times as long for code without AVX, like this. */
-__attribute__((target("avx"))) static void clear_upper_halves(void)
-{
-    __builtin_ia32_vzeroupper();
-}
-#endif
-
-static void prepare_processor(void)
-{
-#if defined(__GNUC__) && defined(__x86_64__)
-    if (__builtin_cpu_supports("avx")) {
-        clear_upper_halves();
-    }
-#endif
 }
 
 uint64_t plant_fly(const plant_rules *rules, const plant_steering *steering, plant_flights *flights,

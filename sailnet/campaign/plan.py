@@ -1,8 +1,6 @@
 """What a campaign flies: series of flights under conditions of their own, read from a TOML file."""
 
 import json
-import tomllib
-from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -14,6 +12,7 @@ from sailnet.dynamics import Array
 from sailnet.errors import CampaignError, SailnetError
 from sailnet.mission import Count, Mission, Positive, Section, explain
 from sailnet.montecarlo import random_starts
+from sailnet.toml_files import read_table, shipped_names
 
 State = Annotated[tuple[Positive, float, float], Field(strict=False)]
 Starts = Literal["generalisation"] | Annotated[tuple[State, ...], Field(strict=False, min_length=1)]
@@ -160,8 +159,7 @@ class Plan(Section):
 
 def ready_campaigns() -> list[str]:
     """Names of the campaigns that come with the package."""
-    folder = resources.files("sailnet") / "campaigns"
-    return sorted(p.name.removesuffix(".toml") for p in folder.iterdir() if p.name.endswith(".toml"))
+    return shipped_names("campaigns")
 
 
 def load_plan(name_or_path: str | Path) -> Plan:
@@ -170,22 +168,7 @@ def load_plan(name_or_path: str | Path) -> Plan:
     Raises:
         CampaignError: no such campaign, not TOML, an unknown or missing key, a value out of range.
     """
-    path = Path(name_or_path)
-    try:
-        if path.suffix == ".toml":
-            text = path.read_text(encoding="utf-8")
-        elif str(name_or_path) in ready_campaigns():
-            text = (resources.files("sailnet") / "campaigns" / f"{name_or_path}.toml").read_text("utf-8")
-        else:
-            raise CampaignError(
-                f"no campaign named {str(name_or_path)!r}: known are {', '.join(ready_campaigns())}; "
-                "or give the path of a .toml file"
-            )
-        return parse_plan(tomllib.loads(text), str(name_or_path))
-    except (OSError, UnicodeDecodeError) as error:
-        raise CampaignError(f"cannot read campaign file {path}: {error}") from error
-    except tomllib.TOMLDecodeError as error:
-        raise CampaignError(f"campaign {name_or_path} is not valid TOML: {error}") from error
+    return parse_plan(read_table(name_or_path, "campaign", "campaigns", CampaignError), str(name_or_path))
 
 
 def parse_plan(content: dict[str, Any], source: str) -> Plan:

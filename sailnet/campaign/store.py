@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from sailnet.campaign.plan import Plan, parse_plan
 from sailnet.campaign.tables import FLIGHTS, GROUPS, OPTIMUM, SCHEMA, column_type, flights_from, history_from
 from sailnet.campaign.work import Columns, Job, Unit
-from sailnet.dataset.schema import content_digest, get_text, put_text, text_digest
+from sailnet.dataset.schema import append, content_digest, create_columns, get_text, put_text, text_digest
 from sailnet.errors import CampaignError
 from sailnet.files import write_whole
 from sailnet.flight import Flights, History
@@ -27,7 +27,7 @@ from sailnet.mission import Mission, parse_mission
 TEXTS = ("schema", "mission", "campaign", "networks")
 """Text attributes that say what was flown."""
 
-CHUNK = 8192
+CHUNK = dict.fromkeys(GROUPS, 8192)
 
 
 def write_results(
@@ -54,12 +54,12 @@ def write_results(
         # v110: all metadata carries checksums. In memory first: where a disk is full, HDF5 itself ends the
         # process instead of raising.
         with h5py.File(beside.name, "w", libver="v110", driver="core", backing_store=False) as file:
-            columns = _create(file)
+            columns = create_columns(
+                file, GROUPS, column_type, CHUNK, shuffle=True, compression="gzip", compression_opts=1
+            )
             for groups in _in_order(job, pieces, file):
                 for key, values in groups.items():
-                    column, start = columns[key], len(columns[key])
-                    column.resize(start + len(values), axis=0)
-                    column[start:] = values
+                    append(columns[key], values)
             for column in columns.values():
                 put_text(column, sha256=_digest(column[:]))
             origin = json.dumps(dict(provenance), sort_keys=True)
@@ -73,19 +73,6 @@ def write_results(
         write_whole(path, write, scratch)
     except (OSError, RuntimeError) as error:  # h5py raises either when HDF5 cannot write
         raise CampaignError(f"cannot write results {path}: {error}") from error
-
-
-def _create(file: Any) -> dict[str, Any]:
-    columns = {}
-    for group, schema in GROUPS.items():
-        for name, (unit, meaning) in schema.items():
-            column = file.create_dataset(
-                f"{group}/{name}", (0,), column_type(name), maxshape=(None,), chunks=(CHUNK,),
-                shuffle=True, compression="gzip", compression_opts=1,
-            )  # fmt: skip
-            put_text(column, unit=unit, meaning=meaning)
-            columns[f"{group}/{name}"] = column
-    return columns
 
 
 def _digest(values: NDArray[Any]) -> str:

@@ -1,10 +1,11 @@
 """Names, units and types of what a data set holds, and its checksum."""
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 SCHEMA = "sailnet-dataset/2"
 
@@ -49,6 +50,40 @@ def put_text(place: Any, **attributes: str) -> None:
 def get_text(place: Any, name: str) -> str:
     """A text attribute of an HDF5 object."""
     return bytes.decode(place.attrs[name], "ascii")
+
+
+def create_columns(
+    file: Any,
+    groups: Mapping[str, Mapping[str, tuple[str, str]]],
+    types: Callable[[str], np.dtype[Any]],
+    chunks: Mapping[str, int],
+    **storage: Any,
+) -> dict[str, Any]:
+    """Empty columns, by group/name, with their unit and meaning.
+
+    Args:
+        file: open for writing.
+        groups: unit and meaning by group and name.
+        types: how the column of a name is stored.
+        chunks: rows of a chunk, by group.
+        storage: other options of ``h5py.Group.create_dataset``.
+    """
+    columns = {}
+    for group, schema in groups.items():
+        for name, (unit, meaning) in schema.items():
+            key = f"{group}/{name}"
+            columns[key] = file.create_dataset(
+                key, (0,), types(name), maxshape=(None,), chunks=(chunks[group],), **storage
+            )
+            put_text(columns[key], unit=unit, meaning=meaning)
+    return columns
+
+
+def append(column: Any, values: NDArray[Any]) -> None:
+    """Add rows at the end of a column."""
+    start = len(column)
+    column.resize(start + len(values), axis=0)
+    column[start:] = values
 
 
 def text_digest(text: str) -> str:

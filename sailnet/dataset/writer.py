@@ -11,7 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.dataset.block import Block
-from sailnet.dataset.schema import GROUPS, SCHEMA, column_type, content_digest, put_text, text_digest
+from sailnet.dataset.schema import (
+    GROUPS,
+    SCHEMA,
+    append,
+    column_type,
+    content_digest,
+    create_columns,
+    put_text,
+    text_digest,
+)
 from sailnet.errors import DatasetError
 from sailnet.files import write_whole
 from sailnet.mission import Mission
@@ -45,15 +54,12 @@ def write_dataset(
         # without one HDF5 can crash or hang on a single flipped bit. No chunk cache: rows go straight
         # to the file, without another copy.
         with h5py.File(beside, "w", libver="v110", rdcc_nbytes=0) as file:
-            columns = _create_columns(file)
+            columns = create_columns(file, GROUPS, column_type, CHUNK)
             digests = {key: hashlib.sha256() for key in columns}
             trajectories = samples = 0
             for block in blocks:
                 for key, values in _flatten(block, trajectories, samples).items():
-                    column = columns[key]
-                    start = len(column)
-                    column.resize(start + len(values), axis=0)
-                    column[start:] = values
+                    append(columns[key], values)
                     digests[key].update(values.data)
                 trajectories, samples = trajectories + len(block.lengths), samples + int(block.lengths.sum())
             for key, column in columns.items():
@@ -67,22 +73,6 @@ def write_dataset(
         write_whole(path, write, scratch)
     except (OSError, RuntimeError) as error:  # h5py raises either when HDF5 cannot write
         raise DatasetError(f"cannot write data set {path}: {error}") from error
-
-
-def _create_columns(file: Any) -> dict[str, Any]:
-    columns = {}
-    for group, schema in GROUPS.items():
-        for name, (unit, meaning) in schema.items():
-            column = file.create_dataset(
-                f"{group}/{name}",
-                shape=(0,),
-                maxshape=(None,),
-                dtype=column_type(name),
-                chunks=(CHUNK[group],),
-            )
-            put_text(column, unit=unit, meaning=meaning)
-            columns[f"{group}/{name}"] = column
-    return columns
 
 
 def _flatten(block: Block, first_trajectory: int, first_sample: int) -> dict[str, NDArray[Any]]:

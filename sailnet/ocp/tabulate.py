@@ -44,7 +44,15 @@ def tabulate(arcs: Sequence[Arc], y: Array, samples: int) -> tuple[Table, float]
         rows, running = arc.flow.sample(clock, y, arc.extras)
         parts.append(arc.flow.functions.table(clock, rows, arc.extras))
         start, y, cost = arc.stop, rows[-1], cost + running
-    table = Table(
+    table = joined(parts)
+    problem = arcs[-1].flow.functions.problem
+    cost += float(ProblemFunctions(problem).terminal_cost(final, table["state"][-1:])[0])
+    return table, cost
+
+
+def joined(parts: Sequence[Table]) -> Table:
+    """The columns of parts of a solution, one after the other."""
+    return Table(
         time=np.concatenate([part["time"] for part in parts]),
         state=np.concatenate([part["state"] for part in parts]),
         costate=np.concatenate([part["costate"] for part in parts]),
@@ -52,9 +60,6 @@ def tabulate(arcs: Sequence[Arc], y: Array, samples: int) -> tuple[Table, float]
         switching=np.concatenate([part["switching"] for part in parts]),
         hamiltonian=np.concatenate([part["hamiltonian"] for part in parts]),
     )
-    problem = arcs[-1].flow.functions.problem
-    cost += float(ProblemFunctions(problem).terminal_cost(final, table["state"][-1:])[0])
-    return table, cost
 
 
 def largest(residual: Array, kinds: Sequence[str]) -> dict[str, float]:

@@ -9,9 +9,9 @@ from sailnet.ocp.functions import ProblemFunctions
 from sailnet.ocp.ponn.network import Network
 from sailnet.ocp.ponn.training import mean_loss
 from sailnet.ocp.problem import Problem
-from sailnet.ocp.solution import Solution, Table
+from sailnet.ocp.solution import Solution
 from sailnet.ocp.switching import zero_crossings
-from sailnet.ocp.tabulate import largest
+from sailnet.ocp.tabulate import joined, largest
 
 UNSEEN = 2
 """Gauss points a training point, for the cost and for the losses where nothing was trained."""
@@ -58,14 +58,7 @@ def tabulate(network: Network, z: Array, extras: list[Array], samples: int) -> S
         cost += float(half[k] * weight @ f.running_cost(clock, y, extras[k]))
         worst = max(worst, float(np.max(np.abs(losses[k]) / (1.0 + np.abs(unseen.rates[k])))))
         parts.append(f.table(shown.clock[k], shown.y[k], extras[k]))
-    table = Table(
-        time=np.concatenate([part["time"] for part in parts]),
-        state=np.concatenate([part["state"] for part in parts]),
-        costate=np.concatenate([part["costate"] for part in parts]),
-        control=np.concatenate([part["control"] for part in parts]),
-        switching=np.concatenate([part["switching"] for part in parts]),
-        hamiltonian=np.concatenate([part["hamiltonian"] for part in parts]),
-    )
+    table = joined(parts)
     last = shown.y[-1][-1]
     cost += float(_own_functions(problem).terminal_cost(stop, last[None, :n])[0])
     first, final = functions[0], functions[-1]
