@@ -1,8 +1,9 @@
-"""The weights as C tables, in the layout that ``c_runtime/source/stage.c.in`` evaluates.
+"""The weights as C tables, for the layout of hosts.
 
-A stage is one or more networks evaluated in step; all its tables have the network as last index but
-one. Rows shorter than the array they initialise leave zeros behind, as C defines: the padding is
-chosen when the C is compiled, not here.
+A stage is one or more networks evaluated in step: by ``c_runtime/source/stage.c.in``, each in vectors of its
+own, or by ``side_by_side.c.in`` in wide vectors that they share. Which of them is chosen when the C is
+compiled, and so is the order of a row's numbers, by a macro that all rows go through. Rows shorter than the
+array they initialise leave zeros behind, as C defines.
 """
 
 import math
@@ -12,6 +13,7 @@ import numpy as np
 
 from export.centred import centred_biases
 from export.errors import ExportError
+from export.row_orders import RowOrder
 from sailnet.approach import SMALLEST_SCALE
 from sailnet.dynamics import Array
 from sailnet.guidance_facts import GuidanceFacts
@@ -23,7 +25,12 @@ LARGEST_OCTAVES = 1000.0
 """The C's sigmoid takes no larger argument: SAILNET_LARGEST_OCTAVES."""
 
 
-def stage_tables(stage: str, networks: Sequence[Network], units: Sequence[float] | None = None) -> str:
+def stage_tables(
+    stage: str,
+    networks: Sequence[Network],
+    units: Sequence[float] | None = None,
+    order: Sequence[int] | None = None,
+) -> str:
     """C source of the sizes and constant tables of one stage.
 
     Hidden layers are multiplied by -log2(e), so that sigmoid(x) = 1 / (1 + 2^z) of their result z. The
@@ -34,40 +41,40 @@ def stage_tables(stage: str, networks: Sequence[Network], units: Sequence[float]
         stage: its name in the C.
         networks: all with the same inputs and input ranges.
         units: what the output of each network is multiplied by; 1 by default.
+        order: in which the C gives the networks' inputs; theirs by default.
 
     Raises:
         ExportError: a weight does not fit single precision, a neuron is too steep, or input ranges differ.
     """
     depths = [len(network.hidden) for network in networks]
     widest = max(size for network in networks for size in network.hidden)
-    inputs = len(networks[0].inputs)
+    order = list(range(len(networks[0].inputs)) if order is None else order)
+    inputs, rows = len(order), math.ceil(max(widest, len(order)) / 4) * 4
     name = f"sailnet_{stage}"
     upper = stage.upper()
+    row_order = RowOrder(upper, len(networks), rows, alike=len(set(depths)) == 1)
 
-    clamp_min, clamp_max = networks[0].clamp
+    clamp_min, clamp_max = (bound[order] for bound in networks[0].clamp)
     for network in networks[1:]:
         if not np.array_equal(network.clamp, networks[0].clamp):
             raise ExportError(
                 f"networks {networks[0].name} and {network.name} have different input ranges: "
                 "train them on the same data"
             )
-    first = [[np.zeros(0) for _ in networks] for _ in range(inputs)]
-    biases = [[np.zeros(0) for _ in networks] for _ in range(max(depths))]
-    hidden = [
-        [[np.zeros(0) for _ in networks] for _ in range(widest)] for _ in range(max(1, max(depths) - 1))
-    ]
-    output, output_bias = [], []
+    first = np.zeros((inputs, len(networks), rows))
+    biases = np.zeros((max(depths), len(networks), rows))
+    hidden = np.zeros((max(1, max(depths) - 1), rows, len(networks), rows))
+    output = np.zeros((len(networks), rows))
+    output_bias = []
     for k, network in enumerate(networks):
         _check_steepness(network)
         weights, bias_rows, output_row, last = centred_layers(network, 1.0 if units is None else units[k])
-        for i in range(inputs):
-            first[i][k] = weights[0][:, i]
+        first[:, k, : len(weights[0])] = weights[0].T[order]
         for layer, bias in enumerate(bias_rows):
-            biases[layer][k] = bias
+            biases[layer, k, : len(bias)] = bias
         for layer, weight in enumerate(weights[1:]):
-            for i in range(weight.shape[1]):
-                hidden[layer][i][k] = weight[:, i]
-        output.append(output_row)
+            hidden[layer, : weight.shape[1], k, : len(weight)] = weight.T
+        output[k, : len(output_row)] = output_row
         output_bias.append(last)
 
     return "\n".join(
@@ -77,20 +84,26 @@ def stage_tables(stage: str, networks: Sequence[Network], units: Sequence[float]
             f"#define {upper}_INPUTS {inputs}",
             f"#define {upper}_EVEN_INPUTS {math.ceil(inputs / 2) * 2}",
             f"#define {upper}_DEPTH {max(depths)}",
-            f"#define {upper}_ROWS {math.ceil(max(widest, inputs) / 4) * 4}",
+            f"#define {upper}_ROWS {rows}",
             f"#define {upper}_WIDTH SAILNET_PADDED({upper}_ROWS)",
-            _table(f"{name}_lower[{upper}_INPUTS]", _row(networks[0].input_min)),
+            row_order.macros(),
+            _table(f"{name}_lower[{upper}_INPUTS]", _row(networks[0].input_min[order])),
             _table(f"{name}_clamp_min[{upper}_INPUTS]", _row(clamp_min)),
             _table(f"{name}_clamp_max[{upper}_INPUTS]", _row(clamp_max)),
-            _table(f"{name}_first[{upper}_EVEN_INPUTS][{upper}_NETWORKS][{upper}_WIDTH]", _nested(first)),
-            _table(f"{name}_biases[{upper}_DEPTH][{upper}_NETWORKS][{upper}_WIDTH]", _nested(biases)),
             _table(
-                f"{name}_hidden[{len(hidden)}][{upper}_ROWS][{upper}_NETWORKS][{upper}_WIDTH]",
-                "{\n" + ",\n".join(_nested(layer) for layer in hidden) + "\n}",
+                f"{name}_first[{upper}_EVEN_INPUTS][{upper}_PARTS][{upper}_PART]", _rows(row_order, first)
             ),
-            _table(f"{name}_output[{upper}_NETWORKS][{upper}_WIDTH]", _rows(output)),
+            _table(f"{name}_biases[{upper}_DEPTH][{upper}_PARTS][{upper}_PART]", _rows(row_order, biases)),
+            _table(
+                f"{name}_hidden[{len(hidden)}][{upper}_ROWS][{upper}_PARTS][{upper}_PART]",
+                "{\n" + ",\n".join(_rows(row_order, layer) for layer in hidden) + "\n}",
+            ),
+            _table(
+                f"{name}_output[{upper}_OUTPUTS][{upper}_OUTPUT]",
+                row_order.row(_numbers(output), "OUTPUT_ROW"),
+            ),
             _table(f"{name}_output_bias[{upper}_NETWORKS]", _row(output_bias)),
-            f"static const int32_t {name}_depth[{upper}_NETWORKS] = {{{', '.join(map(str, depths))}}};",
+            f"#define {upper}_DEPTHS {{{', '.join(map(str, depths))}}}",
             "",
         ]
     )
@@ -164,13 +177,17 @@ def _table(declaration: str, initialiser: str) -> str:
     return f"static const SAILNET_ALIGNED sailnet_real {declaration} =\n{initialiser};"
 
 
-def _nested(rows: Sequence[Sequence[Array]]) -> str:
-    return "{\n" + ",\n".join(_rows(row) for row in rows) + "\n}"
-
-
-def _rows(rows: Sequence[Array] | Array) -> str:
-    return "{" + ",\n ".join(_row(row) for row in rows) + "}"
+def _rows(order: RowOrder, rows: Array) -> str:
+    return "{\n" + ",\n".join(order.row(_numbers(row)) for row in rows) + "\n}"
 
 
 def _row(values: Sequence[float] | Array) -> str:
-    return "{" + ", ".join(f"R({literal(float(v))})" for v in values) + "}" if len(values) else "{R(0.0)}"
+    return "{" + ", ".join(_literals(values)) + "}"
+
+
+def _numbers(row: Array) -> list[list[str]]:
+    return [_literals(network) for network in row]
+
+
+def _literals(values: Sequence[float] | Array) -> list[str]:
+    return [f"R({literal(float(value))})" for value in values]

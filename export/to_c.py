@@ -64,24 +64,26 @@ def _source(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
     trio = [networks.tau, networks.alpha_pre, networks.lambda_v]
     if networks.approach:
         # tau comes as a power of 2.
-        stages = [_stage("approach", trio, (LOG2_E, 1.0, 1.0)), _read("source/command_approach.c")]
+        stages = [
+            *_on_vectors_or_not("exp2", "first_lane"),
+            _stage("approach", trio, (LOG2_E, 1.0, 1.0), (4, 3, 2, 1, 0)),
+            _read("source/command_approach.c"),
+        ]
+        compact = ["network", "exp2", "law", "cosine_sine"]
     else:
         stages = [_stage("tau", trio[:1]), _stage("command", trio[1:]), _read("source/command_paper.c")]
-    powers = ["sigmoid", "exp2"] if networks.approach else ["sigmoid"]
+        compact = ["network", "law", "cosine_sine"]
     edge_on = math.cos(facts.phi_max) ** 2 < LEAST_COSINE2
     return "\n".join(
         [
             opening + _read("source/arithmetic.c"),
             "#ifdef SAILNET_VECTORS",
             _read("source/vectors.c"),
-            *(_over_lanes(_read(f"source/{part}.c")) for part in powers),
-            *([_read("source/first_lane.c")] if networks.approach else []),
-            "#else",
-            *(_read(f"source/{part}.c") for part in powers),
             "#endif",
+            *_on_vectors_or_not("sigmoid"),
             "#ifdef SAILNET_COMPACT",
             compact_tables(networks, facts),
-            *(_read(f"source/compact/{part}.c") for part in ("network", "law", "cosine_sine")),
+            *(_read(f"source/compact/{part}.c") for part in compact),
             "#else",
             _read("source/lanes.c"),
             constants(facts, networks.approach),
@@ -96,13 +98,32 @@ def _source(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
     )
 
 
-def _stage(name: str, networks: Sequence[Network], units: Sequence[float] | None = None) -> str:
-    return "\n".join([stage_tables(name, networks, units), _instance(_read("source/stage.c.in"), name)])
+def _stage(
+    name: str,
+    networks: Sequence[Network],
+    units: Sequence[float] | None = None,
+    order: Sequence[int] | None = None,
+) -> str:
+    forms = (
+        f"#if {name.upper()}_SIDE_BY_SIDE",
+        _instance(_read("source/side_by_side.c.in"), name),
+        "#else",
+        _instance(_read("source/stage.c.in"), name),
+        "#endif\n",
+    )
+    return "\n".join([stage_tables(name, networks, units, order), *forms])
 
 
 def _instance(template: str, stage: str) -> str:
     named = template.replace('"stage"', f'"{stage}"').replace("sailnet_stage_", f"sailnet_{stage}_")
     return named.replace("STAGE_", f"{stage.upper()}_")
+
+
+def _on_vectors_or_not(part: str, *of_vectors: str) -> list[str]:
+    """A part that computes on vectors where there are any, and what is built on that."""
+    source = _read(f"source/{part}.c")
+    on_vectors = [_over_lanes(source), *(_read(f"source/{name}.c") for name in of_vectors)]
+    return ["#ifdef SAILNET_VECTORS", *on_vectors, "#else", source, "#endif"]
 
 
 def _over_lanes(source: str) -> str:

@@ -6,18 +6,16 @@
 static sailnet_memory memory;
 #endif
 
+/* A state is the first three numbers of the input, and a command is four: nothing is copied that a caller would not. */
 void candidate(const candidate_real *input, candidate_real *output)
 {
-    const sailnet_state state = {input[0], input[1], input[2]};
-    sailnet_command command;
+    const sailnet_state *state = (const sailnet_state *)(const void *)input;
+    sailnet_command *command = (sailnet_command *)(void *)output;
 #ifdef CANDIDATE_STEERS
     /* Not a flight: the states are unrelated, which takes as long. The estimate is the beta. */
-    const sailnet_status status = sailnet_steer(&memory, &state, (sailnet_real)0.005, &command);
+    const sailnet_status status = sailnet_steer(&memory, state, (sailnet_real)0.005, command);
 #else
-    const sailnet_status status = sailnet_guidance(&state, input[3], &command);
+    const sailnet_status status = sailnet_guidance(state, input[3], command);
 #endif
-    output[0] = command.cone_angle;
-    output[1] = command.time_of_flight;
-    output[2] = command.beta;
     output[3] = (candidate_real)status;
 }

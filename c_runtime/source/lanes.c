@@ -17,32 +17,6 @@ SAILNET_INLINE sailnet_lanes sailnet_at(const sailnet_real *first)
 #endif
 }
 
-/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
-SAILNET_INLINE sailnet_real sailnet_product(const sailnet_real *a, const sailnet_real *b, int32_t count)
-{
-#ifdef SAILNET_VECTORS
-    typedef sailnet_real sailnet_16_bytes __attribute__((vector_size(16), __may_alias__));
-    sailnet_16_bytes sums = {R(0.0)};
-    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
-        const void *const these = &a[j];
-        const void *const those = &b[j];
-        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
-    }
-#else
-    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
-    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
-        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
-            sums[lane] += a[j + lane] * b[j + lane];
-        }
-    }
-#endif
-#ifdef SAILNET_FLOAT64
-    return sums[0] + sums[1];
-#else
-    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
-#endif
-}
-
 /* Whether the sizes of all lanes are within their bounds. */
 SAILNET_INLINE int32_t sailnet_all_within(sailnet_lanes value, sailnet_lanes bound)
 {
