@@ -41,7 +41,9 @@ def emlearn_c(
         CompilerError: the compiler refused.
     """
     try:
-        from emlearn import includedir
+        # It tells numpy to raise, even for numbers too small to matter, from its import on.
+        with np.errstate():
+            from emlearn import includedir
     except ImportError as error:
         raise GuidanceError(ABSENT) from error
     inputs = subjects.network_inputs(networks)
@@ -75,7 +77,8 @@ def _source(networks: GuidanceNetworks) -> str:
 
 
 def _generated(network: Network) -> str:
-    from emlearn.net import c_generate_net_loadable
+    with np.errstate():
+        from emlearn.net import c_generate_net_loadable
 
     activations = ["logistic"] * len(network.hidden) + ["identity"]
     weights, biases = _physical(network)

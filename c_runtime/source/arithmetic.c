@@ -1,6 +1,9 @@
 #include "sailnet_guidance.h"
 
 #include <string.h>
+#if defined(__SSE2__) && !defined(SAILNET_COMPACT) && !defined(SAILNET_PLAIN)
+#include <immintrin.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "-ffast-math removes the guards against NaN: build without it"

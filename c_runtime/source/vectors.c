@@ -1,7 +1,4 @@
 /* What the layout for hosts computes on. */
-#ifdef __SSE2__
-#include <immintrin.h>
-#endif
 typedef sailnet_real sailnet_lanes
     __attribute__((vector_size(SAILNET_LANES * sizeof(sailnet_real)), __may_alias__));
 typedef sailnet_bits sailnet_lanes_bits
