@@ -26,6 +26,7 @@ from sailnet.report.flight_page import chart_page, write_flight_picture
 from sailnet.report.opened import Group, Opened, columns_of, opened_groups
 from sailnet.report.packed import TOGETHER, Flight, pack_flights
 from sailnet.report.paper_figures import is_paper, paper_charts, paper_flights, paper_rows
+from sailnet.report.reproduction import shipped_record
 
 MOST_POINTS = 180_000
 """Of one curve over all flights of a page: where there are many, each has fewer points and coarser levels."""
@@ -85,6 +86,7 @@ def write_report(results: Results, folder: Path, guidance: Guidance | None = Non
         rows=rows,
         charts=charts,
         figures=figures,
+        reproduction=shipped_record(results.mission),
         groups=[_group(results, group, scores) for group in groups],
         failed=int((results.flights["arrived"] == 0).sum()),
         shown=sum(group.count("failed") for group in groups),
