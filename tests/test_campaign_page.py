@@ -30,6 +30,7 @@ from sailnet.errors import CampaignError, SailnetError
 from sailnet.files import fill_block
 from sailnet.flight import History, fly
 from sailnet.mission import load_mission
+from sailnet.report import opened
 from sailnet.report.campaign_page import write_report
 from sailnet.report.charts import Chart, Curve, page_columns, write_csv
 from sailnet.report.flight_charts import flight_charts, flight_columns
@@ -198,6 +199,20 @@ def test_flights_are_packed_to_a_step_of_their_columns() -> None:
     assert len(blocks[0]) < 10_000
 
 
+def test_a_page_opens_no_more_failures_than_a_browser_bears(
+    flown: tuple[Results, Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Evenly over all that were kept."""
+    results, _ = flown
+    monkeypatch.setattr(opened, "MOST_FAILURES", 4)
+    groups = opened_groups(results, scores_of(results), False)
+    shown = [flight.row for group in groups for flight in group.flights if flight.kind == "failed"]
+    kept = [row for row in results.kept.tolist() if results.flights["arrived"][row] == 0]
+    assert shown == [kept[i * len(kept) // 4] for i in range(4)]
+    assert len({results.flights["series"][row] for row in shown}) > 1
+    assert sum(group.count("sample") for group in groups) == len(results.kept) - len(kept)
+
+
 def test_the_latest_detours_are_flown_again(flown: tuple[Results, Path]) -> None:
     """Those that took over twice the optimum, of which no trajectory was kept."""
     results, _ = flown
@@ -233,7 +248,7 @@ def test_the_page_is_self_contained_and_says_what_was_flown(flown: tuple[Results
     failed = int((results.flights["arrived"] == 0).sum())
     kept = int((results.flights["arrived"][results.kept] == 0).sum())
     assert f"{failed} flights failed; {kept} of them are here" in text
-    assert f"other\n{failed - kept} are in <code>flights.csv</code>" in text
+    assert f"Of the other {failed - kept}, 0 have theirs in" in text
     assert results.digest[:16] in text
     assert "beta_noise = 0.15, r_noise = 1e-05, optics = jpl" in text
     for score in json.loads((folder / "scores.json").read_text())["scores"]:

@@ -23,7 +23,7 @@ from sailnet.report.charts import Chart, for_page, page_columns, write_csv, writ
 from sailnet.report.comparison import Row
 from sailnet.report.flight_charts import SHOWN, common_columns, flight_templates
 from sailnet.report.flight_page import chart_page, write_flight_picture
-from sailnet.report.opened import Group, Opened, columns_of, opened_groups
+from sailnet.report.opened import MOST_FAILURES, Group, Opened, columns_of, opened_groups
 from sailnet.report.packed import TOGETHER, Flight, pack_flights
 from sailnet.report.paper_figures import is_paper, paper_charts, paper_flights, paper_rows
 from sailnet.report.reproduction import shipped_record
@@ -31,9 +31,9 @@ from sailnet.report.reproduction import shipped_record
 MOST_POINTS = 180_000
 """Of one curve over all flights of a page: where there are many, each has fewer points and coarser levels."""
 
-FEWEST_POINTS = 72
+FEWEST_POINTS = 60
 
-LEVELS, COARSE_LEVELS = 16_383, 1_023
+LEVELS, COARSE_LEVELS = 16_383, 511
 """To which what a flight's charts show is rounded."""
 
 TABLES = 200
@@ -89,6 +89,8 @@ def write_report(results: Results, folder: Path, guidance: Guidance | None = Non
         reproduction=shipped_record(results.mission),
         groups=[_group(results, group, scores) for group in groups],
         failed=int((results.flights["arrived"] == 0).sum()),
+        kept=int((results.flights["arrived"][results.kept] == 0).sum()),
+        most=MOST_FAILURES,
         shown=sum(group.count("failed") for group in groups),
         points=points,
         tables=min(TABLES, len(opened)),

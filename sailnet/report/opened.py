@@ -18,6 +18,9 @@ from sailnet.report.flight_charts import flight_columns, optima_of
 DETOURS = 5
 """Flights of each series and period that arrived, but latest, beyond twice the optimum."""
 
+MOST_FAILURES = 6000
+"""In a page: with more it would become larger than a browser likes. Where there are more, evenly spread."""
+
 BATCH = 256
 """Flights whose optima are propagated at once."""
 
@@ -58,16 +61,17 @@ def opened_groups(results: Results, scores: Sequence[Score], again: bool) -> lis
         again: whether detours whose trajectories are not kept can be flown again.
     """
     places = {row: place for place, row in enumerate(results.kept.tolist())}
+    missed = np.sort(results.kept[results.flights["arrived"][results.kept] == 0])
+    if len(missed) > MOST_FAILURES:
+        missed = missed[np.linspace(0, len(missed), MOST_FAILURES, endpoint=False).astype(int)]
     groups = []
     for score in scores:
         rows = results.rows(score.series, score.period)
-        arrived = results.flights["arrived"][rows] == 1
-        kept = [row for row in rows.tolist() if row in places]
+        sample = rows[np.isin(rows, results.kept) & (results.flights["arrived"][rows] == 1)].tolist()
         late = detours(results, rows)[:DETOURS].tolist()
-        chosen = [Opened(row, "failed", places[row]) for row in rows[~arrived].tolist() if row in places]
+        chosen = [Opened(row, "failed", places[row]) for row in np.intersect1d(rows, missed).tolist()]
         chosen += [Opened(row, "detour", places.get(row)) for row in late if again or row in places]
-        listed = {flight.row for flight in chosen}
-        chosen += [Opened(row, "sample", places[row]) for row in kept if row not in listed]
+        chosen += [Opened(row, "sample", places[row]) for row in sample if row not in late]
         if chosen:
             groups.append(Group(score, chosen))
     return groups
