@@ -28,12 +28,12 @@ from sailnet.report.packed import TOGETHER, Flight, pack_flights
 from sailnet.report.paper_figures import is_paper, paper_charts, paper_flights, paper_rows
 from sailnet.report.reproduction import shipped_record
 
-MOST_POINTS = 180_000
+MOST_POINTS = 330_000
 """Of one curve over all flights of a page: where there are many, each has fewer points and coarser levels."""
 
 FEWEST_POINTS = 60
 
-LEVELS, COARSE_LEVELS = 16_383, 511
+LEVELS, COARSE_LEVELS = 16_383, 255
 """To which what a flight's charts show is rounded."""
 
 TABLES = 200

@@ -165,8 +165,10 @@ def flight_columns(
         columns["attitude"] = np.degrees(history.attitude)
     if points is not None and len(r) > points:
         last = points // 6
-        spread = np.linspace(0, len(r) - last, points - last, endpoint=False).astype(int)
-        rows = np.append(spread, np.arange(len(r) - last, len(r)))
+        # Evenly in time: of a trajectory that was thinned already the last periods lie nearer.
+        times = np.linspace(history.time[0], history.time[-last], points - last, endpoint=False)
+        rows = np.append(np.searchsorted(history.time, times), np.arange(len(r) - last, len(r)))
+        rows = np.unique(rows)
         columns = {name: values[rows] for name, values in columns.items()}
     span = np.array([history.time[0], history.time[-1]])
     bound = np.full(2, mission.sail.max_cone_angle)
