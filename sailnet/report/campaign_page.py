@@ -88,6 +88,7 @@ def write_report(results: Results, folder: Path, guidance: Guidance | None = Non
         figures=figures,
         reproduction=shipped_record(results.mission),
         groups=[_group(results, group, scores) for group in groups],
+        unfolded=next((place for place, group in enumerate(groups) if group.count("failed")), 0),
         failed=int((results.flights["arrived"] == 0).sum()),
         kept=int((results.flights["arrived"][results.kept] == 0).sum()),
         most=MOST_FAILURES,
@@ -121,7 +122,7 @@ def _group(results: Results, group: Group, scores: Sequence[Score]) -> dict[str,
     several = sum(other.series == score.series for other in scores) > 1
     counts = [
         f"{group.count(kind):,} {name}"
-        for kind, name in (("failed", "failed"), ("detour", "detours"), ("sample", "of the sample"))
+        for kind, name in (("failed", "failed"), ("detour", "gone astray"), ("sample", "of the sample"))
         if group.count(kind)
     ]
     return {

@@ -90,7 +90,7 @@
     if (chart.rows) {
       const words = columns[curves[0].x];
       traces.forEach((made, number) => inRows(made, number, traces.length, words));
-      const texts = words.map((word) => wrapped(word.replaceAll("<", "&lt;"), narrow ? 16 : 26));
+      const texts = words.map((word) => wrapped(word.replaceAll("<", "&lt;").replaceAll(" TU", "\u00a0TU"), narrow ? 16 : 26));
       Object.assign(layout.xaxis, { title: { text: chart.y }, nticks: 6 });
       Object.assign(layout.yaxis, { title: { text: "" }, tickmode: "array", tickvals: words.map((_, i) => i), ticktext: texts,
                                     range: [words.length - 0.5, -0.5], showgrid: false });
