@@ -101,6 +101,7 @@ setTimeout(() => {
     setTimeout(() => parent.postMessage(JSON.stringify({
       drawn, charts: charts.length, opened, rows,
       x: document.querySelector("#flight-charts .chart").data.find((curve) => curve.name === "flown").x,
+      off: document.querySelectorAll("#flight-charts .chart")[3].data.find((curve) => curve.name === "Δr").y,
       second: links[1].textContent, third: links[2].textContent,
       group: links[1].closest("details").open,
       next: document.getElementById("flight-title").textContent, hash: location.hash, errors: seen,
@@ -147,6 +148,8 @@ def test_charts_appear_and_a_failure_opens(flown: tuple[Results, Path], tmp_path
     columns = flight_columns(MISSION, history, None, points=240)
     span = np.ptp(columns["x"])
     np.testing.assert_allclose(said["x"], columns["x"], atol=span / 30_000, rtol=1e-5)
+    decades = np.ptp(np.log10(columns["off_r"]))
+    np.testing.assert_allclose(np.log10(said["off"]), np.log10(columns["off_r"]), atol=decades / 30_000)
 
 
 def test_a_link_to_a_flight_opens_it(flown: tuple[Results, Path], tmp_path: Path) -> None:

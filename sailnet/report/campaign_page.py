@@ -18,12 +18,20 @@ from sailnet.disturbances import switched_on
 from sailnet.files import write_whole
 from sailnet.guidance import Guidance
 from sailnet.optics import OPTICS
-from sailnet.report.campaign_charts import campaign_charts, flight_facts, flight_title
+from sailnet.report.campaign_charts import campaign_charts
 from sailnet.report.charts import Chart, for_page, page_columns, write_csv, write_picture
 from sailnet.report.comparison import Row
 from sailnet.report.flight_charts import SHOWN, common_columns, flight_templates
 from sailnet.report.flight_page import chart_page, write_flight_picture
-from sailnet.report.opened import MOST_FAILURES, Group, Opened, columns_of, opened_groups
+from sailnet.report.opened import (
+    MOST_FAILURES,
+    Group,
+    Opened,
+    columns_of,
+    flight_facts,
+    flight_title,
+    opened_groups,
+)
 from sailnet.report.packed import TOGETHER, Flight, pack_flights
 from sailnet.report.paper_figures import is_paper, paper_charts, paper_flights, paper_rows
 from sailnet.report.reproduction import shipped_record

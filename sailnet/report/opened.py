@@ -108,3 +108,30 @@ def _optima(results: Results, flights: Sequence[Opened]) -> list[Optimum | None]
     known = np.isfinite(times)
     found = iter(optima_of(results.mission, costates[known], times[known]) if known.any() else [])
     return [next(found) if is_known else None for is_known in known.tolist()]
+
+
+def flight_title(results: Results, row: int) -> str:
+    """A flight in a few words."""
+    flights = results.flights
+    series = results.plan.whole[int(flights["series"][row])].name
+    return f"{series}, {flights['period'][row]:g} TU, flight {int(flights['number'][row])}"
+
+
+def flight_facts(results: Results, row: int) -> Mapping[str, str]:
+    """What there is to know of a flight without looking at it."""
+    flights = results.flights
+    state = ", ".join(f"{flights[f'start_{name}'][row]:.5g}" for name in "ruv")
+    error = ", ".join(f"{flights[f'error_{name}'][row]:.1e}" for name in "ruv")
+    optimal = flights["optimal_time"][row]
+    near, when = flights["nearest_error"][row], flights["nearest_time"][row]
+    ending = {1: "stopped by its guidance", 2: "lost", 3: "too long"}[int(flights["ending"][row])]
+    return {
+        "result": "arrived" if flights["arrived"][row] else f"failed: {ending}",
+        "start (r, u, v)": state,
+        "terminal error (r, u, v)": error,
+        "time of flight": f"{flights['time_of_flight'][row]:.4f} TU",
+        "optimum": f"{optimal:.4f} TU" if np.isfinite(optimal) else "not asked for",
+        "nearest to the target": f"{near:.1e} after {when:.4f} TU",
+        "constant error of β": f"{100 * flights['beta_error'][row]:+.2f} %",
+        "estimated β": f"{100 * (flights['beta_estimate'][row] / results.mission.sail.beta - 1):+.2f} %",
+    }
