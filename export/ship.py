@@ -21,6 +21,9 @@ from sailnet.files import fill_block, write_whole
 from sailnet.mission import Mission
 from sailnet.networks import load_guidance_networks
 
+REPRODUCTION = "reproduction.json"
+"""What the page of the paper's campaign draws of `make paper`; its report leaves it beside its table."""
+
 
 def _paper_table(report: Facts) -> str:
     lines = ["| quantity | paper | here | |", "|---|---|---|---|"]
@@ -45,7 +48,7 @@ def ship(build: Path, package: Path, mission: Mission, readme: Path | None, pape
         package: where the networks, what is exported from them and their model card go.
         mission: whose rules of flight are built in.
         readme: file whose blocks ``results`` and, with ``paper``, ``paper`` are written anew.
-        paper: report.json of a reproduction of the paper.
+        paper: report.json of a reproduction of the paper; reproduction.json beside it is shipped too.
 
     Raises:
         ExportError: the run is incomplete.
@@ -67,6 +70,9 @@ def ship(build: Path, package: Path, mission: Mission, readme: Path | None, pape
         if paper is not None:
             report = _read(paper, "make paper")
             fill_block(readme, "paper", "\n".join([made_by("make paper", report), "", _paper_table(report)]))
+            curves = paper.parent / REPRODUCTION
+            if curves.exists():
+                write_whole(package / curves.name, partial(shutil.copyfile, curves))
 
 
 def main() -> int:

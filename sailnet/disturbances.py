@@ -29,11 +29,16 @@ class Disturbance:
     """Everything that is not as guidance assumes; 0 is off. Units and meanings: :func:`catalogue`.
 
     The real beta is beta (1 + bias + spread + noise + wander) (1 + drift t) (1 - lost), never negative; it
-    is held for a guidance period, as is every error of navigation. ``lost`` follows the optical degradation
-    model of B. Dachwald et al., "Impact of optical degradation on solar sail mission performance", Journal
-    of Spacecraft and Rockets 44, 2007: it grows as degradation_loss (1 - 2^(-dose / degradation_dose)) with
-    the dose of sunlight, the integral of cos(alpha) / r^2 over time; here it wears the whole force, where
-    they wear the optical coefficients.
+    is held for a guidance period, as is every error of navigation. ``lost`` is modelled as
+    degradation_loss (1 - 2^(-dose / degradation_dose)), with the dose of sunlight, the integral of
+    cos(alpha) / r^2 over time; 2 pi TU/AU^2 are a year at 1 AU, facing the Sun. That is the time law of the
+    optical degradation of B. Dachwald, G. Mengali, A. A. Quarta and M. Macdonald, "Parametric model and
+    optimal control of solar sails with optical degradation", Journal of Guidance, Control, and Dynamics 29
+    (5), 2006, 1170-1178, and of the same with C. R. McInnes, "Impact of optical degradation on solar sail
+    mission performance", Journal of Spacecraft and Rockets 44 (4), 2007, 740-749, whose coefficients fall
+    from p_0 to p_0 / (1 + d): here degradation_loss = d / (1 + d). There the reflectivity and the specular
+    share fall and the front emissivity grows to (1 + d) times what it was, which turns the force as well as
+    weakens it; here the whole force is worn alike, and its direction stays what the optics say.
 
     A wander is a first-order Gauss-Markov process, stationary from the start. A command is rounded to the
     resolution, takes effect after the delay, and is then approached no faster than the rate limit; the angle

@@ -149,17 +149,26 @@ def sample(transfer: Transfer, extremal: Extremal, count: int = 501) -> tuple[Ar
         (count,) time since departure [TU], and (count, 7) columns r, u, v, lambda_r, lambda_u,
         lambda_v and the optimal cone angle [rad].
     """
-    return sample_backward(transfer, extremal.arrival_costates, extremal.time_of_flight, count)
+    costates = np.reshape(extremal.arrival_costates, (1, 3))
+    times, columns = sample_many(transfer, costates, np.array([extremal.time_of_flight]), count)
+    return times[0], columns[0]
 
 
-def sample_backward(
-    transfer: Transfer, arrival_costates: Array, time_of_flight: float, count: int = 501
+def sample_many(
+    transfer: Transfer, arrival_costates: Array, times_of_flight: Array, count: int = 501
 ) -> tuple[Array, Array]:
-    """The same from the two facts that determine an extremal: (3,) costates at arrival and a time [TU]."""
-    tau = np.linspace(0.0, time_of_flight, count)
-    states = propagate_extremals(transfer, arrival_costates, tau).states[0, ::-1]
-    alpha = guidance_law(transfer, states[:, 4], states[:, 5])
-    return tau, np.column_stack([states, alpha])
+    """The same from the facts that determine extremals: (n, m) times and (n, m, 7) columns.
+
+    Args:
+        transfer: the problem.
+        arrival_costates: (n, 3) at arrival.
+        times_of_flight: (n,) [TU].
+        count: samples of each, m.
+    """
+    tau = np.linspace(0.0, times_of_flight, count, axis=1)
+    states = propagate_extremals(transfer, arrival_costates, tau).states[:, ::-1]
+    alpha = guidance_law(transfer, states[..., 4], states[..., 5])
+    return tau, np.concatenate([states, alpha[..., None]], axis=2)
 
 
 def extremal_of(transfer: Transfer, state: Array, shots: Shots, row: int) -> Extremal | None:

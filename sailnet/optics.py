@@ -23,9 +23,9 @@ class Optics:
              + (1 - rho) (eps_f B_f - eps_b B_b) / (eps_f + eps_b) cos alpha]
 
     and along its surface, away from the Sun, by P A (1 - rho s) cos alpha sin alpha (C. R. McInnes, "Solar
-    Sailing", 1999, Section 2.6). In the radial and transverse directions of Eq. (1) the normal is
-    (cos alpha, sin alpha) and the tangent (sin alpha, -cos alpha). The ideal sail, rho = s = 1, has
-    2 P A cos^2 alpha and nothing across: Eq. (1), with 2 P A = beta / r^2.
+    Sailing", Springer-Praxis, 1999, Section 2.6). In the radial and transverse directions of Eq. (1) the
+    normal is (cos alpha, sin alpha) and the tangent (sin alpha, -cos alpha). The ideal sail, rho = s = 1,
+    has 2 P A cos^2 alpha and nothing across: Eq. (1), with 2 P A = beta / r^2.
 
     beta stays what it is by definition, the characteristic acceleration of *this* sail: the force is scaled
     so that a sail that faces the Sun has beta / r^2 whatever its optics, and only its law of the cone angle
@@ -83,8 +83,9 @@ OPTICS: Mapping[str, Optics] = {
     "ideal": Optics(),
     "jpl": Optics(0.88, 0.94, 0.05, 0.55, 0.79, 0.55),
 }
-"""Known sails; ``jpl`` is the square sail of JPL's study for comet Halley (J. L. Wright, "Space Sailing",
-1992; Table 2.1 of McInnes)."""
+"""Known sails. ``jpl`` is the square sail of JPL's study of a rendezvous with comet Halley, aluminium in
+front and chromium behind: McInnes, Table 2.1, after J. L. Wright, "Space Sailing", Gordon and Breach, 1992,
+Appendices A and B. Facing the Sun it has 1.816 P A, where the ideal sail has 2."""
 
 
 def optics_from(given: object) -> Optics:

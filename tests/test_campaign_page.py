@@ -1,33 +1,43 @@
 """The page of a campaign in a real browser; its pictures and tables; one flight as a picture or a page."""
 
+import base64
 import csv
 import hashlib
 import json
 import os
 import re
 import shutil
+import struct
 import subprocess
+import zlib
+from dataclasses import replace
+from html import unescape
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from sailnet.backends import load_guidance
+from sailnet.campaign.again import fly_again
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.readme import campaign_tables, read_records
 from sailnet.campaign.run import fly_plan
-from sailnet.campaign.scores import Share, share_text
+from sailnet.campaign.scores import Share, detours, scores_of, share_text
 from sailnet.campaign.store import Results
 from sailnet.cli import main
 from sailnet.errors import CampaignError, SailnetError
 from sailnet.files import fill_block
 from sailnet.flight import History, fly
 from sailnet.mission import load_mission
+from sailnet.report import opened
 from sailnet.report.campaign_page import write_report
 from sailnet.report.charts import Chart, Curve, page_columns, write_csv
 from sailnet.report.flight_charts import flight_charts, flight_columns
 from sailnet.report.flight_page import LIBRARY, chart_page
+from sailnet.report.opened import opened_groups
+from sailnet.report.packed import TOGETHER, pack_flights
 
 MISSION = load_mission("earth_mars")
 GUIDANCE = load_guidance(MISSION)
@@ -52,7 +62,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> tuple[Results, Path]:
     rules = MISSION.flight.model_copy(update={"longest": 7.5})
     mission = MISSION.model_copy(update={"flight": rules})
     results = fly_plan(mission, GUIDANCE, plan, folder / "page.h5")
-    assert write_report(results, folder / "page") == []
+    assert write_report(results, folder / "page", GUIDANCE) == []
     return results, folder / "page"
 
 
@@ -81,6 +91,7 @@ addEventListener("error", (event) => seen.push(event.message));
 setTimeout(() => {
   const charts = [...document.querySelectorAll("[data-chart]")];
   const drawn = charts.filter((place) => place.dataset.drawn && place.querySelector("svg .trace")).length;
+  const rows = [...document.querySelectorAll("#shares .ytick text")].map((label) => label.textContent);
   const links = [...document.querySelectorAll(".flights a.failed")];
   links[1].click();
   setTimeout(() => {
@@ -88,7 +99,11 @@ setTimeout(() => {
                     document.querySelectorAll("#flight-charts .chart[data-drawn] svg .trace").length];
     document.getElementById("next").click();
     setTimeout(() => parent.postMessage(JSON.stringify({
-      drawn, charts: charts.length, opened, second: links[1].textContent, third: links[2].textContent,
+      drawn, charts: charts.length, opened, rows,
+      x: document.querySelector("#flight-charts .chart").data.find((curve) => curve.name === "flown").x,
+      off: document.querySelectorAll("#flight-charts .chart")[3].data.find((curve) => curve.name === "Δr").y,
+      second: links[1].textContent, third: links[2].textContent,
+      group: links[1].closest("details").open,
       next: document.getElementById("flight-title").textContent, hash: location.hash, errors: seen,
       expected: links[2].hash, width: document.documentElement.scrollWidth, window: innerWidth,
       visible: document.getElementById("flight").getBoundingClientRect().top < innerHeight,
@@ -112,16 +127,29 @@ def test_charts_appear_and_a_failure_opens(flown: tuple[Results, Path], tmp_path
     text = browse(tmp_path / "profile", f"--window-size={width + 100},1000", outer.as_uri())
     told = re.search(r"<pre>(\{.*\})</pre>", text)
     assert told is not None
-    said = json.loads(told[1].replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&"))
+    said = json.loads(unescape(told[1]))
     assert said["errors"] == []
     assert said["window"] == width
     assert said["width"] <= width
     assert said["drawn"] == said["charts"] >= 8
     title, traces = said["opened"]
-    assert said["second"] == f"{title}: failed"
+    assert title.endswith(f", {said['second'].removesuffix(': failed')}")
     assert traces >= 10
-    assert (said["third"], said["hash"]) == (f"{said['next']}: failed", said["expected"])
+    assert said["hash"] == said["expected"]
+    assert said["next"].endswith(f", {said['third'].removesuffix(': failed')}")
     assert said["visible"]
+    assert said["group"]
+    assert [re.sub(r"\s", "", row) for row in said["rows"]] == [
+        "calm,0.02TU", "calm,0.05TU", "</script>noisy",
+    ]  # fmt: skip
+    results, _ = flown
+    row = [row for row in results.kept.tolist() if results.flights["arrived"][row] == 0][2]
+    history = results.history(results.kept.tolist().index(row))
+    columns = flight_columns(MISSION, history, None, points=240)
+    span = np.ptp(columns["x"])
+    np.testing.assert_allclose(said["x"], columns["x"], atol=span / 30_000, rtol=1e-5)
+    decades = np.ptp(np.log10(columns["off_r"]))
+    np.testing.assert_allclose(np.log10(said["off"]), np.log10(columns["off_r"]), atol=decades / 30_000)
 
 
 def test_a_link_to_a_flight_opens_it(flown: tuple[Results, Path], tmp_path: Path) -> None:
@@ -132,6 +160,88 @@ def test_a_link_to_a_flight_opens_it(flown: tuple[Results, Path], tmp_path: Path
     assert text.count('aria-current="true"') == 1
 
 
+def unpacked(text: str) -> list[dict[str, Any]]:
+    """What the page's script makes of a block."""
+    raw = zlib.decompress(base64.b64decode(text))
+    (length,) = struct.unpack("<I", raw[:4])
+    flights, place = json.loads(raw[4 : 4 + length]), 4 + length
+    for flight in flights:
+        columns = {}
+        for name, *facts in flight["columns"]:
+            if len(facts) == 1:
+                columns[name] = np.array(facts[0], float)
+                continue
+            size, low, step, logarithmic = facts
+            planes = np.frombuffer(raw, np.uint8, 2 * size, place).reshape(2, size).astype(int)
+            level = np.cumsum(planes[0] + 256 * planes[1]) % 65536
+            value = np.where(level == 65535, np.nan, low + step * level)
+            columns[name], place = (10.0**value if logarithmic else value), place + 2 * size
+        flight["columns"] = columns
+    assert place == len(raw)
+    return list(flights)
+
+
+def test_flights_are_packed_to_a_step_of_their_columns() -> None:
+    rng = np.random.default_rng(4)
+    columns = {
+        "x": rng.normal(size=50), "seen_r": np.where(rng.random(50) < 0.3, np.nan, rng.normal(size=50)),
+        "off_u": 10.0 ** rng.uniform(-9, 1, 50), "time": np.linspace(0, 60, 50), "flat": np.full(3, 7.5),
+        "none": np.full(4, np.nan), "ends": np.array([0.1234567, np.nan]),
+    }  # fmt: skip
+    blocks = list(pack_flights([({"title": str(i)}, columns) for i in range(TOGETHER + 1)], 1000))
+    flights = [flight for block in blocks for flight in unpacked(block)]
+    assert [flight["title"] for flight in flights] == [str(i) for i in range(TOGETHER + 1)]
+    for flight in (flights[0], flights[-1]):
+        found = flight["columns"]
+        for name, step in (("x", np.ptp(columns["x"]) / 1000), ("time", 60 / 65534), ("flat", 1e-12)):
+            np.testing.assert_allclose(found[name], columns[name], atol=0.51 * step, rtol=1e-7)
+        step = np.nanmax(columns["seen_r"]) - np.nanmin(columns["seen_r"])
+        np.testing.assert_allclose(found["seen_r"], columns["seen_r"], atol=0.51 * step / 1000)
+        np.testing.assert_allclose(np.log10(found["off_u"]), np.log10(columns["off_u"]), atol=0.0052)
+        assert np.isnan(found["none"]).all()
+        np.testing.assert_array_equal(found["ends"], [0.12346, np.nan])
+    assert len(blocks[0]) < 10_000
+
+
+def test_a_page_opens_no_more_failures_than_a_browser_bears(
+    flown: tuple[Results, Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Evenly over all that were kept."""
+    results, _ = flown
+    monkeypatch.setattr(opened, "MOST_FAILURES", 4)
+    groups = opened_groups(results, scores_of(results), False)
+    shown = [flight.row for group in groups for flight in group.flights if flight.kind == "failed"]
+    kept = [row for row in results.kept.tolist() if results.flights["arrived"][row] == 0]
+    assert shown == [kept[i * len(kept) // 4] for i in range(4)]
+    assert len({results.flights["series"][row] for row in shown}) > 1
+    assert sum(group.count("sample") for group in groups) == len(results.kept) - len(kept)
+
+
+def test_the_latest_detours_are_flown_again(flown: tuple[Results, Path]) -> None:
+    """Those that took over twice the optimum, of which no trajectory was kept."""
+    results, _ = flown
+    rows = results.rows(1, 0.05)
+    arrived = rows[results.flights["arrived"][rows] == 1]
+    factors = dict(zip(arrived.tolist(), np.linspace(1.5, 3.5, len(arrived)), strict=True))
+    optimal = results.flights["optimal_time"].copy()
+    optimal[arrived] = results.flights["time_of_flight"][arrived] / list(factors.values())
+    assert not detours(results, rows).size
+    results = replace(results, flights=results.flights | {"optimal_time": optimal})
+    expected = [row for row in reversed(arrived.tolist()) if factors[row] > 2.0]
+    assert detours(results, rows).tolist() == expected
+    score = scores_of(results)[2]
+    assert score.detours == Share(len(expected), len(arrived))
+    (group,) = (group for group in opened_groups(results, [score], True))
+    assert [flight.row for flight in group.flights if flight.kind == "detour"] == expected[:5]
+    assert opened_groups(results, [score], False)[0].count("detour") < 5
+    row = int(results.kept[0])
+    again, stored = fly_again(results, GUIDANCE, row), results.history(0)
+    for name, values in vars(stored).items():
+        np.testing.assert_array_equal(getattr(again, name), values)
+    with pytest.raises(CampaignError, match="flown by networks other"):
+        fly_again(replace(results, networks="other"), GUIDANCE, row)
+
+
 def test_the_page_is_self_contained_and_says_what_was_flown(flown: tuple[Results, Path]) -> None:
     results, folder = flown
     text = (folder / "index.html").read_text("utf-8").replace(LIBRARY.read_text("utf-8"), "")
@@ -139,11 +249,15 @@ def test_the_page_is_self_contained_and_says_what_was_flown(flown: tuple[Results
     assert not re.findall(r"https?://", text)
     assert "A &lt;page&gt; &amp; more" in text
     assert text.count("</script>") == 3  # the name of a series ends none
+    failed = int((results.flights["arrived"] == 0).sum())
+    kept = int((results.flights["arrived"][results.kept] == 0).sum())
+    assert f"{failed} flights failed; {kept} of them are here" in text
+    assert f"Of the other {failed - kept}, 0 have theirs in" in text
     assert results.digest[:16] in text
     assert "beta_noise = 0.15, r_noise = 1e-05, optics = jpl" in text
     for score in json.loads((folder / "scores.json").read_text())["scores"]:
         if score["flights"] > 10:
-            assert f"{100 * score['arrived'] / score['flights']:.2f} %" in text
+            assert f"{100 * score['arrived'] / score['flights']:.2f}\xa0%" in text
 
 
 def test_there_is_a_picture_and_a_table_of_everything(flown: tuple[Results, Path]) -> None:
@@ -186,7 +300,7 @@ def test_a_flight_is_shown_with_what_differs() -> None:
     assert [chart.name for chart in flight_charts(MISSION, columns)] == [
         "path", "command", "state", "approach", "left",
     ]  # fmt: skip
-    few = flight_columns(MISSION, histories[0], None, thin=True)
+    few = flight_columns(MISSION, histories[0], None, points=240)
     assert (few["time"][0], few["time"][-1]) == (columns["time"][0], columns["time"][-1])
     assert set(few["time"]) < set(columns["time"])
 
@@ -239,7 +353,7 @@ def test_the_library_is_the_one_that_was_released() -> None:
 def test_tables_for_the_readme(flown: tuple[Results, Path]) -> None:
     record = json.loads((flown[1] / "scores.json").read_text("utf-8"))
     lines = campaign_tables([record, record]).splitlines()
-    assert [line.count("|") for line in lines if line.startswith("|")] == [11] * 2 * (2 + 4)
+    assert [line.count("|") for line in lines if line.startswith("|")] == [12] * 2 * (2 + 4)
     assert lines[0].startswith("**A <page> & more** (`page`, networks `")
     with pytest.raises(CampaignError, match="make campaigns"):
         read_records(flown[1])

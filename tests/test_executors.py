@@ -6,7 +6,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager
 from functools import partial
@@ -18,6 +18,9 @@ import pytest
 
 import sailnet.executors
 from data.generate import generate
+from sailnet.backends import load_guidance
+from sailnet.campaign.plan import parse_plan
+from sailnet.campaign.run import fly_plan
 from sailnet.dataset import open_dataset, write_dataset
 from sailnet.errors import SailnetError
 from sailnet.executors import LOSSES, Workers, cluster, processes
@@ -178,6 +181,43 @@ def _workers_of(scheduler: str) -> list[str]:
 
     with Client(scheduler, set_as_default=False) as client:
         return list(client.scheduler_info()["workers"])
+
+
+def test_a_campaign_on_a_cluster_that_loses_a_worker_has_the_same_results(
+    scheduler: str, mission: Mission, tmp_path: Path
+) -> None:
+    guidance = load_guidance(mission)
+    rules = mission.flight.model_copy(update={"longest": 7.5})  # what takes longer fails, and is kept
+    mission = mission.model_copy(update={"flight": rules})
+    content = {
+        "schema": 1, "name": "x", "title": "X", "flights": 20,
+        "periods": [0.05, 0.06, 0.07, 0.08, 0.09, 0.1, 0.11, 0.12],
+        "series": [{"name": "noisy", "disturbance": {"beta_noise": 0.1, "r_noise": 1e-6}}],
+    }  # fmt: skip
+    plan = parse_plan(content, "x")
+    expected = fly_plan(mission, guidance, plan, tmp_path / "alone.h5")
+    assert len(expected.kept) > 20
+    with ExitStack() as stack:
+        processes = [stack.enter_context(worker(scheduler, tmp_path)) for _ in range(2)]
+        until = time.monotonic() + 60
+        while len(_workers_of(scheduler)) < 2:
+            assert time.monotonic() < until
+            time.sleep(0.1)
+        workers = stack.enter_context(cluster(scheduler))
+        done, whole = [], workers.map
+
+        def watched(function: Callable[[int], Any], numbers: Iterable[int]) -> Iterator[Any]:
+            for columns in whole(function, numbers):
+                done.append(len(columns))
+                if len(done) == 2:
+                    processes[0].kill()
+                yield columns
+
+        workers.map = watched  # type: ignore[method-assign]
+        found = fly_plan(mission, guidance, plan, tmp_path / "cluster.h5", workers=workers)
+        assert processes[0].wait() == -signal.SIGKILL
+    assert len(done) == 8
+    assert found.digest == expected.digest
 
 
 NARROW = "import heyoka\nheyoka.recommended_simd_size = lambda: 3\n"

@@ -46,7 +46,7 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     if not options.json:
         print("\n".join(score_lines(scores)), end="\n\n")
     try:
-        rows = report("campaign_page").write_report(results, folder)
+        rows = report("campaign_page").write_report(results, folder, guidance)
     except (SailnetError, OSError) as error:
         raise SailnetError(f"{stored} is written, but not its report: {error}") from error
     if rows and not options.json:

@@ -89,7 +89,7 @@ class Plan(Section):
             always one.
         sample: of the first so many flights of each series, at its first period, trajectories are kept.
         failures: trajectories of at most so many flights that did not arrive are kept, of each series and
-            period.
+            period; by default of all but a campaign in which nearly nothing arrives. One takes some 20 kB.
         series: with the attributes of the campaign itself where they leave them out.
     """
 
@@ -104,7 +104,7 @@ class Plan(Section):
     optima: Annotated[int, Field(ge=0)] = 0
     thresholds: Increasing = (1e-4, 1e-3, 1e-2)
     sample: Annotated[int, Field(ge=0)] = 10
-    failures: Annotated[int, Field(ge=0)] = 50
+    failures: Annotated[int, Field(ge=0)] = 5000
     series: Annotated[tuple[Series, ...], Field(strict=False, min_length=1)]
 
     @model_validator(mode="after")

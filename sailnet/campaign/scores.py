@@ -13,6 +13,10 @@ from sailnet.montecarlo import wilson_interval
 QUANTILES = (0.5, 0.9, 0.99, 1.0)
 
 
+DETOUR = 1.0
+"""Time above the optimum, relative, beyond which a flight that arrived went astray on its way."""
+
+
 @dataclass(frozen=True)
 class Share:
     """Some of many, with the 95 % Wilson interval of the share."""
@@ -47,6 +51,7 @@ class Score:
         gap_quantiles: of the time above the optimum of the sail as assumed, relative, over flights that
             arrived and whose optimum is known; empty without any.
         gaps: how many these are.
+        detours: of these, flights that took over twice the optimum; None without any.
         lost: flights that left the plant's distances from the Sun.
         too_long: flights that took longer than the mission allows.
         violations: flights with a command beyond the bound on the cone angle.
@@ -61,6 +66,7 @@ class Score:
     error_quantiles: Mapping[float, float]
     gap_quantiles: Mapping[float, float]
     gaps: int
+    detours: Share | None
     lost: int
     too_long: int
     violations: int
@@ -73,9 +79,25 @@ def largest_error(flights: Flights) -> Array:
 
 def optimality_gap(results: Results, rows: np.ndarray[tuple[int], np.dtype[np.intp]]) -> Array:
     """Time above the optimum of the sail as assumed, relative, of those of some flights that arrived."""
+    return _gaps(results, rows)[1]
+
+
+def detours(
+    results: Results, rows: np.ndarray[tuple[int], np.dtype[np.intp]]
+) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
+    """Which of some flights arrived after more than twice the optimum, the latest first."""
+    known, gap = _gaps(results, rows)
+    order = np.argsort(-gap, kind="stable")
+    return known[order][gap[order] > DETOUR]
+
+
+def _gaps(
+    results: Results, rows: np.ndarray[tuple[int], np.dtype[np.intp]]
+) -> tuple[np.ndarray[tuple[int], np.dtype[np.intp]], Array]:
     flights = results.flights
     gap = flights["time_of_flight"][rows] / flights["optimal_time"][rows] - 1.0
-    return np.asarray(gap[(flights["arrived"][rows] == 1) & np.isfinite(gap)])
+    known = (flights["arrived"][rows] == 1) & np.isfinite(gap)
+    return rows[known], gap[known]
 
 
 def scores_of(results: Results) -> list[Score]:
@@ -105,6 +127,7 @@ def scores_of(results: Results) -> list[Score]:
                     error_quantiles={q: float(np.quantile(error, q)) for q in QUANTILES},
                     gap_quantiles={q: float(np.quantile(gap, q)) for q in QUANTILES if len(gap)},
                     gaps=len(gap),
+                    detours=Share(int((gap > DETOUR).sum()), len(gap)) if len(gap) else None,
                     lost=int((flights.ending == Ending.LOST).sum()),
                     too_long=int((flights.ending == Ending.TOO_LONG).sum()),
                     violations=int((flights.max_cone_angle > bound).sum()),
@@ -118,6 +141,7 @@ def score_table(scores: list[Score]) -> tuple[list[str], list[list[str]]]:
     thresholds = list(scores[0].within)
     heads = ["series", "period [TU]", "flights", *(f"within {threshold:g}" for threshold in thresholds)]
     heads += ["ever within the tolerance", "median error", "99 % error", "time above optimum: median, 99 %"]
+    heads += ["over twice the optimum"]
     rows = []
     for score in scores:
         gap = score.gap_quantiles
@@ -130,6 +154,7 @@ def score_table(scores: list[Score]) -> tuple[list[str], list[list[str]]]:
                 f"{100 * score.nearest.share:.2f} %",
                 *(f"{score.error_quantiles[q]:.1e}" for q in (0.5, 0.99)),
                 ", ".join(f"{100 * gap[q]:.3f} %" for q in (0.5, 0.99)) if gap else "–",
+                share_text(score.detours) if score.detours else "–",
             ]
         )
     return heads, rows
@@ -156,6 +181,7 @@ def score_record(score: Score) -> dict[str, object]:
         "error_quantiles": {f"{q:g}": value for q, value in score.error_quantiles.items()},
         "gap_quantiles": {f"{q:g}": value for q, value in score.gap_quantiles.items()},
         "gap_flights": score.gaps,
+        "detours": None if score.detours is None else score.detours.count,
         "lost": score.lost,
         "too_long": score.too_long,
         "attitude_violations": score.violations,

@@ -21,13 +21,11 @@ OPTIMA_BATCH = 2500
 FEW = 25
 """Up to so many states are solved one by one: indexing the generalisation set takes some twenty seconds."""
 
-SHARE = 5
-"""Of the failures whose trajectories are kept, a batch of many contributes at most one part in this."""
-
 MOST_RECORDS = 1500
-"""Periods of a trajectory that are kept at most: evenly spread, and all of the last ones."""
+"""Periods of a trajectory of the sample that are kept at most: evenly spread, and a fifth are the last."""
 
-LAST_RECORDS = 300
+MOST_OF_FAILURES = 300
+"""The same for failures, which there may be thousands of, most of them as long as a flight may be."""
 
 Columns = dict[str, NDArray[Any]]
 
@@ -64,8 +62,7 @@ def units_of(plan: Plan, mission: Mission) -> list[Unit]:
             sampled = plan.sample if place == 0 else 0
             for first in range(0, series.count, BATCH):
                 count = min(BATCH, series.count - first)
-                failures = plan.failures if series.count <= BATCH else -(-plan.failures // SHARE)
-                units.append(Unit("flights", number, period, first, count, sampled, failures))
+                units.append(Unit("flights", number, period, first, count, sampled, plan.failures))
         if optima := min(series.optima or 0, series.count):
             shown_by, most = wanted.get(series.starts, (number, 0))
             wanted[series.starts] = (shown_by, max(most, optima))
@@ -129,7 +126,10 @@ class Job:
         columns["flights/period"] = np.full(unit.count, unit.period)
         columns["flights/number"] = numbers
         columns["kept/flight"] = kept
-        records = [_thinned(record_columns(history)) for history in histories]
+        records = [
+            _thinned(record_columns(history), MOST_RECORDS if number < unit.sampled else MOST_OF_FAILURES)
+            for number, history in zip(numbers[kept].tolist(), histories, strict=True)
+        ]
         columns["kept/records"] = np.array([len(record["time"]) for record in records], np.int64)
         for name in RECORDS:
             parts = [record[name] for record in records]
@@ -155,10 +155,11 @@ class Job:
         }
 
 
-def _thinned(record: Columns) -> Columns:
+def _thinned(record: Columns, most: int) -> Columns:
     length = len(record["time"])
-    if length <= MOST_RECORDS:
+    if length <= most:
         return record
-    spread = np.linspace(0, length - LAST_RECORDS, MOST_RECORDS - LAST_RECORDS, endpoint=False)
-    rows = np.append(spread.astype(int), np.arange(length - LAST_RECORDS, length))
+    last = most // 5
+    spread = np.linspace(0, length - last, most - last, endpoint=False)
+    rows = np.append(spread.astype(int), np.arange(length - last, length))
     return {name: values[rows] for name, values in record.items()}

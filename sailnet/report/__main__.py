@@ -3,6 +3,7 @@
 import argparse
 import json
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,7 @@ from sailnet.provenance import software
 from sailnet.report import comparison, figures
 from sailnet.report.evaluation import Section5, fly_section5
 from sailnet.report.page import Picture, write_page
+from sailnet.report.reproduction import FILE, reproduction_record
 
 NETWORKS = ("tau", "lambda_v", "alpha_pre", "lambda_v_printed", "alpha_pre_eq23", "alpha")
 
@@ -35,7 +37,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--mission", default="earth_mars", help="mission name or TOML file (%(default)s)")
     parser.add_argument("--build", type=Path, required=True, help="folder with networks/ and export/")
     parser.add_argument("--dataset", type=Path, required=True, help="what the networks learned from")
-    parser.add_argument("--output", type=Path, required=True, help="folder for index.html and report.json")
+    parser.add_argument(
+        "--output", type=Path, required=True, help="folder for index.html, report.json and reproduction.json"
+    )
     parser.add_argument(
         "--flights", type=int, default=1000, help="flights of the larger campaign (%(default)s)"
     )
@@ -52,6 +56,18 @@ def _example_of_a_jump(data: Dataset) -> tuple[dict[str, Array], float]:
     return samples, float(columns["jump_time"][row])
 
 
+def _histories(networks: Iterable[str], folder: Path) -> dict[str, Any]:
+    return {
+        name: json.loads((folder / f"{name}.history.json").read_text(encoding="utf-8"))["epochs"]
+        for name in networks
+    }
+
+
+def _write_json(path: Path, content: object, indent: int | None = None) -> None:
+    text = json.dumps(content, indent=indent, ensure_ascii=False)
+    write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))
+
+
 def _pictures(
     mission: Mission, section5: Section5, data: Dataset, networks: dict[str, Network], folder: Path
 ) -> list[Picture]:
@@ -59,10 +75,7 @@ def _pictures(
     samples, jump_time = _example_of_a_jump(data)
     first = cases["Case 1"]
     inputs = np.column_stack([first.history.states[:, [0, 2, 3]], first.history.predicted_time_of_flight])
-    histories = {
-        name: json.loads((folder / f"{name}.history.json").read_text(encoding="utf-8"))["epochs"]
-        for name in networks
-    }
+    histories = _histories(networks, folder)
     drawn = [
         (
             "trajectories",
@@ -167,8 +180,15 @@ def _run(options: argparse.Namespace) -> None:
             software=made_with,
         )
         table = {"rows": [vars(row) for row in rows], "software": made_with, "seed": options.seed}
-        text = json.dumps(table, indent=1, ensure_ascii=False)
-        write_whole(options.output / "report.json", lambda beside: beside.write_text(text, encoding="utf-8"))
+        _write_json(options.output / "report.json", table, 1)
+        record = reproduction_record(
+            networks,
+            _histories(networks, folder),
+            section5.three["Case 1"],
+            section5.two["Case 1"],
+            made_with,
+        )
+        _write_json(options.output / FILE, record)
         bar.update()
     print("\n".join(comparison.comparison_lines(rows)))
 

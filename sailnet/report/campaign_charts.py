@@ -1,7 +1,5 @@
 """A whole campaign as charts: how many arrive, how near, how fast, and where they fail."""
 
-from collections.abc import Mapping
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -19,6 +17,9 @@ SHOWN = 0.99
 
 ARRIVED_SHOWN = 1500
 """Starts of flights that arrived, as a background."""
+
+FAILED_SHOWN = 3000
+"""Starts of failures of a series at a period, those that can be opened first: a browser moves no more."""
 
 BINS = 12
 
@@ -38,6 +39,7 @@ def campaign_charts(results: Results, scores: list[Score]) -> list[Chart]:
         charts += [
             _errors(results, many),
             _gaps(results, many),
+            _detours(many),
             *_where(results, many),
             *_bins(results, many),
         ]
@@ -77,6 +79,26 @@ def _shares(scores: list[Score]) -> Chart:
         "flights that arrive [%]",
         curves,
         words,
+        rows=True,
+    )
+
+
+def _detours(scores: list[Score]) -> Chart | None:
+    """Share of arrivals that went astray on their way."""
+    shares = {_label(score, scores): score.detours for score in scores if score.detours is not None}
+    known = {label: share for label, share in shares.items() if share is not None and share.of >= COUNTED}
+    if not any(share.count for share in known.values()):
+        return None
+    return Chart(
+        "detours",
+        "Detours",
+        "Flights that arrive, but take more than twice the optimum of the sail as assumed; bars are 95 % "
+        "Wilson intervals. The latest of each are listed below.",
+        "",
+        "of the flights that arrive [%]",
+        [Curve("series", "share", "", "points", BAD, 7.0, low="low", high="high")],
+        {"series": np.array(list(known)), **_share_columns(list(known.values()))},
+        rows=True,
     )
 
 
@@ -182,16 +204,18 @@ def _where(results: Results, scores: list[Score]) -> list[Chart]:
         curves = [Curve("x_arrived", "v_arrived", "arrived", "points", "#c9d3da", 4.0)]
         for number, score in enumerate(scores):
             rows = results.rows(score.series, score.period)
-            failed = rows[flights["arrived"][rows] == 0][:ARRIVED_SHOWN]
+            failed = rows[flights["arrived"][rows] == 0]
             if not len(failed):
                 continue
+            label_ = f"{_label(score, scores)}: {len(failed):,}"
+            failed = failed[np.argsort([row not in kept for row in failed.tolist()], kind="stable")]
+            failed = np.sort(failed[:FAILED_SHOWN])
             columns |= {
                 f"x_{number}": flights[f"start_{component}"][failed],
                 f"v_{number}": flights["start_v"][failed],
                 f"flight_{number}": np.array([row if row in kept else -1 for row in failed.tolist()]),
             }
             colour = BAD if len(scores) == 1 else PALETTE[number % len(PALETTE)]
-            label_ = f"{_label(score, scores)}: {len(failed)}"
             curves.append(
                 Curve(f"x_{number}", f"v_{number}", label_, "points", colour, 6.0, link=f"flight_{number}")
             )
@@ -201,8 +225,9 @@ def _where(results: Results, scores: list[Score]) -> list[Chart]:
             Chart(
                 f"where-{component}",
                 f"Where flights start that fail: {component} and v",
-                f"Grey: starts of up to {ARRIVED_SHOWN} flights of the first series that arrived. "
-                "Colours: those that failed, and how many; a click on one opens it if it is listed below.",
+                f"Grey: starts of up to {ARRIVED_SHOWN:,} flights of the first series that arrived. Colours: "
+                f"those that failed, and how many (up to {FAILED_SHOWN:,} of each are drawn); a click on one "
+                "opens it if it is listed below.",
                 f"start {label}",
                 "start v [AU/TU]",
                 curves,
@@ -220,7 +245,8 @@ def _bins(results: Results, scores: list[Score]) -> list[Chart]:
     low, high = results.mission.generalisation.corners
     for place, (component, unit) in enumerate((("r", "AU"), ("u", "AU/TU"), ("v", "AU/TU"))):
         edges = np.linspace(low[place], high[place], BINS + 1)
-        columns: dict[str, Array] = {"middle": (edges[1:] + edges[:-1]) / 2.0}
+        middle, width = (edges[1:] + edges[:-1]) / 2.0, edges[1] - edges[0]
+        columns: dict[str, Array] = {}
         curves = []
         for number, score in enumerate(scores):
             rows = results.rows(score.series, score.period)
@@ -229,13 +255,15 @@ def _bins(results: Results, scores: list[Score]) -> list[Chart]:
             shares = [Share(int(a), int(b)) for a, b in zip(count, of, strict=True)]
             if not missed.any() or not of.all():
                 continue
+            # Beside each other, or their intervals would hide each other.
+            columns |= {f"middle_{number}": middle + 0.6 * width * ((number + 0.5) / len(scores) - 0.5)}
             columns |= _share_columns(shares, f"_{number}")
             colour = PALETTE[number % len(PALETTE)]
             label = _label(score, scores)
             curves += [
-                Curve("middle", f"share_{number}", "", colour=colour, width=1.0),
+                Curve(f"middle_{number}", f"share_{number}", "", colour=colour, width=1.0),
                 Curve(
-                    "middle", f"share_{number}", label, "points", colour, 6.0,
+                    f"middle_{number}", f"share_{number}", label, "points", colour, 6.0,
                     low=f"low_{number}", high=f"high_{number}",
                 ),
             ]  # fmt: skip
@@ -252,30 +280,3 @@ def _bins(results: Results, scores: list[Score]) -> list[Chart]:
                 )
             )
     return charts
-
-
-def flight_title(results: Results, row: int) -> str:
-    """A flight in a few words."""
-    flights = results.flights
-    series = results.plan.whole[int(flights["series"][row])].name
-    return f"{series}, {flights['period'][row]:g} TU, flight {int(flights['number'][row])}"
-
-
-def flight_facts(results: Results, row: int) -> Mapping[str, str]:
-    """What there is to know of a flight without looking at it."""
-    flights = results.flights
-    state = ", ".join(f"{flights[f'start_{name}'][row]:.5g}" for name in "ruv")
-    error = ", ".join(f"{flights[f'error_{name}'][row]:.1e}" for name in "ruv")
-    optimal = flights["optimal_time"][row]
-    near, when = flights["nearest_error"][row], flights["nearest_time"][row]
-    ending = {1: "stopped by its guidance", 2: "lost", 3: "too long"}[int(flights["ending"][row])]
-    return {
-        "result": "arrived" if flights["arrived"][row] else f"failed: {ending}",
-        "start (r, u, v)": state,
-        "terminal error (r, u, v)": error,
-        "time of flight": f"{flights['time_of_flight'][row]:.4f} TU",
-        "optimum": f"{optimal:.4f} TU" if np.isfinite(optimal) else "not asked for",
-        "nearest to the target": f"{near:.1e} after {when:.4f} TU",
-        "constant error of β": f"{100 * flights['beta_error'][row]:+.2f} %",
-        "estimated β": f"{100 * (flights['beta_estimate'][row] / results.mission.sail.beta - 1):+.2f} %",
-    }

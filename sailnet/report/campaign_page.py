@@ -2,45 +2,62 @@
 
 import csv
 import json
-from collections.abc import Mapping, Sequence
+import sys
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from tqdm import tqdm
 
 from sailnet.campaign.scores import Score, score_record, score_table, scores_of
 from sailnet.campaign.store import Results
 from sailnet.campaign.tables import FLIGHTS
 from sailnet.disturbances import switched_on
-from sailnet.dynamics import Array
 from sailnet.files import write_whole
+from sailnet.guidance import Guidance
 from sailnet.optics import OPTICS
-from sailnet.report.campaign_charts import campaign_charts, flight_facts, flight_title
+from sailnet.report.campaign_charts import campaign_charts
 from sailnet.report.charts import Chart, for_page, page_columns, write_csv, write_picture
 from sailnet.report.comparison import Row
-from sailnet.report.flight_charts import (
-    common_columns,
-    flight_columns,
-    flight_templates,
-    optimum_of,
-)
+from sailnet.report.flight_charts import SHOWN, common_columns, flight_templates
 from sailnet.report.flight_page import chart_page, write_flight_picture
+from sailnet.report.opened import (
+    MOST_FAILURES,
+    Group,
+    Opened,
+    columns_of,
+    flight_facts,
+    flight_title,
+    opened_groups,
+)
+from sailnet.report.packed import TOGETHER, Flight, pack_flights
 from sailnet.report.paper_figures import is_paper, paper_charts, paper_flights, paper_rows
+from sailnet.report.reproduction import shipped_record
 
-MOST_SHOWN = 200
-"""Failures in a page, which would become too large with more."""
+MOST_POINTS = 330_000
+"""Of one curve over all flights of a page: where there are many, each has fewer points and coarser levels."""
+
+FEWEST_POINTS = 60
+
+LEVELS, COARSE_LEVELS = 16_383, 255
+"""To which what a flight's charts show is rounded."""
+
+TABLES = 200
+"""Flights with a CSV file of their own, evenly over those of the page."""
 
 PICTURED = 3
 """Flights whose charts are also drawn for print: first those that failed."""
 
 
-def write_report(results: Results, folder: Path) -> list[Row]:
+def write_report(results: Results, folder: Path, guidance: Guidance | None = None) -> list[Row]:
     """Write ``index.html`` and, beside it, every chart as PNG and CSV and every table as CSV and JSON.
 
     Args:
         results: of the campaign.
         folder: where to.
+        guidance: what flew; it flies the latest detours again, whose trajectories are not kept.
 
     Returns:
         The rows of "paper | here", of the paper's campaign alone.
@@ -52,15 +69,18 @@ def write_report(results: Results, folder: Path) -> list[Row]:
     if is_paper(results):
         flights = paper_flights(results)
         rows, figures = paper_rows(flights, results.plan.seed), paper_charts(results.mission, flights)
-    opened = _flights(results)
+    groups = opened_groups(results, scores, guidance is not None)
+    opened = [flight for group in groups for flight in group.flights]
+    points = max(FEWEST_POINTS, min(SHOWN, MOST_POINTS // max(1, len(opened))))
+    blocks = pack_flights(
+        _described(results, opened, guidance, points), LEVELS if points == SHOWN else COARSE_LEVELS
+    )
     content = {
         "charts": [for_page(chart) for chart in [*charts, *figures]],
         "templates": [for_page(chart) for chart in flight_templates(results.mission)],
         "common": page_columns(common_columns(results.mission)),
-        "flights": [
-            {**flight, "columns": page_columns(columns)} for flight, columns in opened
-        ],
-    }  # fmt: skip
+        "flights": {"rows": [flight.row for flight in opened], "together": TOGETHER, "blocks": list(blocks)},
+    }
     heads, cells = score_table(scores)
     text = chart_page(
         "campaign.html.jinja",
@@ -74,40 +94,58 @@ def write_report(results: Results, folder: Path) -> list[Row]:
         rows=rows,
         charts=charts,
         figures=figures,
-        flights=[flight for flight, _ in opened],
+        reproduction=shipped_record(results.mission),
+        groups=[_group(results, group, scores) for group in groups],
+        unfolded=next((place for place, group in enumerate(groups) if group.count("failed")), 0),
         failed=int((results.flights["arrived"] == 0).sum()),
-        shown=sum(bool(flight["failed"]) for flight, _ in opened),
+        kept=int((results.flights["arrived"][results.kept] == 0).sum()),
+        most=MOST_FAILURES,
+        shown=sum(group.count("failed") for group in groups),
+        points=points,
+        tables=min(TABLES, len(opened)),
         results=results,
         software=results.provenance,
     )
     write_whole(folder / "index.html", lambda beside: beside.write_text(text, encoding="utf-8"))
-    _write_files(results, scores, [*charts, *figures], opened, heads, cells, folder)
+    _write_files(results, scores, [*charts, *figures], heads, cells, folder)
+    _write_flights(results, opened, guidance, folder / "flights")
     return rows
 
 
-def _flights(results: Results) -> list[tuple[dict[str, Any], Mapping[str, Array]]]:
-    """Every flight whose trajectory was kept, failures first."""
-    flights = results.flights
-    opened: list[tuple[dict[str, Any], Mapping[str, Array]]] = []
-    places = sorted(range(len(results.kept)), key=lambda i: bool(flights["arrived"][results.kept[i]]))
-    failed = int((flights["arrived"][results.kept] == 0).sum())
-    if failed > MOST_SHOWN:  # evenly over all series
-        spread = np.linspace(0, failed, MOST_SHOWN, endpoint=False).astype(int).tolist()
-        places = [places[i] for i in [*spread, *range(failed, len(places))]]
-    for place in places:
-        row = int(results.kept[place])
-        optimum = None
-        if np.isfinite(flights["optimal_time"][row]):
-            costates = np.array([flights[f"optimal_lambda_{name}"][row] for name in "ruv"])
-            optimum = optimum_of(results.mission, costates[None], float(flights["optimal_time"][row]))
-        about = {
-            "row": row,
-            "title": flight_title(results, row),
-            "failed": not flights["arrived"][row],
-            "facts": flight_facts(results, row),
-        }
-        opened.append((about, flight_columns(results.mission, results.history(place), optimum, thin=True)))
-    return opened
+def _described(
+    results: Results, opened: Sequence[Opened], guidance: Guidance | None, points: int
+) -> Iterator[Flight]:
+    shown = columns_of(results, opened, guidance, points)
+    bar = tqdm(opened, unit="flight", desc="report", file=sys.stderr, disable=None)
+    for flight, columns in zip(bar, shown, strict=True):
+        about = {"title": flight_title(results, flight.row), "facts": flight_facts(results, flight.row)}
+        yield about, columns
+
+
+def _group(results: Results, group: Group, scores: Sequence[Score]) -> dict[str, Any]:
+    """What the list of flights says of a series at a period."""
+    words = {"failed": ": failed", "detour": ": detour", "sample": ""}
+    number = results.flights["number"]
+    score = group.score
+    several = sum(other.series == score.series for other in scores) > 1
+    counts = [
+        f"{group.count(kind):,} {name}"
+        for kind, name in (("failed", "failed"), ("detour", "gone astray"), ("sample", "of the sample"))
+        if group.count(kind)
+    ]
+    return {
+        "title": f"{score.name}, {score.period:g} TU" if several else score.name,
+        "counts": ", ".join(counts),
+        "size": len(group.flights),
+        "flights": [
+            (
+                flight.row,
+                flight.kind,
+                f"flight {int(number[flight.row])}{words[flight.kind]}",
+            )
+            for flight in group.flights
+        ],
+    }
 
 
 def _facts(scores: Sequence[Score]) -> list[tuple[str, str]]:
@@ -150,7 +188,6 @@ def _write_files(
     results: Results,
     scores: Sequence[Score],
     charts: Sequence[Chart],
-    opened: Sequence[tuple[Mapping[str, Any], Mapping[str, Array]]],
     heads: Sequence[str],
     cells: Sequence[Sequence[str]],
     folder: Path,
@@ -161,11 +198,6 @@ def _write_files(
     names = np.array([series.name for series in results.plan.series])
     series = {"series_name": names[results.flights["series"]]}
     write_csv(folder / "flights.csv", {**series, **{name: results.flights[name] for name in FLIGHTS}})
-    for about, columns in opened:
-        stem = f"flight-{about['row']}"
-        write_csv(folder / "flights" / f"{stem}.csv", columns)
-    for about, columns in opened[:PICTURED]:
-        write_flight_picture(folder / "flights" / f"flight-{about['row']}.png", results.mission, columns)
 
     def table(beside: Path) -> None:
         with beside.open("w", encoding="utf-8", newline="") as file:
@@ -185,3 +217,16 @@ def _write_files(
     }
     text = json.dumps(record, indent=1, ensure_ascii=False)
     write_whole(folder / "scores.json", lambda beside: beside.write_text(text, encoding="utf-8"))
+
+
+def _write_flights(
+    results: Results, opened: Sequence[Opened], guidance: Guidance | None, folder: Path
+) -> None:
+    places = np.unique(np.linspace(0, len(opened), TABLES, endpoint=False).astype(int))
+    chosen = [opened[place] for place in places.tolist()] if len(opened) > TABLES else list(opened)
+    chosen.sort(key=lambda flight: flight.kind != "failed")
+    for number, columns in enumerate(columns_of(results, chosen, guidance, SHOWN)):
+        stem = f"flight-{chosen[number].row}"
+        write_csv(folder / f"{stem}.csv", columns)
+        if number < PICTURED:
+            write_flight_picture(folder / f"{stem}.png", results.mission, columns)

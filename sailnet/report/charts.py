@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import zip_longest
 from pathlib import Path
+from textwrap import fill
 from typing import Any, Literal
 
 import numpy as np
@@ -65,6 +66,8 @@ class Chart:
         logarithmic: axes with a logarithmic scale.
         equal: whether both axes have the same scale.
         x_range: of the axis, if it is not chosen by the data.
+        rows: whether x is words, each of which gets a row of its own with room for every curve, and y runs
+            to the right.
     """
 
     name: str
@@ -77,6 +80,7 @@ class Chart:
     logarithmic: str = ""
     equal: bool = False
     x_range: tuple[float, float] | None = None
+    rows: bool = False
 
     def with_columns(self, columns: Mapping[str, ArrayLike]) -> "Chart":
         """The same chart of other numbers; curves whose columns there are none of are left out."""
@@ -116,8 +120,32 @@ def write_csv(path: Path, columns: Mapping[str, ArrayLike]) -> None:
     write_whole(path, write)
 
 
+def _draw_rows(axes: Any, chart: Chart) -> None:
+    words = [str(word) for word in np.asarray(chart.columns[chart.curves[0].x])]
+    for number, curve in enumerate(chart.curves):
+        middle = np.asarray(chart.columns[curve.y], float)
+        ends = np.array([np.asarray(chart.columns[name], float) for name in (curve.low, curve.high)])
+        place = np.arange(len(words)) + row_offset(number, len(chart.curves))
+        axes.errorbar(
+            middle, place, xerr=np.abs(ends - middle), fmt="o", ms=curve.width, capsize=3, lw=1.2,
+            color=curve.colour, label=curve.label or None,
+        )  # fmt: skip
+    axes.set_yticks(range(len(words)), [fill(word, 24) for word in words])
+    axes.set(title=chart.title, xlabel=chart.y, ylim=(len(words) - 0.5, -0.5))
+    if any(curve.label for curve in chart.curves):
+        axes.legend(fontsize=8, frameon=False, loc="upper left", bbox_to_anchor=(0.0, -0.14), ncols=4)
+
+
+def row_offset(number: int, of: int) -> float:
+    """Where in its row, from -0.5 to 0.5, one of several curves has its points; so does the page's script."""
+    return 0.6 * ((number + 0.5) / of - 0.5)
+
+
 def draw_chart(axes: Any, chart: Chart) -> None:
     """Draw on matplotlib axes."""
+    if chart.rows:
+        _draw_rows(axes, chart)
+        return
     for curve in chart.curves:
         x, y = np.asarray(chart.columns[curve.x]), np.asarray(chart.columns[curve.y], float)
         style = {"color": curve.colour, "label": curve.label or None}
@@ -142,10 +170,6 @@ def draw_chart(axes: Any, chart: Chart) -> None:
     labels = sum(bool(curve.label) for curve in chart.curves)
     if labels > 1:
         axes.legend(fontsize=8, frameon=False, loc="upper left", bbox_to_anchor=(0.0, -0.14), ncols=2)
-    if chart.columns and np.asarray(chart.columns[chart.curves[0].x]).dtype.kind == "U":
-        axes.tick_params(axis="x", rotation=30)
-        for tick in axes.get_xticklabels():
-            tick.set_horizontalalignment("right")
 
 
 def write_picture(path: Path, charts: Sequence[Chart], columns: int = 1) -> None:
@@ -157,7 +181,8 @@ def write_picture(path: Path, charts: Sequence[Chart], columns: int = 1) -> None
 
     rows = -(-len(charts) // columns)
     with mpl.rc_context(STYLE):
-        figure = Figure(figsize=(6.4 * columns, 4.4 * rows), layout="constrained")
+        words = max((len(np.asarray(c.columns[c.curves[0].x])) for c in charts if c.rows), default=0)
+        figure = Figure(figsize=(6.4 * columns, max(4.4, 0.42 * words + 1.4) * rows), layout="constrained")
         places = figure.subplots(rows, columns, squeeze=False).ravel()
         for axes, chart in zip_longest(places, charts):
             if chart is None:

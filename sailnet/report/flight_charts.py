@@ -5,16 +5,17 @@ from collections.abc import Mapping
 import numpy as np
 
 from sailnet.dynamics import Array
-from sailnet.expert import sample_backward
+from sailnet.expert import sample_many
 from sailnet.flight import History
 from sailnet.mission import Mission
 from sailnet.report.charts import PALETTE, Chart, Curve
 from sailnet.report.figures import BASELINE, GREY, NETWORK, OPTIMUM, Optimum
 
-SHOWN = 200
-"""Points of a curve in a page, evenly spread over the flight, and LAST of the last periods."""
+SHOWN = 240
+"""Points of a flight in a page of some: evenly spread, and a sixth of them are the last periods."""
 
-LAST = 40
+OPTIMUM_POINTS = 201
+"""Of the optimum of one flight of many; every fourth is shown, and all of them give its angle."""
 
 Columns = dict[str, Array]
 
@@ -135,7 +136,7 @@ def common_columns(mission: Mission) -> Columns:
 
 
 def flight_columns(
-    mission: Mission, history: History, optimum: Optimum | None, thin: bool = False
+    mission: Mission, history: History, optimum: Optimum | None, points: int | None = None
 ) -> Columns:
     """What the charts of a flight show; what was as assumed all the time is left out.
 
@@ -143,7 +144,7 @@ def flight_columns(
         mission: that was flown.
         history: of the flight.
         optimum: from the same start, if it is known.
-        thin: few points, for a page of many flights.
+        points: of a curve at most, for a page of many flights.
     """
     r, theta, u, v = history.states.T
     off = np.maximum(np.abs(history.states[:, [0, 2, 3]] - mission.problem.target_state), 1e-9)
@@ -162,9 +163,12 @@ def flight_columns(
         columns |= {f"seen_{name}": column for name, column in zip("ruv", wrong.T, strict=True)}
     if np.abs(history.attitude - history.cone_angle).max() > 1e-9:
         columns["attitude"] = np.degrees(history.attitude)
-    if thin and len(r) > SHOWN + LAST:
-        spread = np.linspace(0, len(r) - LAST, SHOWN, endpoint=False).astype(int)
-        rows = np.append(spread, np.arange(len(r) - LAST, len(r)))
+    if points is not None and len(r) > points:
+        last = points // 6
+        # Evenly in time: of a trajectory that was thinned already the last periods lie nearer.
+        times = np.linspace(history.time[0], history.time[-last], points - last, endpoint=False)
+        rows = np.append(np.searchsorted(history.time, times), np.arange(len(r) - last, len(r)))
+        rows = np.unique(rows)
         columns = {name: values[rows] for name, values in columns.items()}
     span = np.array([history.time[0], history.time[-1]])
     bound = np.full(2, mission.sail.max_cone_angle)
@@ -172,7 +176,7 @@ def flight_columns(
     columns |= {"tolerance": np.full(2, mission.flight.arrival_tolerance)}
     columns |= {"ends_x": x[[0, -1]], "ends_y": y[[0, -1]]}
     if optimum is not None:
-        step = 10 if thin else 1
+        step = 1 if points is None else 4
         angle = optimum.angle[::step]
         values = optimum.columns[::step].T
         columns |= {
@@ -192,6 +196,7 @@ def flight_charts(mission: Mission, columns: Mapping[str, Array]) -> list[Chart]
     return [chart for chart in drawn if any(curve.label for curve in chart.curves)]
 
 
-def optimum_of(mission: Mission, arrival_costates: Array, time_of_flight: float) -> Optimum:
-    """The extremal with these costates at arrival and this duration [TU]."""
-    return Optimum(*sample_backward(mission.problem, arrival_costates, time_of_flight))
+def optima_of(mission: Mission, arrival_costates: Array, times_of_flight: Array) -> list[Optimum]:
+    """The extremals with these (n, 3) costates at arrival and these (n,) durations [TU]."""
+    times, columns = sample_many(mission.problem, arrival_costates, times_of_flight, OPTIMUM_POINTS)
+    return [Optimum(time, values) for time, values in zip(times, columns, strict=True)]

@@ -7,12 +7,13 @@ from typing import Any
 
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.expert import Extremal
+from sailnet.expert import Extremal, sample
 from sailnet.files import write_whole
 from sailnet.flight import History
 from sailnet.mission import Mission
 from sailnet.report.charts import for_page, write_picture
-from sailnet.report.flight_charts import flight_charts, flight_columns, optimum_of
+from sailnet.report.figures import Optimum
+from sailnet.report.flight_charts import flight_charts, flight_columns
 from sailnet.report.page import render
 
 FOLDER = Path(__file__).parent
@@ -51,7 +52,7 @@ def write_flight_page(
     charts = flight_charts(mission, columns)
     text = chart_page(
         "flight.html.jinja",
-        {"charts": [for_page(chart) for chart in charts], "flights": []},
+        {"charts": [for_page(chart) for chart in charts], "flights": {"rows": []}},
         charts=charts,
         title=title,
         facts=facts,
@@ -77,7 +78,7 @@ def plot_flight(
     """
     optimum = None
     if extremal is not None:
-        optimum = optimum_of(mission, extremal.arrival_costates, extremal.time_of_flight)
+        optimum = Optimum(*sample(mission.problem, extremal))
     columns = flight_columns(mission, history, optimum)
     try:
         if path.suffix == ".png":

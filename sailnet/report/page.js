@@ -30,8 +30,8 @@
 
   function axis(title, logarithmic) {
     const made = { title: { text: title, standoff: 8 }, automargin: true, gridcolor: "#e6e6e6", zeroline: false,
-                   linecolor: "#8c8c8c", ticks: "outside", tickcolor: "#8c8c8c" };
-    if (logarithmic) Object.assign(made, { type: "log", exponentformat: "power" });
+                   linecolor: "#8c8c8c", ticks: "outside", tickcolor: "#8c8c8c", exponentformat: "power" };
+    if (logarithmic) made.type = "log";
     return made;
   }
 
@@ -49,6 +49,27 @@
 
   const sheet = { width: 24, height: 24, path: "M3 3h18v18H3V3zm2 4v4h6V7H5zm8 0v4h6V7h-6zm-8 6v6h6v-6H5zm8 0v6h6v-6h-6z" };
 
+  // Words become numbers, so that every curve has a place of its own in the row of a word.
+  function inRows(made, number, of, words) {
+    const errors = made.error_y, offset = 0.6 * ((number + 0.5) / of - 0.5);
+    made.text = words.map((word, i) => {
+      const ends = errors ? ` (${(made.y[i] - errors.arrayminus[i]).toFixed(2)} to ${(made.y[i] + errors.array[i]).toFixed(2)})` : "";
+      return `${word}<br>${made.name} ${made.y[i].toFixed(2)}${ends}`;
+    });
+    Object.assign(made, { x: made.y, y: words.map((_, i) => i + offset), hoverinfo: "text", error_x: errors });
+    delete made.error_y;
+    return made;
+  }
+
+  function wrapped(text, width) {
+    const lines = [""];
+    for (const word of text.split(" ")) {
+      if (lines.at(-1) !== "" && lines.at(-1).length + word.length >= width) lines.push(word);
+      else lines.push(`${lines.pop()} ${word}`.trim());
+    }
+    return lines.join("<br>");
+  }
+
   function draw(place, chart, columns) {
     const curves = chart.curves.filter((curve) => columns[curve.x] && columns[curve.y]);
     const layout = {
@@ -58,18 +79,31 @@
       legend: { orientation: "h", x: 0, yref: "container", y: 0, yanchor: "bottom", font: { size: 11 } },
       paper_bgcolor: "#fff", plot_bgcolor: "#fff",
     };
+    const narrow = place.clientWidth < 480;
+    for (const side of [layout.xaxis, layout.yaxis]) side.title.text = wrapped(side.title.text, narrow ? 34 : 60);
     // Many names need room of their own, or they would take it from the curves.
     const names = curves.filter((curve) => curve.label !== "").length;
     if (names > 4) place.style.height = `${24 + 1.15 * (names - 4)}rem`;
     if (chart.equal) layout.yaxis.scaleanchor = "x";
     if (chart.x_range) layout.xaxis.range = chart.x_range;
+    const traces = curves.map((curve) => trace(curve, columns));
+    if (chart.rows) {
+      const words = columns[curves[0].x];
+      traces.forEach((made, number) => inRows(made, number, traces.length, words));
+      const texts = words.map((word) => wrapped(word.replaceAll("<", "&lt;").replaceAll(" TU", "\u00a0TU"), narrow ? 16 : 26));
+      Object.assign(layout.xaxis, { title: { text: chart.y }, nticks: 6 });
+      Object.assign(layout.yaxis, { title: { text: "" }, tickmode: "array", tickvals: words.map((_, i) => i), ticktext: texts,
+                                    range: [words.length - 0.5, -0.5], showgrid: false });
+      const lines = Math.max(...texts.map((text) => text.split("<br>").length));
+      place.style.height = `${9 + words.length * Math.max(2.4, 0.6 + 0.95 * lines)}rem`;
+    }
     const config = {
       responsive: true, displaylogo: false,
       modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
       toImageButtonOptions: { filename: chart.name, scale: 3 },
       modeBarButtonsToAdd: [{ name: "csv", title: "Save as CSV", icon: sheet, click: () => save(chart, columns) }],
     };
-    return Plotly.newPlot(place, curves.map((curve) => trace(curve, columns)), layout, config).then(() => {
+    return Plotly.newPlot(place, traces, layout, config).then(() => {
       place.dataset.drawn = "yes";
       place.on("plotly_click", (event) => {
         const row = event.points[0].customdata;
@@ -78,9 +112,41 @@
     });
   }
 
-  const flights = new Map(content.flights.map((flight) => [flight.row, flight]));
-  const order = content.flights.map((flight) => flight.row);
+  // The flights are deflated, some together: packed.py says how. Blocks are unpacked when one of them is opened.
+  const order = content.flights.rows, together = content.flights.together, unpacked = new Map();
+  const flights = new Map(order.map((row, place) => [row, place]));
   let current = -1;
+
+  async function inflate(text) {
+    const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+  }
+
+  function unpack(bytes) {
+    const length = new DataView(bytes.buffer).getUint32(0, true);
+    let next = 4 + length;
+    const column = ([, size, low, step, logarithmic]) => {
+      const values = new Array(size);
+      for (let i = 0, level = 0; i < size; i++) {
+        level = (level + bytes[next + i] + 256 * bytes[next + size + i]) & 65535;
+        const value = low + step * level;
+        values[i] = level === 65535 ? null : Number((logarithmic ? 10 ** value : value).toPrecision(6));
+      }
+      next += 2 * size;
+      return values;
+    };
+    return JSON.parse(new TextDecoder().decode(bytes.subarray(4, next))).map((flight) => ({
+      ...flight,
+      columns: Object.fromEntries(flight.columns.map((one) => [one[0], one.length === 2 ? one[1] : column(one)])),
+    }));
+  }
+
+  async function load(row) {
+    const place = flights.get(row), block = Math.floor(place / together);
+    if (!unpacked.has(block)) unpacked.set(block, inflate(content.flights.blocks[block]).then(unpack));
+    return (await unpacked.get(block))[place % together];
+  }
 
   function element(name, text) {
     const made = document.createElement(name);
@@ -88,11 +154,17 @@
     return made;
   }
 
-  function open(row) {
-    const flight = flights.get(row), section = document.getElementById("flight");
-    const columns = { ...content.common, ...flight.columns };
-    current = order.indexOf(row);
+  async function open(row) {
+    const section = document.getElementById("flight");
+    current = flights.get(row);
     section.hidden = false;
+    if (!("DecompressionStream" in window)) {
+      document.getElementById("flight-title").textContent = "This browser is too old to unpack flights: one of 2023 or later does.";
+      return;
+    }
+    const flight = await load(row);
+    if (current !== flights.get(row)) return;  // another was opened meanwhile
+    const columns = { ...content.common, ...flight.columns };
     document.getElementById("flight-title").textContent = flight.title;
     document.getElementById("flight-facts").replaceChildren(...Object.entries(flight.facts).map(([name, value]) => {
       const fact = element("div");
@@ -114,8 +186,11 @@
     }
     drawn.forEach(([place, chart]) => draw(place, chart, columns));
     document.querySelectorAll(".flights a").forEach((link) => {
-      if (link.hash === `#flight-${row}`) link.setAttribute("aria-current", "true");
-      else link.removeAttribute("aria-current");
+      if (link.hash !== `#flight-${row}`) link.removeAttribute("aria-current");
+      else {
+        link.setAttribute("aria-current", "true");
+        link.closest("details").open = true;
+      }
     });
     section.scrollIntoView();
   }

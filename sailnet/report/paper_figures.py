@@ -18,6 +18,7 @@ from sailnet.report.comparison import Row, case_rows, noise_rows, random_start_r
 from sailnet.report.evaluation import Flown
 from sailnet.report.figures import BAD, GREY, NETWORK, OPTIMUM, Optimum
 from sailnet.report.flight_charts import common_columns, flight_columns, flight_templates
+from sailnet.report.reproduction import reproduction_charts, shipped_record
 
 NOISE, RANDOM = "β noise ±15 %", "random starts"
 
@@ -78,9 +79,10 @@ def paper_rows(flights: PaperFlights, seed: int) -> list[Row]:
 
 
 def paper_charts(mission: Mission, flights: PaperFlights) -> list[Chart]:
-    """Figs 3 to 5 and 8 to 14; Fig. 7, the training, is in the report of a reproduction."""
+    """Figs 3 to 5 and 7 to 14; 7, 8b and 8d only where a reproduction was shipped."""
+    record = shipped_record(mission)
     first, second, noise = (flights.single[name] for name in (*paper.CASES, NOISE))
-    return [
+    drawn = [
         _nominal_commands(mission),
         *_jump(second),
         _of_flight(mission, first, "left", "fig-8a", "Fig. 8a: time of flight left, Case 1"),
@@ -92,6 +94,14 @@ def paper_charts(mission: Mission, flights: PaperFlights) -> list[Chart]:
         _of_flight(mission, noise, "command", "fig-13", "Fig. 13: cone angle, ±15 % noise on β"),
         _all_paths(mission, flights.histories),
     ]
+    if record is not None:
+        drawn += reproduction_charts(record, first.optimum, mission.sail.max_cone_angle)
+    return sorted(drawn, key=_number)
+
+
+def _number(chart: Chart) -> tuple[int, str]:
+    figure = chart.name.split("-")[1]
+    return int(figure.rstrip("abcd")), figure
 
 
 def _nominal_commands(mission: Mission) -> Chart:
