@@ -5,6 +5,8 @@ MISSION ?= earth_mars
 BUILD   ?= build/$(MISSION)
 SEED    ?= 2
 FLIGHTS ?= 10000
+# Processes that `make test` spreads over.
+JOBS    ?= 2
 # wide: the networks that fly; box: the paper's own recipe, for missions that have one.
 RECIPE  ?= wide
 PYTHON3 ?= python3
@@ -120,7 +122,7 @@ lint: | $(READY)
 	$(PYTHON) -m mypy
 
 test: lint
-	$(PYTHON) -m pytest
+	$(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
 # Proof, fuzzing, memcheck, MISRA, coverage and warnings of the C that ships; a tool that is missing is named.
 checks: | $(READY)
