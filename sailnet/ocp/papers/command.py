@@ -4,7 +4,7 @@ import json
 import math
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 from tqdm import tqdm
@@ -12,7 +12,7 @@ from tqdm import tqdm
 from sailnet.errors import SailnetError
 from sailnet.files import fill_block, split_at_block, write_whole
 from sailnet.ocp.papers import bbsr, delta, ponn, sail, trial
-from sailnet.ocp.papers.row import Row
+from sailnet.ocp.papers.row import Row, record_of
 from sailnet.ocp.papers.trial import Trial
 from sailnet.provenance import software
 
@@ -146,7 +146,7 @@ def _problem(row: Entry) -> str:
 
 def _object(row: Entry) -> dict[str, object]:
     """As JSON has it, which knows no NaN: null."""
-    values = asdict(row) | ({"difference": row.difference} if isinstance(row, Trial) else {})
+    values = record_of(row) | ({"difference": row.difference} if isinstance(row, Trial) else {})
     return {
         key: None if isinstance(value, float) and not math.isfinite(value) else value
         for key, value in values.items()
