@@ -84,7 +84,13 @@
     // Many names need room of their own, or they would take it from the curves.
     const names = curves.filter((curve) => curve.label !== "").length;
     if (names > 4) place.style.height = `${24 + 1.15 * (names - 4)}rem`;
-    if (chart.equal) layout.yaxis.scaleanchor = "x";
+    if (chart.equal) {
+      layout.yaxis.scaleanchor = "x";
+      // With equal scales a margin changes the range, hence the labels, hence the margin, and so on.
+      layout.xaxis.automargin = "height";
+      layout.yaxis.automargin = false;
+      layout.margin.l = 64;
+    }
     if (chart.x_range) layout.xaxis.range = chart.x_range;
     if (chart.y_range) layout.yaxis.range = chart.y_range;
     const traces = curves.map((curve) => trace(curve, columns));

@@ -11,7 +11,7 @@ from sailnet.ocp.papers.trial import Trial
 from sailnet.report.charts import Chart, for_page, write_csv, write_picture
 from sailnet.report.flight_page import chart_page
 from sailnet.report.problem_views import view_of
-from sailnet.report.solution_charts import solution_charts, solution_columns
+from sailnet.report.solution_charts import is_smoothed, solution_charts, solution_columns
 from sailnet.report.views import slug
 
 Entry = Row | Trial
@@ -128,7 +128,7 @@ def _shown(name: str, solver: str, solved: Solved, entry: Entry) -> Shown:
     cost = f"{solution.cost * scale:.9g}{_of(unit)}"
     times = ", ".join(f"{switch.time * view.time_scale:.6g}" for switch in solution.switches)
     count = len(solution.switches)
-    smoothed = f", ρ = {solution.rho:.3g}" if solution.rho > 0.0 and solved.problem.bounded else ""
+    smoothed = f", ρ = {solution.rho:.3g}" if is_smoothed(solved) else ""
     facts = {
         "found by": solver + smoothed,
         "settings and guess": entry.settings if isinstance(entry, Trial) else "",

@@ -60,6 +60,12 @@ def solution_columns(solution: Solution) -> Columns:
     }
 
 
+def is_smoothed(solved: Solved) -> bool:
+    """Whether there is a bound to smooth, and the solution does so."""
+    bounds = [bound for one in solved.problem.bounded for bound in (one.lower, one.upper)]
+    return solved.solution.rho > 0.0 and bool(np.isfinite(bounds).any())
+
+
 def expected_hamiltonian(solved: Solved) -> float | None:
     """What the Hamiltonian has to be all along, if the final time is free and nothing depends on time."""
     problem, solution = solved.problem, solved.solution
@@ -141,7 +147,7 @@ class _OverTime:
         """How far the Hamiltonian is from what it has to be."""
         off = np.abs(self.solved.solution.hamiltonian - self.wanted)
         caption, rho = f"At most {np.nanmax(off):.1e}.", self.solved.solution.rho
-        if rho > 0.0 and self.solved.problem.bounded:
+        if is_smoothed(self.solved):
             caption += (
                 f" The control is smoothed, with ρ = {rho:.3g}, and so does not quite minimise H, which"
                 " changes by that."
@@ -207,7 +213,7 @@ class _OverTime:
 
     def _counted(self, switches: int) -> str:
         # Where a smoothed control meets its bounds is a matter of taste.
-        none = "" if self.solved.solution.rho > 0.0 else "No switch."
+        none = "" if is_smoothed(self.solved) else "No switch."
         return {0: none, 1: "Upright: the switch."}.get(switches, f"Upright: {switches} switches.")
 
 
