@@ -112,9 +112,12 @@ ship: $(run)/acceptance.json $(run)/bench.json $(run)/agreement.json
 benchmarks: | $(READY)
 	$(PYTHON) -m benchmarks --seed $(SEED)
 
-# Every figure that the four papers on optimal control print, beside ours and a second method's; some minutes.
+# Every figure that the four papers on optimal control print, beside ours and a second method's, and a page with
+# every solution drawn; some minutes.
 papers: | $(READY)
 	$(VENV)/bin/sailnet papers --output build/papers --readme sailnet/ocp/README.md
+	@echo
+	@echo "The report: build/papers/index.html"
 
 lint: | $(READY)
 	$(PYTHON) -m ruff check .

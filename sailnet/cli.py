@@ -159,11 +159,15 @@ def _parser() -> argparse.ArgumentParser:
     info.set_defaults(run=_info)
 
     about = "What four papers print, beside ours and a second method's; minutes."
-    example = "example: sailnet papers 003; sailnet papers sail; sailnet papers goddard --json"
+    example = (
+        "example: sailnet papers 003; sailnet papers sail --output pictures; sailnet papers goddard --json"
+    )
     papers = commands.add_parser("papers", help=about, description=about, epilog=example)
     papers.add_argument("name", metavar="NAME", nargs="?", help="number of a paper or a problem (all)")
     papers.add_argument("--json", action="store_true", help="print one JSON list and nothing else")
-    papers.add_argument("--output", metavar="DIR", type=Path, help="write papers.json, papers.md there")
+    papers.add_argument(
+        "--output", metavar="DIR", type=Path, help="write papers.json, papers.md, a page and pictures there"
+    )
     papers.add_argument("--readme", metavar="FILE", type=Path, help="fill its blocks `papers` and `sail`")
     papers.set_defaults(run=_papers)
     return parser
@@ -268,9 +272,9 @@ def _guide(options: argparse.Namespace) -> Result:
 
 def _fly(options: argparse.Namespace) -> Result:
     from sailnet.backends import load_guidance
-    from sailnet.campaign.command import report
     from sailnet.expert import solve
     from sailnet.flight import Ending, fly
+    from sailnet.report import report
 
     mission = load_mission(options.mission)
     state = _state(options)

@@ -4,14 +4,10 @@ import base64
 import csv
 import hashlib
 import json
-import os
 import re
-import shutil
 import struct
-import subprocess
 import zlib
 from dataclasses import replace
-from html import unescape
 from pathlib import Path
 from typing import Any
 
@@ -38,6 +34,7 @@ from sailnet.report.flight_charts import flight_charts, flight_columns
 from sailnet.report.flight_page import LIBRARY, chart_page
 from sailnet.report.opened import opened_groups
 from sailnet.report.packed import TOGETHER, pack_flights
+from tests.browser import browse, told
 
 MISSION = load_mission("earth_mars")
 GUIDANCE = load_guidance(MISSION)
@@ -66,26 +63,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> tuple[Results, Path]:
     return results, folder / "page"
 
 
-def browse(profile: Path, *arguments: str) -> str:
-    """The document after its scripts; complaints of the browser fail."""
-    found = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    if found is None:
-        pytest.skip("no Chromium: apt-get install chromium runs the page in a real browser")
-    sandbox = ("--no-sandbox",) if os.geteuid() == 0 else ()
-    done = subprocess.run(
-        [
-            found, "--headless", "--disable-gpu", "--disable-quic", "--no-first-run", *sandbox,
-            "--disable-background-networking", "--disable-component-update", "--disable-sync",
-            f"--user-data-dir={profile}", "--enable-logging=stderr", "--v=0", "--virtual-time-budget=20000",
-            "--dump-dom", *arguments,
-        ],
-        capture_output=True, text=True, timeout=120, check=True,
-    )  # fmt: skip
-    assert "CONSOLE" not in done.stderr
-    return done.stdout
-
-
-FOLLOW = """<script>
+FOLLOW = """
 const seen = [];
 addEventListener("error", (event) => seen.push(event.message));
 setTimeout(() => {
@@ -110,24 +88,13 @@ setTimeout(() => {
     }), "*"), 3000);
   }, 3000);
 }, 4000);
-</script></body>"""
+"""
 
 
 @pytest.mark.parametrize("width", [1280, 390])
 def test_charts_appear_and_a_failure_opens(flown: tuple[Results, Path], tmp_path: Path, width: int) -> None:
-    """On a desktop and on a phone: in a frame of that width, since a window is never so narrow."""
-    followed = tmp_path / "followed.html"
-    followed.write_text((flown[1] / "index.html").read_text("utf-8").replace("</body>", FOLLOW), "utf-8")
-    outer = tmp_path / "outer.html"
-    outer.write_text(
-        f'<iframe src="followed.html" width="{width}" height="900" style="border:0"></iframe><pre></pre>'
-        '<script>addEventListener("message", (event) => '
-        'document.querySelector("pre").textContent = event.data)</script>'
-    )
-    text = browse(tmp_path / "profile", f"--window-size={width + 100},1000", outer.as_uri())
-    told = re.search(r"<pre>(\{.*\})</pre>", text)
-    assert told is not None
-    said = json.loads(unescape(told[1]))
+    """On a desktop and on a phone."""
+    said = told(flown[1] / "index.html", tmp_path, width, FOLLOW)
     assert said["errors"] == []
     assert said["window"] == width
     assert said["width"] <= width

@@ -23,7 +23,7 @@ from sailnet.ocp import (
     symbols,
 )
 from sailnet.ocp.flow import Flow
-from sailnet.ocp.problems import earth_mars, goddard, intercept
+from sailnet.ocp.problems import earth_mars, goddard, intercept, leo_geo
 from sailnet.ocp.shooting_equations import Shooting
 from tests.test_ocp_problem import differences
 
@@ -229,6 +229,41 @@ def test_a_sharp_switch_is_not_stepped_over() -> None:
             end = Flow(problem, smoothing)(0.0, 1.0, start, rho)[0]
             # By symmetry as much of u = 1 as of u = -1.
             assert end[1] == pytest.approx(0.0, abs=1e-7), (smoothing.name, rho)
+
+
+def test_arcs_refuse_a_root_that_the_law_would_not_fly() -> None:
+    """An oscillator stopped in the least time: one arc less has a root too, whose S has the wrong sign."""
+    x, v, u = symbols("x v u")
+    problem = Problem(
+        "oscillator",
+        "",
+        {x: v, v: u - x},
+        [Bounded(u, -1.0, 1.0)],
+        FreeTime(6.0),
+        {x: 3.0, v: 0.0},
+        {x: 0.0, v: 0.0},
+        running_cost=1.0,
+    )
+    smooth = shooting.solve(problem, L2Norm(), Schedule(1.0, 1e-2), guess=shooting.RandomCostates())
+    right = arcs.solve(problem, smooth)
+    # By hand: half circles around (1, 0) and (-1, 0), the middle one whole, so the switches are pi apart.
+    assert right.message == "arcs - + -"
+    assert np.diff([switch.time for switch in right.switches]) == pytest.approx(np.pi, abs=1e-9)
+    with pytest.raises(ConvergenceError, match="break the control law in between") as caught:
+        arcs.solve(problem, smooth, [(0.0, "+"), (2.0, "-")])
+    assert caught.value.residuals["largest"] < 1e-10
+    assert caught.value.residuals["law"] > 0.1
+
+
+def test_a_law_that_never_switches_flies_in_lanes() -> None:
+    """Nothing of LEO-GEO in minimum time is bounded: exact and smoothed law are one, and compile as fast."""
+    exact, smooth = (Flow(leo_geo.minimum_time(), form) for form in (Exact(), L2Norm()))
+    assert exact._in_lanes
+    assert smooth._in_lanes
+    assert not Flow(leo_geo.minimum_fuel(), Exact())._in_lanes
+    y = np.concatenate([[*leo_geo.start(), 1.0], leo_geo.COSTATES["time"]])
+    ends = [flow(0.0, 0.5, y, extras)[0] for flow, extras in ((exact, np.zeros(0)), (smooth, 1.0))]
+    np.testing.assert_allclose(ends[0], ends[1], rtol=1e-12)
 
 
 def test_no_convergence_says_so() -> None:

@@ -2,9 +2,7 @@
 
 import argparse
 from contextlib import nullcontext
-from importlib import import_module
 from pathlib import Path
-from typing import Any
 
 from sailnet.backends import load_guidance
 from sailnet.campaign.plan import load_plan
@@ -14,6 +12,7 @@ from sailnet.disturbances import catalogue
 from sailnet.errors import SailnetError
 from sailnet.executors import workers
 from sailnet.mission import load_mission
+from sailnet.report import report
 
 
 def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
@@ -56,15 +55,3 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
         result["scores"] = [score_record(score) for score in scores]
         result["paper"] = [vars(row) for row in rows]
     return result | {"digest": results.digest}
-
-
-def report(module: str) -> Any:
-    """A module of :mod:`sailnet.report`, whose packages are not installed by default.
-
-    Raises:
-        SailnetError: they are not.
-    """
-    try:
-        return import_module(f"sailnet.report.{module}")
-    except ImportError as error:
-        raise SailnetError(f"no pictures here ({error}): pip install 'sailnet[report]'") from error

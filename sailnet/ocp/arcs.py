@@ -24,6 +24,9 @@ from sailnet.ocp.switching import structure_of
 from sailnet.ocp.tabulate import Arc, largest, tabulate
 from sailnet.ocp.tangents import LostError
 
+LAWFUL = 1e-6
+"""Largest relative violation of the control law that counts as rounding."""
+
 MODES = {"+": 1.0, "-": -1.0, "0": 0.0, "s": 0.0}
 """Upper bound, lower bound, between (a control quadratic in H), singular."""
 
@@ -172,7 +175,8 @@ def solve(
         samples: points of the solution, at least.
 
     Raises:
-        ConvergenceError: if there is no solution of this structure near the guess.
+        ConvergenceError: if there is no solution of this structure near the guess, or only one that the
+            control law would not fly.
     """
     began = time.perf_counter()
     chosen = list(structure or structure_of(problem, guess))
@@ -190,9 +194,26 @@ def solve(
             f"{what} do not meet; another structure may", {"largest": step.residual}, [step]
         )
     solution = _tabulate(equations, root.z, samples)
+    broken = _broken(equations, root.z[len(root.z) - len(begins) :], solution)
+    if broken > LAWFUL:
+        raise ConvergenceError(
+            f"{what} meet and break the control law in between; another structure may keep it",
+            {"largest": step.residual, "law": broken},
+            [step],
+        )
     solution.residuals |= largest(root.residual, equations.kinds)
     solution.history, solution.wall_time = [step], time.perf_counter() - began
     return solution
+
+
+def _broken(equations: Arcs, times: Array, solution: Solution) -> float:
+    """The largest violation of the law along a solution, see :meth:`Arcs.violation`."""
+    clock, y = solution.time, np.hstack([solution.state, solution.costate])
+    worst = 0.0
+    for k, (begin, end) in enumerate(pairwise([0.0, *times, solution.final_time])):
+        within = (clock >= begin) & (clock <= end)
+        worst = max(worst, equations.violation(k, clock[within], y[within]))
+    return worst
 
 
 def _tabulate(equations: Arcs, z: Array, samples: int) -> Solution:

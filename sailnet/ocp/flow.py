@@ -31,6 +31,20 @@ LANES_FROM = 10
 """States and costates from which on tangents fly in lanes; fewer are carried in one system faster."""
 
 
+def events_of(equations: Canonical, form: Form) -> list[tuple[int, Expression]]:
+    """The bounded control and the expression, at whose zeros a step must end, of every event of a form."""
+    if isinstance(form, Singular):
+        return []
+    if isinstance(form, Exact):
+        return [(i, corner) for i, corner in enumerate(equations.corners) if hy.get_variables(corner)]
+    found = []
+    for i, (_, s) in enumerate(equations.switching):
+        # A control quadratic in H has no layer: its switching function is that of the law itself.
+        if form.layer and equations.corners[i] == s:
+            found += [(i, s - form.layer * RHO), (i, s + form.layer * RHO)]
+    return found
+
+
 class _Integrator:
     """A heyoka integrator and the callbacks that serve it."""
 
@@ -46,30 +60,20 @@ class _Integrator:
             system = hy.var_ode_sys(system, equations.variables[:columns], order=1)
         self.watching: _Watch | None = None
         size = self.size * (1 + columns)
-        events = [hy.t_event(hy.subs(e, places), callback=_Callback(self, i)) for i, e in self._events()]
+        events = [
+            hy.t_event(hy.subs(e, places), callback=_Callback(self, i)) for i, e in events_of(equations, form)
+        ]
         self.taylor = hy.taylor_adaptive(
             system,
             np.ones(size),
             t_events=events,
             tol=tolerance,
-            compact_mode=size > 30,
+            # Straight code takes half the time to run and six times as long to compile, half a minute on a
+            # busy machine: it pays where many trajectories are flown, along a continuation.
+            compact_mode=size > 30 or cost or isinstance(form, Exact | Singular),
         )
         self.state = self.taylor.state
         self.extras = np.zeros(len(equations.extras))
-
-    def _events(self) -> list[tuple[int, Expression]]:
-        if isinstance(self.form, Singular):
-            return []
-        if isinstance(self.form, Exact):
-            return [
-                (i, corner) for i, corner in enumerate(self.equations.corners) if hy.get_variables(corner)
-            ]
-        found = []
-        for i, (_, s) in enumerate(self.equations.switching):
-            # A control quadratic in H has no layer: its switching function is that of the law itself.
-            if self.form.layer and self.equations.corners[i] == s:
-                found += [(i, s - self.form.layer * RHO), (i, s + self.form.layer * RHO)]
-        return found
 
     def fly(self, start: float, stop: float, y: Array, tangents: Array | None, pars: Array) -> None:
         """Propagate from one time to another; the end is in ``state``."""
@@ -180,8 +184,8 @@ class Flow:
         self.equations = canonical(problem, form)
         self._values = np.array(list(problem.parameters.values()), float)
         # Events belong to a trajectory, and lanes would each have their own.
-        smooth = not isinstance(form, Exact | Singular) and not form.layer
-        self._in_lanes = smooth and len(self.equations.variables) >= LANES_FROM
+        eventless = not isinstance(form, Singular) and not events_of(self.equations, form)
+        self._in_lanes = eventless and len(self.equations.variables) >= LANES_FROM
 
     def __call__(
         self,

@@ -66,6 +66,11 @@ class ProblemFunctions:
         inputs = self._inputs(np.reshape(np.asarray(time, float), (-1, 1)), state)
         return self._ends("phi", inputs, [self.problem.terminal_cost])[:, 0]
 
+    def terminal_cost_by_time(self, time: ArrayLike, state: ArrayLike) -> Array:
+        """(m,) its derivatives by the final time: what -H is at a free one without equations in time."""
+        inputs = self._inputs(np.reshape(np.asarray(time, float), (-1, 1)), state)
+        return self._ends("dphi/dt", inputs, [self.problem.terminal_cost], [TIME])[:, 0, 0]
+
     def hamiltonian(self, time: ArrayLike, state: ArrayLike, costate: ArrayLike, control: ArrayLike) -> Array:
         """(m,) H = L + lambda . f."""
         inputs = self._with_costate(time, state, costate, control)

@@ -11,6 +11,7 @@ from typing import Any
 
 import heyoka as hy
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.optimize import minimize
 
 from sailnet.dynamics import Array
@@ -97,15 +98,20 @@ class SwitchTimes:
         return x[self.columns] - self.target, slopes[self.columns]
 
 
-def solve(problem: Problem, guess: Solution, goal: float = 1e-9) -> BangBang:
+def solve(
+    problem: Problem, guess: Solution, goal: float = 1e-9, lengths: ArrayLike | None = None
+) -> BangBang:
     """Minimise the final time over the lengths of the arcs of a smoothed solution.
 
     Args:
         problem: see :class:`SwitchTimes`.
         guess: its switches are those that are kept; a singular arc should be resolved into some.
         goal: largest miss of the final state.
+        lengths: (arcs,) of the arcs to begin at, where nothing but the structure is to come from the guess;
+            the guess's own by default.
 
     Raises:
+        SailnetError: if the lengths are not as many as the arcs.
         ConvergenceError: if the program has no solution near the guess.
     """
     names = problem.names["switching"]
@@ -115,12 +121,15 @@ def solve(problem: Problem, guess: Solution, goal: float = 1e-9) -> BangBang:
         c.upper if s < 0.0 else c.lower for c, s in zip(problem.bounded, guess.switching[0], strict=True)
     ]
     arcs = SwitchTimes(problem, np.array(first), order)
-    lengths = np.diff([0.0, *(switch.time for switch in guess.switches), guess.final_time])
+    own = np.diff([0.0, *(switch.time for switch in guess.switches), guess.final_time])
+    begin = own if lengths is None else np.asarray(lengths, float)
+    if begin.shape != own.shape:
+        raise SailnetError(f"{problem.name} needs the lengths of {len(own)} arcs, got {begin.shape}")
     result = minimize(
         np.sum,
-        lengths,
+        begin,
         jac=np.ones_like,
-        bounds=[(0.0, None)] * len(lengths),
+        bounds=[(0.0, None)] * len(begin),
         constraints={
             "type": "eq",
             "fun": lambda x: arcs.fly(x)[0],

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from sailnet.files import write_whole
 
 DIGITS = 5
-"""Significant digits of a number in a page."""
+"""Significant digits of a number in a page, if its charts need no more."""
 
 PALETTE = ("#0b6e99", "#e07a1f", "#8a6bbf", "#2e8b57", "#c0392b", "#7f6a3a", "#d06fa8", "#4a4a4a")
 """Told apart by most eyes, in this order."""
@@ -65,7 +65,7 @@ class Chart:
         columns: by name; numbers, or words for the places on an axis.
         logarithmic: axes with a logarithmic scale.
         equal: whether both axes have the same scale.
-        x_range: of the axis, if it is not chosen by the data.
+        x_range, y_range: of the axes, if they are not chosen by the data.
         rows: whether x is words, each of which gets a row of its own with room for every curve, and y runs
             to the right.
     """
@@ -80,6 +80,7 @@ class Chart:
     logarithmic: str = ""
     equal: bool = False
     x_range: tuple[float, float] | None = None
+    y_range: tuple[float, float] | None = None
     rows: bool = False
 
     def with_columns(self, columns: Mapping[str, ArrayLike]) -> "Chart":
@@ -91,21 +92,21 @@ class Chart:
         return Chart(**values)
 
 
-def for_page(chart: Chart) -> dict[str, Any]:
-    """A chart as the page's script reads it."""
+def for_page(chart: Chart, digits: int = DIGITS) -> dict[str, Any]:
+    """A chart as the page's script reads it, with some significant digits of every number."""
     curves = [vars(curve) for curve in chart.curves]
-    return {**vars(chart), "curves": curves, "columns": page_columns(chart.columns)}
+    return {**vars(chart), "curves": curves, "columns": page_columns(chart.columns, digits)}
 
 
-def page_columns(columns: Mapping[str, ArrayLike]) -> dict[str, list[Any]]:
+def page_columns(columns: Mapping[str, ArrayLike], digits: int = DIGITS) -> dict[str, list[Any]]:
     """Columns for JSON: few digits, and null for what is no number."""
-    return {name: _short(np.asarray(values)) for name, values in columns.items()}
+    return {name: _short(np.asarray(values), digits) for name, values in columns.items()}
 
 
-def _short(values: Values) -> list[Any]:
+def _short(values: Values, digits: int) -> list[Any]:
     if values.dtype.kind != "f":
         return list(values.tolist())
-    return [float(f"{value:.{DIGITS}g}") if np.isfinite(value) else None for value in values.tolist()]
+    return [float(f"{value:.{digits}g}") if np.isfinite(value) else None for value in values.tolist()]
 
 
 def write_csv(path: Path, columns: Mapping[str, ArrayLike]) -> None:
@@ -167,6 +168,8 @@ def draw_chart(axes: Any, chart: Chart) -> None:
         axes.set_aspect("equal", adjustable="datalim")
     if chart.x_range:
         axes.set_xlim(*chart.x_range)
+    if chart.y_range:
+        axes.set_ylim(*chart.y_range)
     labels = sum(bool(curve.label) for curve in chart.curves)
     if labels > 1:
         axes.legend(fontsize=8, frameon=False, loc="upper left", bbox_to_anchor=(0.0, -0.14), ncols=2)

@@ -84,8 +84,15 @@
     // Many names need room of their own, or they would take it from the curves.
     const names = curves.filter((curve) => curve.label !== "").length;
     if (names > 4) place.style.height = `${24 + 1.15 * (names - 4)}rem`;
-    if (chart.equal) layout.yaxis.scaleanchor = "x";
+    if (chart.equal) {
+      layout.yaxis.scaleanchor = "x";
+      // With equal scales a margin changes the range, hence the labels, hence the margin, and so on.
+      layout.xaxis.automargin = "height";
+      layout.yaxis.automargin = false;
+      layout.margin.l = 64;
+    }
     if (chart.x_range) layout.xaxis.range = chart.x_range;
+    if (chart.y_range) layout.yaxis.range = chart.y_range;
     const traces = curves.map((curve) => trace(curve, columns));
     if (chart.rows) {
       const words = columns[curves[0].x];
@@ -205,11 +212,28 @@
   }
 
   const charts = new Map(content.charts.map((chart) => [chart.name, chart]));
-  const places = [...document.querySelectorAll("[data-chart]")];
-  Promise.all(places.map((place) => {
-    const chart = charts.get(place.dataset.chart);
-    return draw(place, chart, chart.columns);
-  })).then(() => {
+
+  // What is folded has no size to draw in: its charts wait until it is opened.
+  function show(whole) {
+    const places = [...whole.querySelectorAll("[data-chart]:not([data-begun])")];
+    return Promise.all(places.filter((place) => !place.closest("details:not([open])")).map((place) => {
+      const chart = charts.get(place.dataset.chart);
+      place.dataset.begun = "yes";
+      return draw(place, chart, chart.columns);
+    }));
+  }
+
+  function unfold() {
+    const target = document.getElementById(location.hash.slice(1));
+    if (!(target instanceof HTMLDetailsElement)) return;
+    target.open = true;
+    target.scrollIntoView();
+  }
+
+  document.querySelectorAll("details").forEach((part) => part.addEventListener("toggle", () => show(part)));
+  window.addEventListener("hashchange", unfold);
+  unfold();
+  show(document).then(() => {
     if (!document.getElementById("flight")) return;
     document.getElementById("previous").addEventListener("click", () => step(-1));
     document.getElementById("next").addEventListener("click", () => step(1));

@@ -1,22 +1,16 @@
-"""Paper 003: L2-norm regularisation of bang-bang and singular controls (BBSR), every printed figure.
-
-:func:`campaign` has the paper's fifty random starts on the transfer to Dionysus.
-"""
+"""Paper 003: L2-norm regularisation of bang-bang and singular controls (BBSR), every printed figure."""
 
 import time
-from contextlib import suppress
-from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp import arcs, collocation, multiple, shooting, survey, switch_times
 from sailnet.ocp.continuation import Schedule
 from sailnet.ocp.papers import dionysus
-from sailnet.ocp.papers.row import Row
+from sailnet.ocp.papers.row import Row, Solved
 from sailnet.ocp.problems import earth_dionysus, goddard, reorientation
 from sailnet.ocp.smoothing import Exact, L2Norm
-from sailnet.ocp.solution import ConvergenceError, Solution
+from sailnet.ocp.solution import Solution
 
 PAPER = "003"
 
@@ -27,9 +21,6 @@ TABLE_1 = {
     4.5: ("1.977102e-01", "1.013105e+00"),
 }
 """Of the paper: T_max -> t_f, h(t_f)."""
-
-BEST_MASS = 2718.32
-"""Final mass that counts as the best known [kg], to half a unit of its last digit."""
 
 
 def goddard_table() -> list[Row]:
@@ -51,10 +42,10 @@ def goddard_rows(thrust: float) -> list[Row]:
     in_limit = f"what is printed is the value at rho = 9.48e-5, {above:.1e} above the limit"
     longer = smooth.wall_time + limit.wall_time
     figures = [
-        ("t_f at rho = 9.48e-5", time_printed, smooth.final_time, pieces.final_time, at_rho),
-        ("h(t_f) at rho = 9.48e-5", height_printed, smooth["h"][-1], pieces["h"][-1], at_rho),
-        ("t_f, limit", time_printed, limit.final_time, sharp.final_time, in_limit),
-        ("h(t_f), limit", height_printed, limit["h"][-1], sharp["h"][-1], "to all digits printed"),
+        ("t_f at rho = 9.48e-5", time_printed, smooth, pieces, at_rho),
+        ("h(t_f) at rho = 9.48e-5", height_printed, smooth, pieces, at_rho),
+        ("t_f, limit", time_printed, limit, sharp, in_limit),
+        ("h(t_f), limit", height_printed, limit, sharp, "to all digits printed"),
     ]
     return [
         Row(
@@ -62,16 +53,28 @@ def goddard_rows(thrust: float) -> list[Row]:
             name,
             quantity,
             printed,
-            float(ours),
-            float(check),
-            "collocation, rho = 1e-8" if "limit" in quantity else "multiple shooting",
-            "agrees" if f"{ours:.6e}" == printed else "paper in error",
+            value(ours),
+            value(check),
+            "collocation, rho = 1e-8, begun at straight lines"
+            if ours is limit
+            else "multiple shooting, begun at ours",
+            "agrees" if f"{value(ours):.6e}" == printed else "paper in error",
             reason,
-            longer if "limit" in quantity else smooth.wall_time,
+            longer if ours is limit else smooth.wall_time,
             3.0,
+            solved=Solved(problem, ours),
         )
         for quantity, printed, ours, check, reason in figures
+        for value in [_altitude if quantity.startswith("h") else _duration]
     ]
+
+
+def _duration(solution: Solution) -> float:
+    return solution.final_time
+
+
+def _altitude(solution: Solution) -> float:
+    return float(solution["h"][-1])
 
 
 def reorientations(three_torques: bool, starts: int = 200, seed: int = 1) -> list[survey.Extremal]:
@@ -93,13 +96,15 @@ def first_reorientation() -> list[Row]:
     found = reorientations(three_torques=True)
     best, second = (exact_reorientation(one.solution) for one in found[:2])
     seconds = time.perf_counter() - began
-    check = switch_times.solve(reorientation.problem(), best)
+    solved = Solved(reorientation.problem(), best)
+    even = np.full(len(best.switches) + 1, 1.0 / 3.0)
+    check = switch_times.solve(solved.problem, best, lengths=even)
     count = sum(one.starts for one in found)
     reason = (
         f"fastest of {len(found)} extremals, which {found[0].starts} of {count} converged starts find;"
         f" another at {second.final_time:.6f} catches {found[1].starts}"
     )
-    method = "direct, over the lengths of the arcs"
+    method = "direct, over the lengths of the arcs, begun at 1/3 each"
     switches = [sum(switch.name == f"S_{i}" for switch in best.switches) for i in (1, 2, 3)]
     kept = int(np.sum(np.diff([0.0, *check.times]) > 0.0))
     name = "reorientation-1"
@@ -117,6 +122,7 @@ def first_reorientation() -> list[Row]:
             reason,
             seconds,
             6.0,
+            solved=solved,
         ),
         Row(
             PAPER,
@@ -130,6 +136,7 @@ def first_reorientation() -> list[Row]:
             f"{switches[0]}, {switches[1]} and {switches[2]}",
             seconds,
             6.0,
+            solved=solved,
         ),
     ]
 
@@ -154,9 +161,16 @@ def second_reorientation() -> list[Row]:
         f"to {over:.0e}: a control of {count} switches, found without costates, takes"
         f" {direct.final_time:.6f}, so that the last digit printed is too high"
     )
-    by_arcs = f"direct, over the lengths of {count + 1} arcs"
+    by_arcs = f"direct, over the lengths of {count + 1} arcs, begun at ours"
     figures = [
-        ("t_f at rho = 9.66e-6", at_rho, pieces.final_time, "multiple shooting", "as the limit", seconds),
+        (
+            "t_f at rho = 9.66e-6",
+            at_rho,
+            pieces.final_time,
+            "multiple shooting, begun at ours",
+            "as the limit",
+            seconds,
+        ),
         ("t_f, limit", limit, direct.final_time, by_arcs, proof, longer),
     ]
     return [
@@ -172,6 +186,7 @@ def second_reorientation() -> list[Row]:
             reason,
             wall_time,
             None,
+            solved=Solved(problem, ours),
         )
         for quantity, ours, check, method, reason, wall_time in figures
     ]
@@ -200,49 +215,12 @@ def dionysus_rows() -> list[Row]:
             printed,
             ours,
             second,
-            "collocation",
+            "collocation, begun at ours",
             "agrees" if right else "paper in error",
             "five revolutions, from costates of least effort",
             solution.wall_time,
             1.1,
+            solved=Solved(problem, solution),
         )
         for quantity, printed, ours, second, right in figures
     ]
-
-
-@dataclass(frozen=True)
-class Campaign:
-    """What random starts came to.
-
-    Attributes:
-        masses: (starts,) final mass [kg]; not a number where nothing converged.
-        seconds: (starts,) wall time, compilation left out.
-        processor_seconds: (starts,) of one core, which is what counts on a machine that is shared.
-    """
-
-    masses: Array
-    seconds: Array
-    processor_seconds: Array
-
-    @property
-    def best(self) -> int:
-        """How many reached the best known mass."""
-        return int(np.sum(np.abs(self.masses - BEST_MASS) < 0.005))
-
-
-def campaign(starts: int = 50, seed: int = 2026) -> Campaign:
-    """Random starts on the transfer to Dionysus.
-
-    The six initial costates of the problem of least effort are uniform in [-1, 1] times
-    :data:`dionysus.SCALE`. A start whose way is blocked is halved, as :func:`reach.solve` says.
-    """
-    draws = np.random.default_rng(seed).uniform(-1.0, 1.0, (starts, len(dionysus.SCALE))) * dionysus.SCALE
-    dionysus.solve(np.zeros(len(dionysus.SCALE)))
-    masses, seconds = np.full(starts, np.nan), np.empty(starts)
-    of_core = np.empty(starts)
-    for k, draw in enumerate(draws):
-        began, core = time.perf_counter(), time.process_time()
-        with suppress(ConvergenceError):
-            masses[k] = -dionysus.solve(draw).cost * earth_dionysus.MASS
-        seconds[k], of_core[k] = time.perf_counter() - began, time.process_time() - core
-    return Campaign(masses, seconds, of_core)

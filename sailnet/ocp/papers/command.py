@@ -4,7 +4,7 @@ import json
 import math
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 from tqdm import tqdm
@@ -12,9 +12,10 @@ from tqdm import tqdm
 from sailnet.errors import SailnetError
 from sailnet.files import fill_block, split_at_block, write_whole
 from sailnet.ocp.papers import bbsr, delta, ponn, sail, trial
-from sailnet.ocp.papers.row import Row
+from sailnet.ocp.papers.row import Row, record_of
 from sailnet.ocp.papers.trial import Trial
 from sailnet.provenance import software
+from sailnet.report import report
 
 AGREEMENT = 1e-6
 """Ours and the check may differ by this, relatively: six digits."""
@@ -63,7 +64,8 @@ def run(name: str | None, as_json: bool, folder: Path | None = None, readme: Pat
     Args:
         name: number of a paper or name of a problem; all of them by default.
         as_json: print a list of objects instead of tables.
-        folder: gets ``papers.json`` and ``papers.md`` too.
+        folder: gets ``papers.json``, ``papers.md``, and the page ``index.html`` with every solution drawn,
+            which are beside it as PNG and CSV too.
         readme: a file whose block ``papers`` gets the Markdown table too, and whose block ``sail`` the
             sail's, if all is well.
 
@@ -71,8 +73,10 @@ def run(name: str | None, as_json: bool, folder: Path | None = None, readme: Pat
         Exit status: 0, or 1 where ours and the check differ beyond six digits or nothing converged.
 
     Raises:
-        SailnetError: there is no such paper or problem, or the README has no such block.
+        SailnetError: there is no such paper or problem, the README has no such block, the folder cannot
+            be written, or there is nothing to draw with.
     """
+    pictures = report("papers_page") if folder is not None else None
     parts = _chosen(name)
     if readme is not None:
         if name is not None:
@@ -84,9 +88,6 @@ def run(name: str | None, as_json: bool, folder: Path | None = None, readme: Pat
     trials = [entry for entry in entries if isinstance(entry, Trial)]
     found = json.dumps([_object(entry) for entry in entries], indent=1, allow_nan=False)
     print(found if as_json else "\n\n".join(filter(None, [tables(rows), trial_table(trials)])))
-    if folder is not None:
-        _write(folder / "papers.json", found + "\n")
-        _write(folder / "papers.md", "\n\n".join([markdown(rows), *_trials_markdown(trials)]) + "\n")
     failures += [
         f"{row.problem}, {row.quantity}: ours {row.ours:.9g} and {row.check:.9g} by {row.check_method}"
         " are not the same to six digits; neither is to be trusted before it is known why"
@@ -95,6 +96,13 @@ def run(name: str | None, as_json: bool, folder: Path | None = None, readme: Pat
     ]
     wrong = trial.failure(trials) if trials else None
     failures += [wrong] if wrong else []
+    if folder is not None and pictures is not None:
+        try:
+            _write(folder / "papers.json", found + "\n")
+            _write(folder / "papers.md", "\n\n".join([markdown(rows), *_trials_markdown(trials)]) + "\n")
+            pictures.write_report(entries, failures, software(), folder)
+        except OSError as error:
+            raise SailnetError(f"cannot write {folder}: {error}") from error
     if readme is not None and not failures:
         fill_block(readme, BLOCK, markdown(rows))
         for table in _trials_markdown(trials):
@@ -146,7 +154,7 @@ def _problem(row: Entry) -> str:
 
 def _object(row: Entry) -> dict[str, object]:
     """As JSON has it, which knows no NaN: null."""
-    values = asdict(row) | ({"difference": row.difference} if isinstance(row, Trial) else {})
+    values = record_of(row) | ({"difference": row.difference} if isinstance(row, Trial) else {})
     return {
         key: None if isinstance(value, float) and not math.isfinite(value) else value
         for key, value in values.items()

@@ -1,9 +1,25 @@
 """One printed figure and what became of it."""
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, field, fields
+from typing import Any, Literal
+
+from sailnet.ocp.problem import Problem
+from sailnet.ocp.solution import Solution
 
 Verdict = Literal["agrees", "paper in error", "not reproducible"]
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """A problem and the solution that figures were read off.
+
+    Attributes:
+        problem: with the values of its parameters.
+        solution: of it.
+    """
+
+    problem: Problem
+    solution: Solution
 
 
 @dataclass(frozen=True)
@@ -23,6 +39,7 @@ class Row:
         seconds: wall time of ours.
         paper_seconds: the paper's, if it gives one.
         same: whether ours and the check are one and the same number, so that they must agree to six digits.
+        solved: where ours stands in; for pictures, left out of tables and JSON.
     """
 
     paper: str
@@ -37,3 +54,9 @@ class Row:
     seconds: float
     paper_seconds: float | None
     same: bool = True
+    solved: Solved | None = field(default=None, repr=False, compare=False)
+
+
+def record_of(entry: Any) -> dict[str, Any]:
+    """The fields of a :class:`Row` or of a :class:`~sailnet.ocp.papers.trial.Trial`, solutions left out."""
+    return {one.name: getattr(entry, one.name) for one in fields(entry) if one.name != "solved"}

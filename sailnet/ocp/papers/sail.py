@@ -12,8 +12,10 @@ from sailnet.errors import SailnetError
 from sailnet.mission import load_mission
 from sailnet.ocp import arcs, collocation, delta, multiple, ponn, shooting, switch_times
 from sailnet.ocp.continuation import Schedule
+from sailnet.ocp.papers.row import Solved
 from sailnet.ocp.papers.trial import MINIMUM, ROUNDING, Trial, Verdict
 from sailnet.ocp.ponn import Chebyshev, split
+from sailnet.ocp.problem import Problem
 from sailnet.ocp.problems import solar_sail
 from sailnet.ocp.smoothing import Exact, Saturation
 from sailnet.ocp.solution import Solution
@@ -158,7 +160,7 @@ class _Bench:
             near = self._run(before)[1] if before else None
             if before:
                 settings += f"; from the solution of {before}"
-            self.found[name] = _tried(name, settings, lambda: solve(near))
+            self.found[name] = _tried(self.problem, name, settings, lambda: solve(near))
         return self.found[name]
 
     def _directly(self, near: Solution | None) -> Solution:
@@ -178,7 +180,9 @@ def _given(near: Solution | None) -> Solution:
     return near
 
 
-def _tried(name: str, settings: str, solve: Callable[[], Solution]) -> tuple[Trial, Solution | None]:
+def _tried(
+    problem: Problem, name: str, settings: str, solve: Callable[[], Solution]
+) -> tuple[Trial, Solution | None]:
     began = time.perf_counter()
     try:
         found = solve()
@@ -189,7 +193,9 @@ def _tried(name: str, settings: str, solve: Callable[[], Solution]) -> tuple[Tri
     ends = [value for kind, value in found.residuals.items() if kind in _ENDS]
     near = abs(found.final_time - MINIMUM) <= ROUNDING
     verdict: Verdict = "agrees" if near else "differs"
-    return Trial(name, settings, found.final_time, max(ends), seconds, verdict, _worth(found, near)), found
+    worth, solved = _worth(found, near), Solved(problem, found)
+    trial = Trial(name, settings, found.final_time, max(ends), seconds, verdict, worth, solved=solved)
+    return trial, found
 
 
 def _worth(found: Solution, near: bool) -> str:

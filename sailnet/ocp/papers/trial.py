@@ -2,8 +2,10 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
+
+from sailnet.ocp.papers.row import Solved
 
 Verdict = Literal["agrees", "differs", "no solution"]
 
@@ -31,6 +33,7 @@ class Trial:
         seconds: wall time with compilation of what is not compiled yet, without the solution it begins at.
         verdict: on the printed figure, by this solver alone.
         reason: why there is no time, or what the time is worth.
+        solved: the solution, if there is one; for pictures, left out of tables and JSON.
     """
 
     solver: str
@@ -46,6 +49,7 @@ class Trial:
     printed: str = PRINTED
     check: float = MINIMUM
     check_method: str = "shooting with located switches, and arcs"
+    solved: Solved | None = field(default=None, repr=False, compare=False)
 
     @property
     def difference(self) -> float:

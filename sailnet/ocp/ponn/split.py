@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from sailnet.dynamics import Array
-from sailnet.ocp.arcs import Arcs
+from sailnet.ocp.arcs import LAWFUL, Arcs
 from sailnet.ocp.ponn.bases import Basis, Chebyshev
 from sailnet.ocp.ponn.network import Network
 from sailnet.ocp.ponn.table import tabulate
@@ -24,9 +24,6 @@ from sailnet.ocp.tangents import LostError
 
 GOAL = 1e-9
 """Mean loss of an accepted solution."""
-
-LAWFUL = 1e-6
-"""Largest relative violation of the control law that counts as rounding."""
 
 FULL_STEPS = 30
 """Most undamped steps before damped ones are tried."""

@@ -70,7 +70,7 @@ def from_position(r: ArrayLike, v: ArrayLike) -> Array:
 
 
 def to_position(elements: ArrayLike) -> tuple[Array, Array]:
-    """Position and velocity of elements."""
+    """Position and velocity, (3,) each, of (6,) elements; columns (3, m) of (6, m)."""
     p, f, g, h, k, longitude = np.asarray(elements, float)
     sin, cos = np.sin(longitude), np.cos(longitude)
     scale = 1.0 + h**2 + k**2
