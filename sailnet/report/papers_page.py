@@ -81,7 +81,10 @@ def write_report(
     rows = [entry for entry in entries if isinstance(entry, Row)]
     text = chart_page(
         "papers.html.jinja",
-        {"charts": [for_page(chart, DIGITS) for one in shown for chart in one.charts], "flights": {"rows": []}},
+        {
+            "charts": [for_page(chart, DIGITS) for one in shown for chart in one.charts],
+            "flights": {"rows": []},
+        },
         rows=rows,
         trials=[entry for entry in entries if isinstance(entry, Trial)],
         links={number: places[id(entry)] for number, entry in enumerate(rows) if id(entry) in places},
