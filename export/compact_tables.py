@@ -6,17 +6,23 @@ from collections.abc import Sequence
 import numpy as np
 
 from export.errors import ExportError
-from export.tables import LARGEST_OCTAVES, LOG2_E, centred_layers, literal
+from export.tables import LOG2_E, centred_layers, literal
 from sailnet.dynamics import Array
 from sailnet.guidance_facts import GuidanceFacts
 from sailnet.networks import EXTRAPOLATION, GuidanceNetworks, Network
 from sailnet.trained_domain import KNOTS
+
+LARGEST_EXPONENT = 500.0
+"""Octaves that leave the product with s finite in double precision; in single the C saturates."""
 
 BLOCK = 10
 """Sums that registers hold at once: layers are padded with zeros to whole blocks."""
 
 CIRCLE = [0, 3, 4, 1, 7, 8, 2, 5, 6]
 """Columns of the tube in the order x_r, x_r + x_u, x_r - x_u, x_u, ... The last is that of -(x_r - x_v)."""
+
+ORBITS = [10, 9]
+"""Energy and radial speed."""
 
 
 def compact_tables(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
@@ -29,20 +35,16 @@ def compact_tables(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
     inputs = max(len(network.inputs) for network in trio)
     widest = max(size for network in trio for size in network.hidden)
     width = math.ceil(max(widest, inputs) / BLOCK) * BLOCK
+    # The C has twice the first of approach coordinates.
+    scales = np.array([2.0 if networks.approach else 1.0, *np.ones(inputs - 1)])
     units = (LOG2_E, 1.0, 1.0) if networks.approach else (1.0, 1.0, 1.0)
-    weights = np.concatenate(
-        [_weights(network, unit, inputs, widest, width) for network, unit in zip(trio, units, strict=True)]
-    )
+    weights = [
+        _weights(network, unit, scales, widest, width) for network, unit in zip(trio, units, strict=True)
+    ]
     if networks.approach:
         _check_exponent(networks.tau)
-    depths = ", ".join(str(len(network.hidden)) for network in trio)
-    domain = facts.domain
-    constants = {
-        "TARGET_R2": facts.target_state[0] ** 2,
-        "PER_SIZE_STEP": 1.0 / domain.size_step,
-        "MOMENTUM_MIN": domain.momentum_min,
-        "PER_MOMENTUM_STEP": 1.0 / domain.momentum_step,
-    }
+    ranges = scales[:, np.newaxis] * _input_ranges(trio)
+    numbers = np.concatenate([_target(facts), _tube(facts), ranges[:, 2], *weights])
     return "\n".join(
         [
             f"#define SAILNET_INPUTS {inputs}",
@@ -50,25 +52,36 @@ def compact_tables(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
             f"#define SAILNET_BLOCK {BLOCK}",
             f"#define SAILNET_WIDTH {width}",
             f"#define SAILNET_KNOTS {KNOTS}",
-            *(f"#define SAILNET_{name} R({literal(value)})" for name, value in constants.items()),
-            f"static const int32_t sailnet_depth[3] = {{{depths}}};",
-            "/* Of each of r, u, v: the box, the widened box, the target in two parts, of which the first is",
-            "   exact in either precision, and the arrival tolerance. */",
-            _flat("sailnet_state_ranges", _state_ranges(facts)),
-            "/* Of each input: the clamps, and what is subtracted. */",
-            _flat("sailnet_ranges", _input_ranges(trio)),
-            f"/* {', '.join(f'{network.name} {list(network.hidden)}' for network in trio)} */",
-            _flat("sailnet_weights", weights),
-            "/* The tube: lower bounds at the knots, and then the upper ones. */",
-            _flat("sailnet_bounds", _bounds(facts)),
+            f"#define SAILNET_LAST_KNOT R({literal(KNOTS - 1)})",
+            f"#define SAILNET_TARGET_R2 R({literal(facts.target_state[0] ** 2)})",
+            _depths(trio),
+            "/* Of each of r, u, v: the box, the widened box, and what is at the target. */",
+            _rows("SAILNET_STATE_LIMITS", _state_limits(facts)),
+            "/* Of each input. */",
+            _rows("SAILNET_INPUT_LIMITS", ranges[:, :2]),
+            "/* The target in two parts, of which the first is exact in either precision; the tube; the",
+            "   lower ends of the inputs' ranges; and the weights of networks of these hidden layers:",
+            f"   {', '.join(f'{network.name} {list(network.hidden)}' for network in trio)} */",
+            _flat("sailnet_numbers", numbers),
             "",
         ]
     )
 
 
-def _weights(network: Network, unit: float, inputs: int, widest: int, width: int) -> Array:
-    """All numbers of one network, in order."""
+def _depths(trio: Sequence[Network]) -> str:
+    """How many hidden layers a network has, by its place: a constant if it is one."""
+    depths = [len(network.hidden) for network in trio]
+    if len(set(depths)) == 1:
+        return f"#define SAILNET_DEPTH(network) {depths[0]}"
+    table = f"static const int32_t sailnet_depth[3] = {{{', '.join(map(str, depths))}}};"
+    return f"{table}\n#define SAILNET_DEPTH(network) sailnet_depth[network]"
+
+
+def _weights(network: Network, unit: float, scales: Array, widest: int, width: int) -> Array:
+    """All numbers of one network, in order; inputs come multiplied by the scales."""
     weights, biases, output, output_bias = centred_layers(network, unit)
+    inputs = len(scales)
+    weights[0] = weights[0] / scales[: len(network.inputs)]
     numbers: list[Array] = []
     for layer, (weight, bias) in enumerate(zip(weights, biases, strict=True)):
         rows = np.zeros((1 + (widest if layer else inputs), width))
@@ -87,37 +100,50 @@ def _input_ranges(trio: Sequence[Network]) -> Array:
             raise ExportError(
                 f"network {network.name} has other input ranges than the others: train them on the same data"
             )
-    return longest.ravel()
+    return longest
 
 
-def _state_ranges(facts: GuidanceFacts) -> Array:
-    target = np.array(facts.target_state)
-    exact = target.astype(np.float32).astype(float)
+def _state_limits(facts: GuidanceFacts) -> Array:
+    """Rows of bounds, of each of r, u, v three: the box, the widened box, and what is at the target."""
+    target, tolerance = np.array(facts.target_state), facts.arrival_tolerance
     low, high = np.array(facts.state_min), np.array(facts.state_max)
     margin = EXTRAPOLATION * (high - low)
-    tolerance = np.full(3, facts.arrival_tolerance)
-    columns = [low, high, low - margin, high + margin, exact, target - exact, -tolerance, tolerance]
-    return np.column_stack(columns).ravel()
+    columns = [low, high, low - margin, high + margin, target - tolerance, target + tolerance]
+    return np.column_stack(columns).reshape(-1, 2)
 
 
-def _bounds(facts: GuidanceFacts) -> Array:
-    """Lower bounds, upper bounds, and a row for the C to multiply by zero."""
-    lower, upper = np.array(facts.domain.lower), np.array(facts.domain.upper)
-    columns = [*CIRCLE, 9, 10]
-    low, high = lower[:, columns], upper[:, columns]
-    last = len(CIRCLE) - 1
-    low[:, last], high[:, last] = -upper[:, columns[last]], -lower[:, columns[last]]
-    return np.concatenate([low, high, high[-1:]]).ravel()
+def _target(facts: GuidanceFacts) -> Array:
+    """Of each of r, u, v two parts, of which the first is exact in either precision."""
+    target = np.array(facts.target_state)
+    exact = target.astype(np.float32).astype(float)
+    return np.column_stack([exact, target - exact]).ravel()
+
+
+def _tube(facts: GuidanceFacts) -> Array:
+    """Of directions and of orbits where the first knot is, how many there are to one, and then the bounds.
+
+    Of each column first the lower bounds, and then those of its negative, each with a last for the C to
+    multiply by zero.
+    """
+    domain = facts.domain
+    sides = np.stack([np.array(domain.lower), -np.array(domain.upper)])
+    turned = CIRCLE[-1]
+    sides[:, :, turned] = sides[::-1, :, turned]
+    padded = np.concatenate([sides, sides[:, -1:]], axis=1)
+    directions, orbits = (padded[:, :, columns].transpose(2, 0, 1).ravel() for columns in (CIRCLE, ORBITS))
+    first = np.array([0.0, 1.0 / domain.size_step])
+    second = np.array([domain.momentum_min, 1.0 / domain.momentum_step])
+    return np.concatenate([first, directions, second, orbits])
 
 
 def _check_exponent(tau: Network) -> None:
     """Whatever the activations, the C's power of two takes the output."""
     _, _, output, bias = centred_layers(tau, LOG2_E)
     largest = float(np.abs(output).sum() + abs(bias))
-    if not largest <= LARGEST_OCTAVES:
+    if not largest <= LARGEST_EXPONENT:
         raise ExportError(
             f"the output of network {tau.name} may reach {largest:.0f} octaves, the C takes "
-            f"{LARGEST_OCTAVES:.0f}: train with bounded weights"
+            f"{LARGEST_EXPONENT:.0f}: train with bounded weights"
         )
 
 
@@ -125,3 +151,9 @@ def _flat(name: str, numbers: Array) -> str:
     rows = [numbers[i : i + BLOCK] for i in range(0, len(numbers), BLOCK)]
     written = ",\n ".join(", ".join(f"R({literal(float(v))})" for v in row) for row in rows)
     return f"static const sailnet_real {name}[{len(numbers)}] =\n{{{written}}};"
+
+
+def _rows(name: str, pairs: Array) -> str:
+    """A macro of initialisers of pairs."""
+    rows = [f"{{R({literal(float(lower))}), R({literal(float(upper))})}}" for lower, upper in pairs]
+    return f"#define {name} \\\n    " + ", \\\n    ".join(rows)

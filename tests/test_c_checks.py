@@ -54,14 +54,14 @@ def mutated(exported: Path, folder: Path, old: str, new: str) -> Path:
 MUTANTS = {
     "twice the cone angle, without its bound": (
         "fuzz",
-        "sailnet_within(alpha_pre, SAILNET_PHI_MAX);",
-        "R(2.0) * alpha_pre;",
+        "sailnet_size(sailnet_limited(&command->cone_angle, SAILNET_OF_CONE_ANGLE));",
+        "R(2.0) * sailnet_size(command->cone_angle);",
         "promise broken: command->cone_angle",
     ),
     "a NaN let through": (
         "fuzz",
-        "nothing += given - given;",
-        "nothing += i == 1 ? R(0.0) : given - given;",
+        "(state->u - state->u)",
+        "R(0.0)",
         "promise broken",
     ),
     "held too long": (
@@ -78,15 +78,15 @@ MUTANTS = {
     ),
     "something remembered from call to call": (
         "fuzz",
-        "    command->time_of_flight = tau;\n    /* Eq.",
+        "    /* SAILNET_ARRIVED, or",
         "    static int32_t calls = 0;\n    calls = 1 - calls;\n"
-        "    command->time_of_flight = tau + (sailnet_real)calls;\n    /* Eq.",
+        "    command->time_of_flight += (sailnet_real)calls;\n    /* SAILNET_ARRIVED, or",
         "promise broken",
     ),
     "index out of bounds": (
         "fuzz",
-        "range = &range[8];",
-        "range = &range[9];",
+        "number = &number[SAILNET_KNOTS + 1];",
+        "number = &number[300 * SAILNET_KNOTS];",
         "SUMMARY: ",
     ),
     "signed overflow": (
@@ -128,15 +128,16 @@ MUTANTS = {
     ),
     "dead branch of an expression": (
         "coverage-c",
-        "    command->time_of_flight = tau;\n    /* Eq.",
-        "    command->time_of_flight = tau > R(1e30) ? R(1e30) : tau;\n    /* Eq.",
-        "0 line(s), 1 branch(es) of: command->time_of_flight",
+        "    /* SAILNET_ARRIVED, or",
+        "    command->hold = command->time_of_flight > R(1e30) ? R(1e30) : R(0.0);\n"
+        "    /* SAILNET_ARRIVED, or",
+        "0 line(s), 1 branch(es) of: command->hold",
     ),
     "dead line": (
         "coverage-c",
-        "    command->time_of_flight = tau;\n    /* Eq.",
-        "    command->time_of_flight = tau;\n"
-        "    if (tau > R(1e30)) {\n        command->beta = R(0.0);\n    }\n    /* Eq.",
+        "    /* SAILNET_ARRIVED, or",
+        "    if (command->time_of_flight > R(1e30)) {\n        command->beta = R(0.0);\n    }\n"
+        "    /* SAILNET_ARRIVED, or",
         "1 line(s), 0 branch(es) of: command->beta = R(0.0);",
     ),
     "constant of the wrong precision": (

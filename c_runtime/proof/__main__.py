@@ -11,7 +11,7 @@ from tqdm import tqdm
 
 from c_runtime.proof.eva import FRAMA_C, ProofError, analyse
 from c_runtime.proof.lemmas import check_lemmas
-from c_runtime.proof.mutants import MUTANTS, mutate
+from c_runtime.proof.mutants import MUTANTS, caught, mutate
 from c_runtime.shared_library import PROVED_BUILDS, CompilerError
 
 MISSING = "proof: left out, there is no frama-c (Debian: apt install frama-c-base)"
@@ -64,9 +64,9 @@ def _survivors(exported: Path) -> int:
                 if not mutate(exported, mutant, folder):
                     print(f"mutant {mutant.name}: not in networks of this form")
                     break
-                caught = bool(analyse(folder, defines))
-                print(f"mutant {mutant.name}, {build}: {'caught' if caught else 'SURVIVED'}")
-                survivors += not caught
+                survived = not caught(folder, defines)
+                print(f"mutant {mutant.name}, {build}: {'SURVIVED' if survived else 'caught'}")
+                survivors += survived
     return survivors
 
 

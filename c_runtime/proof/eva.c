@@ -18,16 +18,25 @@
 static sailnet_real sailnet_fraction(sailnet_real octaves);
 /*@ requires steep: -1000 <= octaves <= 1000;
     assigns \result \from octaves;
-    ensures \is_finite(\result) && SMALLEST_POWER <= \result <= LARGEST_POWER; */
+    ensures \is_finite(\result) && SMALLEST_POWER <= \result <= LARGEST_POWER;
+    ensures -500 <= octaves <= 500 ==> 0x1p-500 <= \result <= 0x1p500; */
 static sailnet_real sailnet_power(sailnet_real octaves);
 /*@ requires steep: -1000 <= octaves <= 1000;
     assigns \result \from octaves;
     ensures \is_finite(\result) && -1 <= \result <= 1; */
 static sailnet_real sailnet_sigmoid(sailnet_real octaves);
+/*@ requires bounds: \is_finite(lower) && \is_finite(upper);
+    assigns \result \from value, lower, upper;
+    ensures \is_finite(\result) && \result <= upper && (lower <= \result || upper <= \result); */
+static sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper);
 #ifdef SAILNET_COMPACT
-/*@ assigns \result \from value;
+/*@ assigns \result \from *value;
     ensures \is_finite(\result) && 0.99e-12 <= \result <= 1.01e12; */
-static sailnet_real sailnet_per_root(sailnet_real value);
+static sailnet_real sailnet_per_root(const sailnet_real *value);
+/*@ requires number: \is_finite(value);
+    assigns \result \from value;
+    ensures \is_finite(\result) && 0 <= \result && (\result == value || \result == -value); */
+static sailnet_real sailnet_size(sailnet_real value);
 #elif SAILNET_READS_BETA
 /*@ requires range: 0.99e-24 <= value <= 1.01e30;
     assigns \result \from value;

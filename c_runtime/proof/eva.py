@@ -8,9 +8,12 @@ from pathlib import Path
 FRAMA_C = "frama-c"
 DRIVER = Path(__file__).parent / "eva.c"
 ENTRIES = ("prove_guidance", "prove_steering", "prove_null_pointers")
-CONTRACTS = ("sailnet_fraction", "sailnet_power", "sailnet_sigmoid")
-ROOTS = {"compact": "sailnet_per_root", "simd": "sailnet_inverse_fourth_root"}
-"""With a contract, too, where networks need it."""
+CONTRACTS = ("sailnet_fraction", "sailnet_power", "sailnet_sigmoid", "sailnet_clamped")
+OF_LAYOUTS = {
+    "compact": ("sailnet_per_root", "sailnet_size"),
+    "simd": ("sailnet_inverse_fourth_root",),
+}
+"""With a contract, too, where networks need them."""
 # Every loop is unrolled, so that each weight is seen with the interval of its own input.
 PRECISION = ("-eva-precision", "0", "-eva-auto-loop-unroll", "100", "-eva-slevel", "200")
 
@@ -29,8 +32,8 @@ def analyse(exported: Path, defines: Sequence[str], timeout: float = 300.0) -> l
         ProofError: Eva failed to analyse the file.
     """
     source = (exported / "sailnet_guidance.c").read_text(encoding="utf-8")
-    root = ROOTS["compact" if "-DSAILNET_COMPACT" in defines else "simd"]
-    contracts = ",".join([*CONTRACTS, *([root] if f"{root}(" in source else [])])
+    own = OF_LAYOUTS["compact" if "-DSAILNET_COMPACT" in defines else "simd"]
+    contracts = ",".join([*CONTRACTS, *(name for name in own if f"{name}(" in source)])
     flags = " ".join((f"-I{exported}", "-D__FLT_EVAL_METHOD__=0", *defines))
     problems: list[str] = []
     for entry in ENTRIES:

@@ -1,8 +1,12 @@
 """Guards of the flight file, each taken away: the proof must then fail."""
 
 import shutil
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+
+from c_runtime.proof.eva import ProofError, analyse
+from c_runtime.proof.lemmas import check_lemmas
 
 
 @dataclass(frozen=True)
@@ -29,14 +33,14 @@ MUTANTS = (
     ),
     Mutant(
         "cone angle unbounded, compact",
-        "sailnet_within(alpha_pre, SAILNET_PHI_MAX)",
-        "alpha_pre",
+        "sailnet_size(sailnet_limited(&command->cone_angle, SAILNET_OF_CONE_ANGLE))",
+        "sailnet_size(command->cone_angle)",
         builds="compact",
     ),
     Mutant(
         "clamp lets NaN through",
-        "const sailnet_real known = value == value ? value : lower;",
-        "const sailnet_real known = value;",
+        "raised = value > lower ? value : lower;\n    return raised < upper ? raised : upper;",
+        "raised = value < lower ? lower : value;\n    return raised > upper ? upper : raised;",
     ),
     Mutant(
         "clamp without upper end",
@@ -47,7 +51,7 @@ MUTANTS = (
         "s unbounded",
         "sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6))",
         "(s4 * per_s) * per_s2",
-        builds="simd",
+        builds="f32 simd",
     ),
     Mutant(
         "fourth power of s may be zero",
@@ -56,22 +60,24 @@ MUTANTS = (
         builds="simd",
     ),
     Mutant(
-        "estimate of beta unbounded",
-        "memory->beta = sailnet_known_beta(beta + share * counted);",
-        "memory->beta = beta + share * counted;",
+        "memory and estimate trusted",
+        "memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);",
+        "",
     ),
-    Mutant("memory trusted", "memory->beta = sailnet_known_beta(memory->beta);", ""),
-    Mutant("any period held", "sailnet_clamped(period + (period - period), R(0.0), R(1e30))", "period"),
+    Mutant("any period held", "sailnet_limited(&command->hold, SAILNET_OF_PERIOD)", "command->hold"),
     Mutant("inputs not clamped", "shifted[i] = clamped -", "shifted[i] = input[i] -", builds="simd"),
     Mutant(
         "inputs not clamped, compact",
-        "sailnet_clamped(input, range[0], range[1]) - range[2]",
-        "input - range[2]",
+        "sailnet_limited(&input[i], SAILNET_OF_INPUTS + i) - numbers[0]",
+        "input[i] - numbers[0]",
         builds="compact",
     ),
-    Mutant("one weight too many read", "in != &from[inputs]", "in != &from[inputs + 1]", builds="compact"),
+    Mutant("one weight too many read", "= &from[inputs];", "= &from[inputs + 1];", builds="compact"),
     Mutant(
-        "a knot too many read", "knot = (int32_t)within;", "knot = (int32_t)within + 1;", builds="compact"
+        "a knot beyond the tables read",
+        "sailnet_limited(&argument[table], SAILNET_OF_KNOTS)",
+        "argument[table]",
+        builds="compact",
     ),
     Mutant(
         "null command written",
@@ -94,3 +100,19 @@ def mutate(exported: Path, mutant: Mutant, folder: Path) -> bool:
     shutil.copy(exported / "sailnet_guidance.h", folder)
     (folder / "sailnet_guidance.c").write_text(source.replace(mutant.guard, mutant.without), encoding="utf-8")
     return mutant.guard in source
+
+
+def caught(folder: Path, defines: Sequence[str]) -> bool:
+    """Whether the proof of an exported guidance fails: in what it concludes, or in what it assumes.
+
+    Raises:
+        CompilerError: there is no compiler.
+        ProofError: Eva failed to analyse the file.
+    """
+    if analyse(folder, defines):
+        return True
+    try:
+        check_lemmas(folder, defines)
+    except ProofError:
+        return True
+    return False

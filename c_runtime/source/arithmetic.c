@@ -25,12 +25,6 @@
 #else
 #define SAILNET_PART SAILNET_INLINE
 #endif
-/* So is what several places do, but where a call itself takes 96 bytes of stack, for a window of registers. */
-#ifdef __sparc__
-#define SAILNET_SHARED SAILNET_INLINE
-#else
-#define SAILNET_SHARED SAILNET_PART
-#endif
 
 #define R(literal) SAILNET_REAL(literal)
 
@@ -61,7 +55,7 @@
 #ifdef SAILNET_FLOAT64
 typedef uint64_t sailnet_bits;
 #define SAILNET_MANTISSA_BITS 52
-/* 1.5 * 2^52: adding it rounds to an integer; and the exponent of 1.0, so that the lowest bits are that of 2^n. */
+/* 1.5 * 2^52: adding it rounds to an integer; and 1023, of 1.0, so that the lowest bits are the exponent of 2^n. */
 #define SAILNET_ROUNDER 6755399441056767.0
 #else
 typedef uint32_t sailnet_bits;
@@ -83,27 +77,11 @@ typedef uint32_t sailnet_bits;
 /* What `export` guarantees of the sums of hidden layers. */
 #define SAILNET_LARGEST_OCTAVES R(1000.0)
 
-/* A NaN, of which no comparison is true, becomes `lower`: said twice for analysers, which see only intervals. */
-SAILNET_SHARED sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper)
+/* A NaN, of which no comparison is true, becomes `lower`. */
+SAILNET_INLINE sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper)
 {
-#ifdef SAILNET_VECTORS
-    const sailnet_real known = value;
-#else
-    const sailnet_real known = value == value ? value : lower;
-#endif
-    const sailnet_real raised = known > lower ? known : lower;
+    const sailnet_real raised = value > lower ? value : lower;
     return raised < upper ? raised : upper;
-}
-
-/* A NaN becomes -bound. */
-SAILNET_SHARED sailnet_real sailnet_within(sailnet_real value, sailnet_real bound)
-{
-    return sailnet_clamped(value, -bound, bound);
-}
-
-SAILNET_SHARED sailnet_real sailnet_known_beta(sailnet_real beta)
-{
-    return sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
 }
 
 /* The difference of a number with itself is 0, unless it is a NaN or an infinity. */

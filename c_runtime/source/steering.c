@@ -16,7 +16,7 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
     const sailnet_state *const before = &memory->state;
     sailnet_real cosine;
     sailnet_real sine;
-    sailnet_cosine_sine(sailnet_within(memory->cone_angle, SAILNET_PHI_MAX), &cosine, &sine);
+    sailnet_cosine_sine(sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE), &cosine, &sine);
     const sailnet_real cosine2 = cosine * cosine;
 #if SAILNET_MAY_BE_EDGE_ON
     const sailnet_real telling = cosine2 >= SAILNET_LEAST_COSINE2 ? held : R(0.0);
@@ -50,11 +50,11 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
     const sailnet_real measured =
         (surprise_u * cosine + surprise_v * sine) * distance * distance / (held * cosine2);
     if (sailnet_is_finite(measured) != 0) {
-        const sailnet_real counted = sailnet_within(measured, SAILNET_LARGEST_SURPRISE * SAILNET_BETA);
+        const sailnet_real counted = sailnet_limited(&measured, SAILNET_OF_SURPRISE);
         /* The mean of all periods at first, and later of those not forgotten. */
         const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
         const sailnet_real share = sailnet_clamped(held / SAILNET_MEMORY, all, R(0.5));
-        memory->beta = sailnet_known_beta(beta + share * counted);
+        memory->beta = beta + share * counted;
     }
 }
 
@@ -76,16 +76,18 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
                              sailnet_command *command)
 {
     if ((memory == NULL) || (command == NULL)) {
-        return (sailnet_status)(sailnet_law(NULL, SAILNET_BETA, command) & ~SAILNET_THERE);
+        (void)sailnet_law(NULL, SAILNET_BETA, command);
+        return SAILNET_INVALID_INPUT;
     }
     /* The difference of an infinity with itself is a NaN: that is no period. */
-    sailnet_real hold = sailnet_clamped(period + (period - period), R(0.0), R(1e30));
+    command->hold = period + (period - period);
+    sailnet_real hold = sailnet_limited(&command->hold, SAILNET_OF_PERIOD);
     const sailnet_state *const valid = hold > R(0.0) ? state : NULL;
-    /* The memory may hold any bits. */
-    memory->beta = sailnet_known_beta(memory->beta);
     if (valid != NULL) {
         sailnet_learn(memory, valid);
     }
+    /* The memory may have held any bits. */
+    memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
     const uint32_t seen = sailnet_law(valid, memory->beta, command);
     sailnet_status status = (sailnet_status)(seen & ~SAILNET_THERE);
     if (status == SAILNET_INVALID_INPUT) {
@@ -96,7 +98,7 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         if (status != SAILNET_OUTSIDE_DOMAIN) {
             const sailnet_real longest = hold > SAILNET_ARRIVAL_THRESHOLD ? hold : SAILNET_ARRIVAL_THRESHOLD;
             if (tau <= longest) {
-                hold = sailnet_clamped(tau, R(0.0), longest);
+                hold = sailnet_limited(&command->time_of_flight, SAILNET_OF_PERIOD);
                 status = SAILNET_ARRIVED;
             } else if (((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) && (tau >= memory->time_of_flight)) {
                 hold = R(0.0);

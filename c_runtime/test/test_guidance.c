@@ -58,8 +58,8 @@ static sailnet_real between(sailnet_real lower, sailnet_real upper)
 
 /* Ends of the box of r, u, v. */
 #ifdef SAILNET_COMPACT
-#define BOX_MIN(i) sailnet_state_ranges[8 * (i)]
-#define BOX_MAX(i) sailnet_state_ranges[8 * (i) + 1]
+#define BOX_MIN(i) sailnet_limits[SAILNET_OF_STATE + 3 * (i)][0]
+#define BOX_MAX(i) sailnet_limits[SAILNET_OF_STATE + 3 * (i)][1]
 #else
 #define BOX_MIN(i) sailnet_domain_min[i]
 #define BOX_MAX(i) sailnet_domain_max[i]
@@ -276,12 +276,12 @@ static void test_beta_is_clamped_and_nan_is_the_missions(void)
 
 #ifdef SAILNET_COMPACT
 /* Where it is not clamped. */
-#define ROOT sailnet_per_root
+#define ROOT(value) sailnet_per_root(&(value))
 #define EXACT_ROOT(value) (1.0L / sqrtl(value))
 #define LARGEST_EXPONENT 24.0
 #define ROOT_ERROR 2.5
 #elif SAILNET_READS_BETA
-#define ROOT sailnet_inverse_fourth_root
+#define ROOT(value) sailnet_inverse_fourth_root(value)
 #define EXACT_ROOT(value) (1.0L / sqrtl(sqrtl(value)))
 #define LARGEST_EXPONENT 30.0
 #define ROOT_ERROR 1.5

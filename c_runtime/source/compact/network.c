@@ -15,6 +15,7 @@ SAILNET_INLINE sailnet_real sailnet_network(const sailnet_real input[SAILNET_INP
     int32_t inputs = SAILNET_INPUTS;
     int32_t layer = 0;
     do {
+        const sailnet_real *const end = &from[inputs];
         for (int32_t first = SAILNET_WIDTH - SAILNET_BLOCK; first >= 0; first -= SAILNET_BLOCK) {
             sailnet_real s0 = w[0];
             sailnet_real s1 = w[1];
@@ -26,8 +27,10 @@ SAILNET_INLINE sailnet_real sailnet_network(const sailnet_real input[SAILNET_INP
             sailnet_real s7 = w[7];
             sailnet_real s8 = w[8];
             sailnet_real s9 = w[9];
-            for (const sailnet_real *in = from; in != &from[inputs]; in++) {
+            const sailnet_real *in = from;
+            do {
                 const sailnet_real x = *in;
+                in = &in[1];
                 w = &w[SAILNET_BLOCK];
                 s0 += x * w[0];
                 s1 += x * w[1];
@@ -39,7 +42,7 @@ SAILNET_INLINE sailnet_real sailnet_network(const sailnet_real input[SAILNET_INP
                 s7 += x * w[7];
                 s8 += x * w[8];
                 s9 += x * w[9];
-            }
+            } while (in != end);
             w = &w[SAILNET_BLOCK];
             sailnet_real *const sums = &a[SAILNET_WIDTH - SAILNET_BLOCK + first];
             sums[0] = s0;
