@@ -25,8 +25,8 @@ GOAL = 1e-3
 NARROWING = 0.5
 """Ratio of the boxes of two stages."""
 
-CHUNK = 250
-"""Flights at a time; more do not fit a processor's caches."""
+CHUNK = 40
+"""Flights at a time; the matrices of more do not fit a processor's caches."""
 
 
 class Delta:
@@ -111,29 +111,14 @@ def solve(
             "the delta method needs terms, two nodes and an evaluation a stage at least; give more"
         )
     basis, heuristic = basis or Fourier(), heuristic or GaPso()
-    delta, chosen = Delta(problem, basis, terms, nodes), weights or Weights()
+    delta = Delta(problem, basis, terms, nodes)
     what = f"delta method, {basis.name} and {heuristic.name}"
-    lower, upper = delta.controls.bounds
-    floor, ceiling = lower, upper
-    best, used, history = np.zeros((0, delta.controls.size)), 0, list[Step]()
-    for stage in range(stages):
-        search = Search(
-            partial(delta.cost, chosen), floor, ceiling, evaluations * (stage + 1) // stages - used
+    best, history = searched(delta, heuristic, evaluations, seed, weights or Weights(), stages)
+    if not len(best):
+        raise ConvergenceError(
+            f"{what} on {problem.name}: no flight reaches its end; use more evaluations", {}, history
         )
-        if len(best):
-            search(best)
-        heuristic.run(search, seed + stage)
-        history += [Step(chosen.ends, cost, used + count, False) for count, cost in search.history]
-        used += search.used
-        if not len(search.best):
-            raise ConvergenceError(
-                f"{what} on {problem.name}: no flight reaches its end; use more evaluations", {}, history
-            )
-        best = search.best[None]
-        reach = 0.5 * NARROWING * (ceiling - floor)
-        floor, ceiling = np.maximum(lower, best[0] - reach), np.minimum(upper, best[0] + reach)
-        chosen = replace(chosen, ends=10.0 * chosen.ends)
-    solution = flown(delta, best[0])
+    solution = flown(delta, best)
     solution.solver, solution.history = what, history
     solution.wall_time = time.perf_counter() - began
     if not solution.residuals["boundary"] <= goal:
@@ -143,6 +128,31 @@ def solve(
             history,
         )
     return solution
+
+
+def searched(
+    delta: Delta, heuristic: Heuristic, evaluations: int, seed: int, weights: Weights, stages: int
+) -> tuple[Array, list[Step]]:
+    """The best point that a heuristic meets, empty if no flight has a finite cost, and its history."""
+    lower, upper = delta.controls.bounds
+    floor, ceiling = lower, upper
+    best, used, history = np.zeros(0), 0, list[Step]()
+    for stage in range(stages):
+        search = Search(
+            partial(delta.cost, weights), floor, ceiling, evaluations * (stage + 1) // stages - used
+        )
+        if len(best):
+            search(best[None])
+        heuristic.run(search, seed + stage)
+        history += [Step(weights.ends, cost, used + count, False) for count, cost in search.history]
+        used += search.used
+        if not len(search.best):
+            break
+        best = search.best
+        reach = 0.5 * NARROWING * (ceiling - floor)
+        floor, ceiling = np.maximum(lower, best - reach), np.minimum(upper, best + reach)
+        weights = replace(weights, ends=10.0 * weights.ends)
+    return best, history
 
 
 def flown(delta: Delta, z: Array) -> Solution:
