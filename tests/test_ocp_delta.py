@@ -28,6 +28,7 @@ from sailnet.ocp import (
 from sailnet.ocp.delta.controls import Controls
 from sailnet.ocp.delta.flight import Flyer
 from sailnet.ocp.delta.heuristics import Heuristic, Search
+from sailnet.ocp.delta.sensitivity import aligned
 from sailnet.ocp.delta.series import zeros
 from sailnet.ocp.delta.solver import Delta
 from sailnet.ocp.problems import asteroid_rendezvous, lunar_landing
@@ -168,7 +169,7 @@ def test_criteria_vanish_on_the_extremal_alone(
 ) -> None:
     found = Delta(asteroid_rendezvous.problem(), basis, terms, 60)
     z = fitted(found, rendezvous)
-    s = found.aligned(z, 400)
+    s = aligned(found.controls, z, 400)
     true = found.evaluate(z[None], s)[1]
     assert true.worst_end[0] < end
     assert 0.0 <= true.delta_s_h[0] + 1e-12 < 1e-10
@@ -187,14 +188,14 @@ def test_criteria_vanish_on_the_extremal_alone(
 def test_criteria_of_the_landing(landing: Solution) -> None:
     found = Delta(lunar_landing.problem(), delta.Legendre(), 12, 60)
     z = fitted(found, landing)
-    true = found.evaluate(z[None], found.aligned(z, 400))[1]
+    true = found.evaluate(z[None], aligned(found.controls, z, 400))[1]
     assert true.worst_end[0] < 1e-5
     assert true.delta_h[0] < 1e-5
     assert abs(true.delta_s_h[0]) < 1e-12
     # No switching function of this problem has three zeros, so no costates can excuse three switches.
     other = np.zeros_like(z)
     other[3], other[-1] = 1.5, z[-1]
-    wrong = found.evaluate(other[None], found.aligned(other, 400))[1]
+    wrong = found.evaluate(other[None], aligned(found.controls, other, 400))[1]
     assert wrong.delta_h[0] + wrong.delta_s_h[0] > 1e-2
     assert wrong.delta_s_i[0] > 0.1
     assert wrong.worst_end[0] > 1e-2

@@ -75,15 +75,12 @@ class Flyer:
         self._parameters = np.array(list(problem.parameters.values()), float)
         self._step = _step(problem)
 
-    def fly(self, z: Array, s: Array) -> Flights:
-        """Fly (m, d) points over the (k + 1,) nodes of normalised time."""
+    def fly(self, z: Array, s: Array, softness: float = 0.0) -> Flights:
+        """Fly (m, d) points over the (k + 1,) nodes of normalised time, their switches so soft."""
         count, middle = len(z), 0.5 * (s[:-1] + s[1:])
         nodes, centres = self.controls.series(z, s), self.controls.series(z, middle)
-        share, lean = self.controls.shares(nodes)
         series = np.stack([nodes[:, :-1], centres, nodes[:, 1:]], axis=1)
-        control = np.stack(
-            [self.controls.controls(series[:, i], share + (i - 1) * lean) for i in range(3)], axis=1
-        )
+        control = self.controls.controls(series, self.controls.shares(series, softness))
         stop = self.controls.final_times(z)
         widths = stop[:, None] * np.diff(s)
         time = stop[:, None, None] * np.stack([s[:-1], middle, s[1:]])
