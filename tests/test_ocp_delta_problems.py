@@ -117,7 +117,9 @@ def test_the_table_keeps_what_a_search_found(monkeypatch: pytest.MonkeyPatch) ->
     # What is known already is not searched for again.
     monkeypatch.setattr(delta_table, "entry", None)
     assert list(delta_table.entries(600, 1, made, ["lunar-landing"])) == made
-    table = delta_table.markdown([replace(alone, converged=False), *made[1:]])
+    origin = {"machine": "a machine", "date": "today", "revision": "abc"}
+    table = delta_table.markdown([replace(alone, converged=False), *made[1:]], origin)
+    assert "on a machine, today, revision abc; 1 seeds." in table
     assert "| lunar-landing | GA-PSO | Fourier | 0 of 1, " in table
     assert table.count("1 of 1, ") == 2
     assert "none" in table

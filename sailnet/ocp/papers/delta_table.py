@@ -188,9 +188,14 @@ def entries(
                             yield one
 
 
-def markdown(found: Sequence[Entry]) -> str:
-    """A row for each problem, heuristic and basis; of every method the median over seeds."""
-    origin, seeds = software(), len({one.seed for one in found})
+def markdown(found: Sequence[Entry], origin: Mapping[str, str]) -> str:
+    """A row for each problem, heuristic and basis; of every method the median over seeds.
+
+    Args:
+        found: the entries.
+        origin: of their file, with machine, date and revision.
+    """
+    seeds = len({one.seed for one in found})
     lines = [
         f"Written by `python -m sailnet.ocp.papers.delta_table` on {origin['machine']}, {origin['date']},"
         f" revision {origin['revision']}; {seeds} seeds.",
@@ -248,27 +253,24 @@ def main() -> None:
     parser.add_argument("--evaluations", type=int, default=10_000)
     parser.add_argument("--seeds", type=int, default=3)
     arguments = parser.parse_args()
-    made = (
-        [Entry(**one) for one in json.loads(arguments.out.read_text())["entries"]]
-        if arguments.out.exists()
-        else []
-    )
-    found: list[Entry] = []
+    held = json.loads(arguments.out.read_text()) if arguments.out.exists() else {"origin": {}, "entries": []}
+    made, origin = [Entry(**one) for one in held["entries"]], held["origin"]
+    kept, found = {one.key: one for one in made}, list[Entry]()
     for one in entries(arguments.evaluations, arguments.seeds, made):
         found.append(one)
-        kept = {each.key: each for each in [*made, *found]}
-        text = json.dumps(
-            {"origin": software(), "entries": [asdict(each) for each in kept.values()]}, indent=None
+        if one.key in kept:
+            continue
+        kept[one.key], origin = one, software()
+        lines = ",\n".join(json.dumps(asdict(each)) for each in kept.values())
+        text = f'{{"origin": {json.dumps(origin)}, "entries": [\n{lines}\n]}}\n'
+        write_whole(arguments.out, lambda path, text=text: path.write_text(text))  # type: ignore[misc]
+        print(
+            f"{one.seed} {one.problem:20} {one.basis:10} {one.heuristic:7} {one.method:10}"
+            f" end {one.end_error:.1e} cost {one.cost:.6f} {one.cost_error:+.1e} {one.cpu_seconds:.1f} s",
+            flush=True,
         )
-        write_whole(arguments.out, lambda path, text=text: path.write_text(text + "\n"))  # type: ignore[misc]
-        if one.key not in {each.key for each in made}:
-            print(
-                f"{one.seed} {one.problem:20} {one.basis:10} {one.heuristic:7} {one.method:10}"
-                f" end {one.end_error:.1e} cost {one.cost:.6f} {one.cost_error:+.1e} {one.cpu_seconds:.1f} s",
-                flush=True,
-            )
     if arguments.readme:
-        fill_block(arguments.readme, "delta", markdown(found))
+        fill_block(arguments.readme, "delta", markdown(found, origin))
 
 
 if __name__ == "__main__":
