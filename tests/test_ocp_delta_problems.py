@@ -122,7 +122,7 @@ def test_the_table_keeps_what_a_search_found(monkeypatch: pytest.MonkeyPatch) ->
     assert "on a machine, today, revision abc; 1 seeds." in table
     assert "| lunar-landing | GA-PSO | Fourier | 0 of 1, " in table
     assert table.count("1 of 1, ") == 2
-    assert "none" in table
+    assert table.count(", 0 % |") >= 1
     assert table.rstrip().endswith("| 91.73 |")
 
 

@@ -241,8 +241,10 @@ def _cell(group: Sequence[Entry]) -> str:
         return ""
     met = [one for one in group if one.converged]
     error = f"{np.median([one.end_error for one in group]):.0e}"
-    cost = f"{100.0 * np.median([one.cost_error for one in met]):+.2g} %" if met else "none"
-    return f"{len(met)} of {len(group)}, {error}, {cost}"
+    if not met:
+        return f"0 of {len(group)}, {error}"
+    cost = 100.0 * float(np.median([one.cost_error for one in met]))
+    return f"{len(met)} of {len(group)}, {error}, " + ("0 %" if abs(cost) < 1e-4 else f"{cost:+.2g} %")
 
 
 def main() -> None:
