@@ -28,9 +28,11 @@ from sailnet.ocp import (
 from sailnet.ocp.delta.controls import Controls
 from sailnet.ocp.delta.flight import Flyer
 from sailnet.ocp.delta.heuristics import Heuristic, Search
+from sailnet.ocp.delta.polish import Polished, minimising
+from sailnet.ocp.delta.sensitivity import aligned, linearised, switches
 from sailnet.ocp.delta.series import zeros
 from sailnet.ocp.delta.solver import Delta
-from sailnet.ocp.problems import asteroid_rendezvous, lunar_landing
+from sailnet.ocp.problems import asteroid_rendezvous, leo_geo, lunar_landing
 from tests.test_ocp_problem import differences
 
 BASES = [delta.Fourier(), delta.Chebyshev(), delta.Legendre()]
@@ -168,7 +170,7 @@ def test_criteria_vanish_on_the_extremal_alone(
 ) -> None:
     found = Delta(asteroid_rendezvous.problem(), basis, terms, 60)
     z = fitted(found, rendezvous)
-    s = found.aligned(z, 400)
+    s = aligned(found.controls, z, 400)
     true = found.evaluate(z[None], s)[1]
     assert true.worst_end[0] < end
     assert 0.0 <= true.delta_s_h[0] + 1e-12 < 1e-10
@@ -187,14 +189,14 @@ def test_criteria_vanish_on_the_extremal_alone(
 def test_criteria_of_the_landing(landing: Solution) -> None:
     found = Delta(lunar_landing.problem(), delta.Legendre(), 12, 60)
     z = fitted(found, landing)
-    true = found.evaluate(z[None], found.aligned(z, 400))[1]
+    true = found.evaluate(z[None], aligned(found.controls, z, 400))[1]
     assert true.worst_end[0] < 1e-5
     assert true.delta_h[0] < 1e-5
     assert abs(true.delta_s_h[0]) < 1e-12
     # No switching function of this problem has three zeros, so no costates can excuse three switches.
     other = np.zeros_like(z)
     other[3], other[-1] = 1.5, z[-1]
-    wrong = found.evaluate(other[None], found.aligned(other, 400))[1]
+    wrong = found.evaluate(other[None], aligned(found.controls, other, 400))[1]
     assert wrong.delta_h[0] + wrong.delta_s_h[0] > 1e-2
     assert wrong.delta_s_i[0] > 0.1
     assert wrong.worst_end[0] > 1e-2
@@ -299,19 +301,8 @@ def test_double_integrator_by_every_basis_and_heuristic(basis: delta.Basis, heur
 
 
 def test_a_control_that_is_not_switched_is_a_series_itself() -> None:
-    x, u = symbols("x u")
-    problem = Problem(
-        name="least-effort",
-        source="closed form: u = 1",
-        dynamics={x: u},
-        controls=[Bounded(u, -2.0, 3.0)],
-        final_time=1.0,
-        initial={x: 0.0},
-        final={x: 1.0},
-        running_cost=0.5 * u**2,
-    )
     heuristic = delta.GaPso(population=50, flights=10)
-    found = delta.solve(problem, delta.Legendre(), heuristic, 3000, terms=3, nodes=10)
+    found = delta.solve(least_effort(), delta.Legendre(), heuristic, 3000, terms=3, nodes=10)
     assert 0.499 < found.cost < 0.51
     np.testing.assert_allclose(found["u"], 1.0, atol=0.5)
     assert found.residuals["delta_u"] < 0.15
@@ -339,3 +330,124 @@ def test_problems_that_are_none_for_the_method() -> None:
         delta.solve(replace(plain, controls=[Bounded(u)], running_cost=0.5 * u**2), evaluations=10)
     with pytest.raises(SailnetError, match="give more"):
         delta.solve(plain, evaluations=0)
+
+
+def least_effort() -> Problem:
+    """From 0 to 1 in one second: u = 1, between bounds that random series reach."""
+    x, u = symbols("x u")
+    return Problem(
+        name="least-effort",
+        source="closed form",
+        dynamics={x: u},
+        controls=[Bounded(u, -2.0, 3.0)],
+        final_time=1.0,
+        initial={x: 0.0},
+        final={x: 1.0},
+        running_cost=0.5 * u**2,
+    )
+
+
+@pytest.mark.parametrize("softness", [0.0, 0.4])
+@pytest.mark.parametrize(
+    ("problem", "basis", "rtol"),
+    [
+        (lunar_landing.problem(), delta.Chebyshev(), 1e-7),
+        (asteroid_rendezvous.problem(), delta.Fourier(), 1e-5),
+        (leo_geo.minimum_fuel(), delta.Legendre(), 1e-3),
+        (least_effort(), delta.Legendre(), 1e-3),
+    ],
+    ids=lambda value: getattr(value, "name", None),
+)
+def test_sensitivities_are_those_of_flights(
+    problem: Problem, basis: delta.Basis, rtol: float, softness: float
+) -> None:
+    controls = Controls(problem, basis, 5)
+    flyer = Flyer(problem, controls)
+    z = 0.3 * np.random.default_rng(4).uniform(*controls.bounds)
+    for switched in controls.switched:
+        z[5 * switched.channel : 5 * switched.channel + 5] = 0.1, 1.0, 0.3, 0.0, 0.0
+    if problem.time_is_free:
+        z[-1] = 1.0
+
+    def values(z: Array) -> Array:
+        linear = linearised(flyer, z, 100, softness)
+        return np.concatenate([[linear.cost], linear.errors])
+
+    linear = linearised(flyer, z, 100, softness)
+    if controls.switched:
+        assert switches(controls, z)
+    expected = np.array([(values(z + h) - values(z - h)) / 2e-5 for h in 1e-5 * np.eye(len(z))]).T
+    found = np.vstack([linear.cost_slope, linear.error_slopes])
+    for row, wanted in zip(found, expected, strict=True):
+        np.testing.assert_allclose(row, wanted, atol=rtol * np.abs(wanted).max())
+    # What SLSQP makes of others is wrong, and says nothing.
+    assert linear.error_slopes.flags.c_contiguous
+
+
+def test_soft_switches_become_sharp() -> None:
+    controls = Controls(double_integrator(), delta.Legendre(), 2)
+    flyer = Flyer(double_integrator(), controls)
+    z, s = np.array([[0.2, 1.0, 1.0]]), np.linspace(0.0, 1.0, 401)
+    sharp = flyer.fly(z, s).final_state
+    gaps = [np.abs(flyer.fly(z, s, softness).final_state - sharp).max() for softness in (0.5, 0.1, 0.02)]
+    assert gaps == sorted(gaps, reverse=True)
+    assert gaps[0] > 0.05
+    assert gaps[-1] < 2e-3
+
+
+def test_minimising_keeps_the_extremal(rendezvous: Solution) -> None:
+    found = Delta(asteroid_rendezvous.problem(), delta.Legendre(), 16, 60)
+    z = fitted(found, rendezvous)
+    again = minimising(found.judge, z, 200)
+    s = np.linspace(0.0, 1.0, 50)
+    before, after = (found.controls.series(each[None], s)[0] for each in (z, again))
+    (switched,), (pointed,) = found.controls.switched, found.controls.pointed
+    angle = pointed.channels[0]
+    np.testing.assert_allclose(after[:, angle], before[:, angle], atol=2e-3)
+    sizes = [np.abs(rows[:, switched.channel]).max() for rows in (before, after)]
+    unit = [rows[:, switched.channel] / size for rows, size in zip((before, after), sizes, strict=True)]
+    np.testing.assert_allclose(unit[1], unit[0], atol=2e-3)
+    # An angle that makes the Hamiltonian greatest is no extremal: it turns round.
+    turned = z.copy()
+    turned[angle * 16] += math.pi
+    back = found.controls.series(minimising(found.judge, turned, 200)[None], s)[0][:, angle]
+    assert np.abs(np.cos(back - before[:, angle])).min() > 0.5
+
+
+@pytest.mark.parametrize("basis", BASES, ids=lambda basis: str(basis.name))
+def test_polish_brings_in_a_switch(basis: delta.Basis) -> None:
+    # A series without a zero, which no derivative would give one.
+    found = Delta(double_integrator(), basis, 3, 20)
+    start = np.array([0.5, 0.1, 0.05, 0.9])
+    assert not switches(found.controls, start)
+    polished = delta.Polish(evaluations=300).run(found.judge, start, 20)
+    assert polished.cost == pytest.approx(2.0, abs=1e-5)
+    assert polished.worst_end < 1e-6
+    assert polished.evaluations <= 301
+    ((when, _),) = switches(found.controls, polished.point)
+    assert when == pytest.approx(0.5, abs=1e-4)
+
+
+def test_a_polish_keeps_the_better_of_two() -> None:
+    def point(cost: float, end: float) -> Polished:
+        return Polished(np.zeros(1), cost, end, 1)
+
+    assert point(1.0, 1e-9).beats(point(2.0, 1e-12), 1e-6)
+    assert not point(1.0, 1e-5).beats(point(2.0, 1e-7), 1e-6)
+    assert point(3.0, 1e-7).beats(point(2.0, 1e-5), 1e-6)
+
+
+def test_restarts_and_polish_within_the_evaluations() -> None:
+    heuristic = delta.GaPso(population=50, flights=5)
+    settings = {"terms": 4, "nodes": 20, "stages": 1, "polish": delta.Polish(150), "restarts": 2, "box": 0.25}
+    runs = [
+        delta.solve(double_integrator(0.25), delta.Legendre(), heuristic, 600, 1, **settings)  # type: ignore[arg-type]
+        for _ in range(2)
+    ]
+    np.testing.assert_array_equal(runs[0].state, runs[1].state)
+    assert runs[0].solver.endswith("polished")
+    assert runs[0].history[-1].iterations <= 600
+    assert runs[0].residuals["boundary"] < 2e-6
+    assert runs[0].final_time == pytest.approx(math.sqrt(3.0), abs=1e-5)
+    with pytest.raises(SailnetError, match="a search and an evaluation a stage"):
+        delta.solve(double_integrator(), evaluations=600, polish=delta.Polish(300), restarts=2)

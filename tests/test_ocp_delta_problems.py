@@ -94,17 +94,36 @@ def test_fastest_transfer_by_shooting_and_by_collocation() -> None:
     assert 1.0 - first["m"][-1] == pytest.approx(burnt, rel=1e-9)
 
 
-def test_the_table_keeps_what_a_search_found() -> None:
+def test_the_table_keeps_what_a_search_found(monkeypatch: pytest.MonkeyPatch) -> None:
     heuristic = GaPso(population=20, flights=2)
-    made, again = (delta_table.entry("lunar-landing", Fourier(), heuristic, 200, 0) for _ in range(2))
-    assert made is not None
+    monkeypatch.setattr(delta_table, "HEURISTICS", [heuristic])
+    monkeypatch.setattr(delta_table, "BASES", [Fourier()])
+    monkeypatch.setattr(delta_table, "RESTARTS", 1)
+    made = list(delta_table.entries(600, 1, problems=["lunar-landing"]))
+    assert [one.method for one in made] == ["alone", "polished", "restarted"]
+    alone, polished, restarted = made
+    assert alone.evaluations == 600 < polished.evaluations
+    assert restarted.evaluations <= 600
+    assert alone.history[-1][1] <= alone.history[0][1]
+    for one in (polished, restarted):
+        assert one.converged
+        assert one.end_error < 2e-6
+        assert abs(one.cost_error) < 1e-5
+        assert one.reference == pytest.approx(1.716681344829, rel=1e-9)
+        assert one.switches == pytest.approx(one.reference_switches, abs=1e-4)
+    again = delta_table.entry("lunar-landing", Fourier(), heuristic, "alone", 600, 0)
     assert again is not None
-    assert made.evaluations == 200
-    assert made.paper_seconds == 91.73
-    assert made.converged == (made.end_error <= 1e-3)
-    assert made.reference == pytest.approx(1.716681344829, rel=1e-9)
-    assert made.history[-1][1] <= made.history[0][1]
-    assert replace(again, seconds=made.seconds, cpu_seconds=made.cpu_seconds) == made
+    assert replace(again, cpu_seconds=alone.cpu_seconds) == alone
+    # What is known already is not searched for again.
+    monkeypatch.setattr(delta_table, "entry", None)
+    assert list(delta_table.entries(600, 1, made, ["lunar-landing"])) == made
+    origin = {"machine": "a machine", "date": "today", "revision": "abc"}
+    table = delta_table.markdown([replace(alone, converged=False), *made[1:]], origin)
+    assert "on a machine, today, revision abc; 1 seeds." in table
+    assert "| lunar-landing | GA-PSO | Fourier | 0 of 1, " in table
+    assert table.count("1 of 1, ") == 2
+    assert table.count(", 0 % |") >= 1
+    assert table.rstrip().endswith("| 91.73 |")
 
 
 def test_every_figure_has_two_values_that_agree() -> None:

@@ -18,7 +18,7 @@ Problems are a file each in :mod:`sailnet.ocp.problems`, the papers' figures in 
 from sailnet.ocp import arcs, collocation, ponn, shooting
 from sailnet.ocp.continuation import Schedule
 from sailnet.ocp.problem import TIME, Bounded, Direction, FreeTime, Problem, costate, symbols
-from sailnet.ocp.smoothing import Exact, HyperbolicTangent, L2Norm, Saturation, Smoothing
+from sailnet.ocp.smoothing import Exact, HyperbolicTangent, L2Norm, Logistic, Saturation, Smoothing
 from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch
 
 __all__ = [
@@ -30,6 +30,7 @@ __all__ = [
     "FreeTime",
     "HyperbolicTangent",
     "L2Norm",
+    "Logistic",
     "Problem",
     "Saturation",
     "Schedule",

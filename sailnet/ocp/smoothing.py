@@ -11,6 +11,10 @@ from typing import ClassVar, Protocol
 import heyoka as hy
 
 from sailnet.dynamics import Expression
+from sailnet.errors import SailnetError
+
+NEWTON = 6
+"""Steps that reach rounding from the logistic law's first guess, k from 1e-10 to 1e6; twice for a switch."""
 
 
 class Smoothing(Protocol):
@@ -82,6 +86,53 @@ class Saturation(_SmoothClip):
         """The control for a switching function: a line of slope -1 / rho with rounded corners."""
         middle = 0.5 * (lower + upper)
         return self.clip(middle + 0.5 * (lower - upper) * s / rho, lower, upper, hy.expression(0.01))
+
+
+@dataclass(frozen=True)
+class Logistic:
+    """Eqs. (13)-(17) of paper 002: a logistic function of a free control w, and rho w^2 in the cost.
+
+    The control is the one that makes (u - bar)^2 / 2 + rho w^2 least, or S u + rho w^2: the Hamiltonian's
+    second derivative by the control counts as 1. With d half the distance between the bounds and
+    E = sinh(s w / 2), what w must meet is E / sqrt(1 + E^2) + k asinh(E) (1 + E^2) = bar / d in units of its
+    own, with k = 8 rho / (s d)^2, so that nothing in it is as large as w, or as small as rho w.
+
+    Attributes:
+        slope: c of Eq. (14), with s = c / (upper - lower).
+    """
+
+    name: ClassVar[str] = "logistic"
+    layer: ClassVar[float] = 0.0
+    slope: float = 0.005
+
+    def switch(self, s: Expression, lower: float, upper: float, rho: Expression) -> Expression:
+        """The control for a switching function."""
+        return self._bounded(-s, 0.0, lower, upper, rho)
+
+    def clip(self, bar: Expression, lower: float, upper: float, rho: Expression) -> Expression:
+        """The control for an unbounded minimiser ``bar``; both bounds or none."""
+        if math.isinf(lower) and math.isinf(upper):
+            return bar
+        return self._bounded(bar - 0.5 * (lower + upper), 1.0, lower, upper, rho)
+
+    def _bounded(
+        self, pull: Expression, own: float, lower: float, upper: float, rho: Expression
+    ) -> Expression:
+        if math.isinf(upper - lower):
+            raise SailnetError("the logistic smoothing needs a lower and an upper bound; give both or none")
+        half = 0.5 * (upper - lower)
+        k = 8.0 * (upper - lower) ** 2 / (self.slope * half) ** 2 * rho
+        wanted = pull / half
+        # Near the root for all k: tanh alone below the bounds, k asinh(E) (1 + E^2) alone beyond them.
+        size = hy.sqrt(wanted**2 + 0.01)
+        growth = 0.5 * hy.log(1.0 + 4.0 * size / (k * (1.0 + hy.log(1.0 + 2.0 * hy.sqrt(size / k)))))
+        room, reach = own - wanted**2, wanted**2 * (size + own) * growth + (0.3 if own else 1e-12)
+        e = wanted / hy.sqrt(0.5 * (room + hy.sqrt(room**2 + 4.0 * k * reach)))
+        for _ in range(NEWTON if own else 2 * NEWTON):
+            r, w = hy.sqrt(1.0 + e**2), hy.asinh(e)
+            excess = own * e / r + k * w * r**2 - wanted
+            e = e - excess / (own / r**3 + k * (r + 2.0 * w * e))
+        return 0.5 * (lower + upper) + half * e / hy.sqrt(1.0 + e**2)
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ solution = delta.solve(lunar_landing.problem(), basis=delta.Chebyshev(), heurist
 from sailnet.ocp.delta.criteria import Weights
 from sailnet.ocp.delta.heuristics import CmaEs, GaPso, Heuristic
 from sailnet.ocp.delta.imperialist import Imperialist
+from sailnet.ocp.delta.polish import Polish
 from sailnet.ocp.delta.series import Basis, Chebyshev, Fourier, Legendre
 from sailnet.ocp.delta.solver import solve
 
@@ -18,6 +19,7 @@ __all__ = [
     "Heuristic",
     "Imperialist",
     "Legendre",
+    "Polish",
     "Weights",
     "solve",
 ]

@@ -139,35 +139,42 @@ class Controls:
         values = self.basis.values(s, self.terms)
         return np.asarray(np.einsum("mct,kt->mkc", self.coefficients(z), values))
 
-    def shares(self, series: Array) -> tuple[Array, Array]:
-        """How switched controls pass over each interval, whose ends may be of two signs.
+    def shares(self, series: Array, softness: float = 0.0) -> Array:
+        """Where switched controls stand between their bounds, 0 at the lower and 1 at the upper.
 
-        A series is taken for straight between two points, so that a switch moves a flight continuously.
+        Within an interval a series is taken for straight, so that a switch moves a flight continuously:
+        the share's straight line there has the switch's mean and first moment.
+
+        Args:
+            series: (m, 3, k, channels) at begin, middle and end of every interval.
+            softness: of the switches; with some, a control passes smoothly from one bound to the other
+                while its series passes zero by about as much.
 
         Returns:
-            (m, k - 1, switched) share of the interval for which its series is negative, and half of what
-            the share must grow by along it so that its first moment, too, is that of the switch.
+            (m, 3, k, switched).
         """
-        columns = [switched.channel for switched in self.switched]
-        chosen = series[:, :, columns]
-        below, above = np.maximum(-chosen, 0.0), np.maximum(chosen, 0.0)
-        down, up = below[:, :-1] + below[:, 1:], above[:, :-1] + above[:, 1:]
-        sides = down + up
+        chosen = series[..., [switched.channel for switched in self.switched]]
+        if softness:
+            return np.asarray(0.5 * (1.0 - np.tanh(chosen / softness)))
+        first, last = chosen[:, 0], chosen[:, 2]
+        down = np.maximum(-first, 0.0) + np.maximum(-last, 0.0)
+        sides = np.abs(first) + np.abs(last)
         # Of two points on one side, the other side's sum is zero: the share is 1 or 0.
         share = down / np.where(sides == 0.0, 1.0, sides)
-        return share, 3.0 * share * (1.0 - share) * np.sign(chosen[:, :-1] - chosen[:, 1:])
+        lean = 3.0 * share * (1.0 - share) * np.sign(first - last)
+        return np.stack([share - lean, share, share + lean], axis=1)
 
     def controls(self, series: Array, shares: Array) -> Array:
-        """(m, k, controls) at points whose series, and whose intervals' shares, are given."""
-        u = np.empty((*series.shape[:2], self.columns))
+        """(..., controls) at points whose series and shares are given."""
+        u = np.empty((*series.shape[:-1], self.columns))
         for j, switched in enumerate(self.switched):
-            u[:, :, switched.column] = switched.lower + (switched.upper - switched.lower) * shares[:, :, j]
+            u[..., switched.column] = switched.lower + (switched.upper - switched.lower) * shares[..., j]
         for clipped in self.clipped:
             middle, half = 0.5 * (clipped.lower + clipped.upper), 0.5 * (clipped.upper - clipped.lower)
-            value = middle + half * series[:, :, clipped.channel]
-            u[:, :, clipped.column] = np.clip(value, clipped.lower, clipped.upper)
+            value = middle + half * series[..., clipped.channel]
+            u[..., clipped.column] = np.clip(value, clipped.lower, clipped.upper)
         for pointed in self.pointed:
-            u[:, :, pointed.columns] = self._direction(series[:, :, pointed.channels])[0]
+            u[..., pointed.columns] = self._direction(series[..., pointed.channels])[0]
         return u
 
     def turned(self, series: Array, slopes: Array) -> Array:
@@ -188,14 +195,38 @@ class Controls:
             found.append(slopes[..., clipped.column] * free.reshape(*free.shape, *[1] * (slopes.ndim - 3)))
         return np.stack(found, axis=-1) if found else np.zeros((*slopes.shape[:-1], 0))
 
+    def wanted(self, switching: Array, u: Array) -> list[tuple[int, Array]]:
+        """What each series would have to be, by channel, along one flight.
+
+        Args:
+            switching: (k, bounded) switching functions in order of time.
+            u: (k, controls) controls.
+        """
+        found = []
+        for switched in self.switched:
+            series = switching[:, switched.index]
+            # Its sign alone steers.
+            found.append((switched.channel, series / max(float(np.abs(series).max()), 1e-300)))
+        for clipped in self.clipped:
+            middle, half = 0.5 * (clipped.lower + clipped.upper), 0.5 * (clipped.upper - clipped.lower)
+            found.append((clipped.channel, (u[:, clipped.column] - middle) / half))
+        for pointed in self.pointed:
+            a = u[:, pointed.columns]
+            plane = (0, 1) if a.shape[1] == 2 else (2, 1)
+            turned = np.unwrap(np.arctan2(a[:, plane[0]], a[:, plane[1]]))
+            turned -= 2.0 * np.pi * np.round(turned.mean() / (2.0 * np.pi))
+            angles = [turned] if a.shape[1] == 2 else [np.arcsin(np.clip(a[:, 0], -1.0, 1.0)), turned]
+            found += list(zip(pointed.channels, angles, strict=True))
+        return found
+
     @staticmethod
     def _direction(angles: Array) -> tuple[Array, list[Array]]:
         """Unit vectors, and their derivatives by each angle."""
-        first = angles[:, :, 0]
+        first = angles[..., 0]
         sin, cos = np.sin(first), np.cos(first)
-        if angles.shape[2] == 1:
+        if angles.shape[-1] == 1:
             return np.stack([sin, cos], axis=-1), [np.stack([cos, -sin], axis=-1)]
-        sin_psi, cos_psi = np.sin(angles[:, :, 1]), np.cos(angles[:, :, 1])
+        sin_psi, cos_psi = np.sin(angles[..., 1]), np.cos(angles[..., 1])
         unit = np.stack([sin, cos * cos_psi, cos * sin_psi], axis=-1)
         by_phi = np.stack([cos, -sin * cos_psi, -sin * sin_psi], axis=-1)
         by_psi = np.stack([np.zeros_like(sin), -cos * sin_psi, cos * cos_psi], axis=-1)

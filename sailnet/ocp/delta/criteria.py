@@ -186,11 +186,21 @@ class Judge:
     def _least(self, at: tuple[Array, Array], costate: Array) -> Array:
         """(points,) the least Hamiltonian over all controls."""
         y = np.hstack([at[1], costate])
-        modes = np.zeros((len(y), len(self._affine)))
         with np.errstate(all="ignore"):
-            if len(self._affine):
-                switching = self.exact.switching(at[0], y, modes)
-                law = self.exact.control(at[0], y, modes)[:, self._columns]
-                beyond = (law > self._bounds[:, 1]).astype(float) - (law < self._bounds[:, 0])
-                modes = np.where(self._affine, np.where(switching < 0.0, 1.0, -1.0), beyond)
-            return self.exact.hamiltonian(at[0], y, modes)
+            return self.exact.hamiltonian(at[0], y, self._modes(at[0], y))
+
+    def _modes(self, time: Array, y: Array) -> Array:
+        """(points, bounded) modes of the controls of the least Hamiltonian."""
+        modes = np.zeros((len(y), len(self._affine)))
+        if not len(self._affine):
+            return modes
+        switching = self.exact.switching(time, y, modes)
+        law = self.exact.control(time, y, modes)[:, self._columns]
+        beyond = (law > self._bounds[:, 1]).astype(float) - (law < self._bounds[:, 0])
+        return np.where(self._affine, np.where(switching < 0.0, 1.0, -1.0), beyond)
+
+    def least(self, time: Array, y: Array) -> tuple[Array, Array]:
+        """(points, bounded) switching functions and (points, controls) controls of the least Hamiltonian."""
+        with np.errstate(all="ignore"):
+            modes = self._modes(time, y)
+            return self.exact.switching(time, y, modes), self.exact.control(time, y, modes)

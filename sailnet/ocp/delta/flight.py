@@ -5,15 +5,17 @@ a particular one and one for each condition at its end, each integrated backward
 construction, and no initial costate need be searched for; the paper does not say where its own come from.
 """
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+import heyoka as hy
 import numpy as np
 
-from sailnet.dynamics import Array
+from sailnet.dynamics import Array, Expression
 from sailnet.errors import SailnetError
 from sailnet.ocp.delta.controls import Controls
 from sailnet.ocp.functions import ProblemFunctions
-from sailnet.ocp.kernels import Kernels
+from sailnet.ocp.kernels import Kernels, compiled
 from sailnet.ocp.problem import TIME, Problem, dot, symbols
 
 
@@ -70,33 +72,33 @@ class Flyer:
         self._multipliers = len(nu)
         names = symbols(" ".join(problem.parameters))
         self._ends = Kernels([TIME, *problem.states, *nu, *names])
+        self._parameters = np.array(list(problem.parameters.values()), float)
+        self._step = _step(problem)
 
-    def fly(self, z: Array, s: Array) -> Flights:
-        """Fly (m, d) points over the (k + 1,) nodes of normalised time."""
+    def fly(self, z: Array, s: Array, softness: float = 0.0) -> Flights:
+        """Fly (m, d) points over the (k + 1,) nodes of normalised time, their switches so soft."""
         count, middle = len(z), 0.5 * (s[:-1] + s[1:])
         nodes, centres = self.controls.series(z, s), self.controls.series(z, middle)
-        share, lean = self.controls.shares(nodes)
         series = np.stack([nodes[:, :-1], centres, nodes[:, 1:]], axis=1)
-        control = np.stack(
-            [self.controls.controls(series[:, i], share + (i - 1) * lean) for i in range(3)], axis=1
-        )
+        control = self.controls.controls(series, self.controls.shares(series, softness))
         stop = self.controls.final_times(z)
         widths = stop[:, None] * np.diff(s)
         time = stop[:, None, None] * np.stack([s[:-1], middle, s[1:]])
-        x = np.tile(self._start, (count, 1))
-        state = np.empty((*control.shape[:3], len(self._start)))
-        f = self.functions.dynamics
+        n, columns = len(self._start), control.shape[3]
+        state = np.empty((*control.shape[:3], n))
+        # An interval's states, controls, length and parameters; the states are filled in on the way.
+        inputs = np.empty((len(s) - 1, n + 3 * columns + 1 + len(self._parameters), count))
+        inputs[:, n : n + 3 * columns] = control.transpose(2, 1, 3, 0).reshape(len(s) - 1, -1, count)
+        inputs[:, n + 3 * columns] = widths.T
+        inputs[:, n + 3 * columns + 1 :] = self._parameters[:, None]
+        inputs[0, :n] = self._start[:, None]
         with np.errstate(all="ignore"):
             for k in range(len(s) - 1):
-                h = widths[:, k, None]
-                first = f(time[:, 0, k], x, control[:, 0, k])
-                second = f(time[:, 1, k], x + 0.5 * h * first, control[:, 1, k])
-                third = f(time[:, 1, k], x + 0.5 * h * second, control[:, 1, k])
-                fourth = f(time[:, 2, k], x + h * third, control[:, 2, k])
-                after = x + h / 6.0 * (first + 2.0 * (second + third) + fourth)
-                state[:, 0, k], state[:, 2, k] = x, after
-                state[:, 1, k] = 0.5 * (x + after) + 0.125 * h * (first - fourth)
-                x = after
+                found = self._step(inputs[k])
+                if k + 1 < len(s) - 1:
+                    inputs[k + 1, :n] = found[:n]
+                state[:, 1, k], state[:, 2, k] = found[n:].T, found[:n].T
+        state[:, 0] = inputs[:, :n].transpose(2, 0, 1)
         return Flights(time, state, series, control, widths)
 
     def end_errors(self, flights: Flights) -> Array:
@@ -111,13 +113,12 @@ class Flyer:
 
     def _end_inputs(self, flights: Flights) -> Array:
         count = len(flights.final_time)
-        values = np.array(list(self.problem.parameters.values()), float)
         return np.hstack(
             [
                 flights.final_time[:, None],
                 flights.final_state,
                 np.zeros((count, self._multipliers)),
-                np.tile(values, (count, 1)),
+                np.tile(self._parameters, (count, 1)),
             ]
         )
 
@@ -145,31 +146,66 @@ class Flyer:
 
     def costates(self, flights: Flights, last: Array) -> Array:
         """(m, 3, k, n, c) costates along flights from (m, n, c) final ones, the first of them particular."""
-        shape = flights.state.shape
-        flat = (flights.time.ravel(), flights.state.reshape(-1, shape[3]))
+        shape, n = flights.state.shape, flights.state.shape[3]
+        flat = (flights.time.ravel(), flights.state.reshape(-1, n))
         u = flights.control.reshape(-1, flights.control.shape[3])
+        # A last component, 1 for the particular costate and 0 for the others, carries what drives it.
+        rates = np.zeros((*shape[:3], n + 1, n + 1))
         with np.errstate(all="ignore"):
-            matrices = -self.functions.dynamics_by_state(*flat, u).transpose(0, 2, 1)
-            forcing = self.functions.costate_slopes(*flat, np.zeros((1, shape[3])), u)
-        matrices = matrices.reshape(*shape, shape[3])
-        forcing = forcing.reshape(shape)
-        found = np.empty((*shape, last.shape[2]))
-        now = last
+            slopes = -self.functions.dynamics_by_state(*flat, u).transpose(0, 2, 1)
+            rates[..., :n, :n] = slopes.reshape(*shape, n)
+            forcing = self.functions.costate_slopes(*flat, np.zeros((1, n)), u)
+            rates[..., :n, n] = forcing.reshape(shape)
+        begin, middle, end = rates[:, 0], rates[:, 1], rates[:, 2]
+        h = -flights.widths[:, :, None, None]
+        found = np.zeros((*shape[:3], n + 1, last.shape[2]))
         with np.errstate(all="ignore"):
+            # Runge and Kutta's slopes by the costate at the end, of all intervals at once.
+            second = middle + 0.5 * h * (middle @ end)
+            third = middle + 0.5 * h * (middle @ second)
+            fourth = begin + h * (begin @ third)
+            passage = np.eye(n + 1) + h / 6.0 * (end + 2.0 * (second + third) + fourth)
+            now = found[:, 2, -1]
+            now[:, :n], now[:, n, 0] = last, 1.0
             for k in reversed(range(shape[2])):
-                h = -flights.widths[:, k, None, None]
+                found[:, 2, k] = now
+                now = passage[:, k] @ now
+                found[:, 0, k] = now
+            ends = found[:, 2]
+            found[:, 1] = 0.5 * (ends + found[:, 0]) + 0.125 * h * (end @ ends - fourth @ ends)
+        return found[..., :n, :]
 
-                def slope(i: int, value: Array, k: int = k) -> Array:
-                    rate = matrices[:, i, k] @ value
-                    rate[:, :, 0] += forcing[:, i, k]
-                    return np.asarray(rate)
 
-                first = slope(2, now)
-                second = slope(1, now + 0.5 * h * first)
-                third = slope(1, now + 0.5 * h * second)
-                fourth = slope(0, now + h * third)
-                before = now + h / 6.0 * (first + 2.0 * (second + third) + fourth)
-                found[:, 2, k], found[:, 0, k] = now, before
-                found[:, 1, k] = 0.5 * (now + before) + 0.125 * h * (first - fourth)
-                now = before
-        return found
+def _step(problem: Problem) -> Callable[[Array], Array]:
+    """One step of Runge and Kutta as one compiled function.
+
+    Of (v, m) rows of states, controls at its begin, middle and end, its length, and parameters; it gives
+    (2 n, m) rows of states at the end and in the middle.
+    """
+    states, controls = list(problem.states), list(problem.control_variables)
+    slopes = [hy.expression(rate) for rate in problem.dynamics.values()]
+    tables = [
+        symbols(" ".join(f"{variable}_{place}" for variable in controls))
+        for place in ("begin", "middle", "end")
+    ]
+    (h,) = symbols("step")
+
+    def rates(at: Sequence[Expression], u: Sequence[Expression]) -> list[Expression]:
+        return list(hy.subs(slopes, dict(zip([*states, *controls], [*at, *u], strict=True))))
+
+    def moved(share: float, by: Sequence[Expression]) -> list[Expression]:
+        return [x + share * h * rate for x, rate in zip(states, by, strict=True)]
+
+    first = rates(states, tables[0])
+    second = rates(moved(0.5, first), tables[1])
+    third = rates(moved(0.5, second), tables[1])
+    fourth = rates(moved(1.0, third), tables[2])
+    mean = [(a + 2.0 * (b + c) + d) / 6.0 for a, b, c, d in zip(first, second, third, fourth, strict=True)]
+    after = moved(1.0, mean)
+    middle = [
+        0.5 * (x + y) + 0.125 * h * (a - d) for x, y, a, d in zip(states, after, first, fourth, strict=True)
+    ]
+    names = symbols(" ".join(problem.parameters))
+    variables = [*states, *tables[0], *tables[1], *tables[2], h, *names]
+    step: Callable[[Array], Array] = compiled((*after, *middle), tuple(variables))
+    return step

@@ -4,7 +4,7 @@ Paper 004, Fig. 1 and Eqs. (8)-(25).
 """
 
 import time
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -15,7 +15,9 @@ from sailnet.ocp.delta.controls import Controls
 from sailnet.ocp.delta.criteria import Criteria, Judge, Weights
 from sailnet.ocp.delta.flight import Flights
 from sailnet.ocp.delta.heuristics import GaPso, Heuristic, Search
-from sailnet.ocp.delta.series import Basis, Fourier, zeros
+from sailnet.ocp.delta.polish import Polish, Polished
+from sailnet.ocp.delta.sensitivity import aligned, linearised, switches
+from sailnet.ocp.delta.series import Basis, Fourier
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch, Table
 
@@ -25,8 +27,8 @@ GOAL = 1e-3
 NARROWING = 0.5
 """Ratio of the boxes of two stages."""
 
-CHUNK = 250
-"""Flights at a time; more do not fit a processor's caches."""
+CHUNK = 40
+"""Flights at a time; the matrices of more do not fit a processor's caches."""
 
 
 class Delta:
@@ -55,19 +57,6 @@ class Delta:
         flights = self.judge.flyer.fly(z, s)
         return flights, self.judge.judge(flights)
 
-    def switches(self, z: Array) -> list[tuple[float, int]]:
-        """Normalised times at which the series of one point vanish, and which of the switched controls."""
-        series = self.controls.coefficients(z[None])[0]
-        return sorted(
-            (float(s), j)
-            for j, switched in enumerate(self.controls.switched)
-            for s in zeros(self.controls.basis, series[switched.channel])
-        )
-
-    def aligned(self, z: Array, nodes: int) -> Array:
-        """Nodes among which are all switches of one point."""
-        return np.union1d(np.linspace(0.0, 1.0, nodes + 1), [s for s, _ in self.switches(z)])
-
 
 def solve(
     problem: Problem,
@@ -80,6 +69,9 @@ def solve(
     weights: Weights | None = None,
     stages: int = 4,
     goal: float = GOAL,
+    polish: Polish | None = None,
+    restarts: int = 1,
+    box: float = 1.0,
 ) -> Solution:
     """Solve a problem by the delta method.
 
@@ -87,14 +79,18 @@ def solve(
         problem: the problem; its initial state must be given, and its equations free of time.
         basis: of the series; Fourier's by default.
         heuristic: that searches; GA-PSO by default.
-        evaluations: flights in the search.
+        evaluations: flights in all.
         seed: of the heuristic.
         terms: of each series.
         nodes: intervals of a flight; the accepted one is flown over four times as many, cut at its switches.
         weights: of the criteria in the first stage.
-        stages: of the search, of equally many evaluations; each weighs the ends ten times as much as the one
+        stages: of a search, of equally many evaluations; each weighs the ends ten times as much as the one
             before, in a box NARROWING times as wide around its best point.
         goal: largest error at the end of an accepted flight.
+        polish: what is done with the best point of a search, within the same evaluations; nothing by
+            default, as in the paper.
+        restarts: searches, of equally many evaluations.
+        box: of the coefficients at first, as a share of the paper's. A polish may leave it.
 
     Returns:
         The best flight. Its ``residuals`` hold, beside the usual kinds, ``delta_s_h``, ``delta_s_i``,
@@ -106,53 +102,119 @@ def solve(
         SailnetError: if the problem is none for this method.
     """
     began = time.perf_counter()
-    if evaluations < stages or stages < 1 or terms < 1 or nodes < 2:
-        raise SailnetError(
-            "the delta method needs terms, two nodes and an evaluation a stage at least; give more"
-        )
     basis, heuristic = basis or Fourier(), heuristic or GaPso()
-    delta, chosen = Delta(problem, basis, terms, nodes), weights or Weights()
-    what = f"delta method, {basis.name} and {heuristic.name}"
-    lower, upper = delta.controls.bounds
-    floor, ceiling = lower, upper
-    best, used, history = np.zeros((0, delta.controls.size)), 0, list[Step]()
-    for stage in range(stages):
-        search = Search(
-            partial(delta.cost, chosen), floor, ceiling, evaluations * (stage + 1) // stages - used
+    delta = Delta(problem, basis, terms, nodes)
+    what = f"delta method, {basis.name} and {heuristic.name}" + (", polished" if polish else "")
+    found = restarted(
+        delta, heuristic, evaluations, seed, weights or Weights(), stages, polish, restarts, box
+    )
+    if not len(found.point):
+        raise ConvergenceError(
+            f"{what} on {problem.name}: no flight reaches its end; use more evaluations", {}, found.history
         )
-        if len(best):
-            search(best)
-        heuristic.run(search, seed + stage)
-        history += [Step(chosen.ends, cost, used + count, False) for count, cost in search.history]
-        used += search.used
-        if not len(search.best):
-            raise ConvergenceError(
-                f"{what} on {problem.name}: no flight reaches its end; use more evaluations", {}, history
-            )
-        best = search.best[None]
-        reach = 0.5 * NARROWING * (ceiling - floor)
-        floor, ceiling = np.maximum(lower, best[0] - reach), np.minimum(upper, best[0] + reach)
-        chosen = replace(chosen, ends=10.0 * chosen.ends)
-    solution = flown(delta, best[0])
-    solution.solver, solution.history = what, history
+    solution = flown(delta, found.point)
+    solution.solver, solution.history = what, found.history
     solution.wall_time = time.perf_counter() - began
     if not solution.residuals["boundary"] <= goal:
         raise ConvergenceError(
             f"{what} on {problem.name} misses the end; more evaluations or terms may reach it",
             solution.residuals,
-            history,
+            found.history,
         )
     return solution
+
+
+@dataclass(frozen=True)
+class Found:
+    """What a search has found.
+
+    Attributes:
+        point: z; empty if no flight has a finite cost.
+        evaluations: flights used.
+        history: of the searches.
+    """
+
+    point: Array
+    evaluations: int
+    history: list[Step]
+
+
+def restarted(
+    delta: Delta,
+    heuristic: Heuristic,
+    evaluations: int,
+    seed: int,
+    weights: Weights,
+    stages: int,
+    polish: Polish | None = None,
+    restarts: int = 1,
+    box: float = 1.0,
+) -> Found:
+    """The best of several searches, each polished if a polish is given; arguments are those of solve."""
+    each = evaluations // max(restarts, 1)
+    left = each - (polish.evaluations if polish else 0)
+    if restarts < 1 or stages < 1 or left < stages or delta.controls.terms < 1 or delta.nodes < 2:
+        raise SailnetError(
+            "the delta method needs terms, two nodes, a search and an evaluation a stage at least; give more"
+        )
+    best: Polished | None = None
+    used, history = 0, list[Step]()
+    for restart in range(restarts):
+        found = searched(delta, heuristic, left, seed + stages * restart, weights, stages, box)
+        history += [replace(step, iterations=used + step.iterations) for step in found.history]
+        used += found.evaluations
+        if not len(found.point):
+            continue
+        linear = linearised(delta.judge.flyer, found.point, delta.nodes)
+        made = Polished(found.point, linear.cost, float(np.abs(linear.errors).max(initial=0.0)), 0)
+        if polish:
+            made = polish.run(delta.judge, found.point, delta.nodes)
+        used += made.evaluations
+        if best is None or made.beats(best, polish.tolerance if polish else GOAL):
+            best = made
+    return Found(np.zeros(0) if best is None else best.point, used, history)
+
+
+def searched(
+    delta: Delta,
+    heuristic: Heuristic,
+    evaluations: int,
+    seed: int,
+    weights: Weights,
+    stages: int,
+    box: float = 1.0,
+) -> Found:
+    """The best point that a heuristic meets; arguments are those of solve."""
+    lower, upper = delta.controls.bounds
+    share = np.where(np.arange(len(lower)) < delta.controls.channels * delta.controls.terms, box, 1.0)
+    floor, ceiling = share * lower, share * upper
+    best, used, history = np.zeros(0), 0, list[Step]()
+    for stage in range(stages):
+        search = Search(
+            partial(delta.cost, weights), floor, ceiling, evaluations * (stage + 1) // stages - used
+        )
+        if len(best):
+            search(best[None])
+        heuristic.run(search, seed + stage)
+        history += [Step(weights.ends, cost, used + count, False) for count, cost in search.history]
+        used += search.used
+        if not len(search.best):
+            break
+        best = search.best
+        reach = 0.5 * NARROWING * (ceiling - floor)
+        floor, ceiling = np.maximum(lower, best - reach), np.minimum(upper, best + reach)
+        weights = replace(weights, ends=10.0 * weights.ends)
+    return Found(best, used, history)
 
 
 def flown(delta: Delta, z: Array) -> Solution:
     """The flight of one point, cut at its switches, as a solution."""
     problem, functions = delta.problem, delta.judge.exact
-    s = delta.aligned(z, 4 * delta.nodes)
+    s = aligned(delta.controls, z, 4 * delta.nodes)
     flights, criteria = delta.evaluate(z[None], s)
-    coarse = delta.judge.flyer.fly(z[None], delta.aligned(z, 2 * delta.nodes))
+    coarse = delta.judge.flyer.fly(z[None], aligned(delta.controls, z, 2 * delta.nodes))
     stop = float(flights.final_time[0])
-    cuts = delta.switches(z)
+    cuts = switches(delta.controls, z)
     # Begin of every interval and the last end; at a switch the end of the interval before as well.
     ends = np.isin(s[1:], [when for when, _ in cuts])
     ends[-1] = True
@@ -182,7 +244,7 @@ def flown(delta: Delta, z: Array) -> Solution:
     names = [problem.bounded[switched.index].switching for switched in delta.controls.switched]
     channels = [switched.channel for switched in delta.controls.switched]
     coefficients = delta.controls.coefficients(z[None])[0]
-    switches = [
+    passed = [
         # A control rises where its series falls.
         Switch(
             when * stop,
@@ -197,7 +259,7 @@ def flown(delta: Delta, z: Array) -> Solution:
         **table,
         cost=float(criteria.cost[0]),
         residuals=residuals,
-        switches=switches,
+        switches=passed,
         names=problem.names,
-        message=f"{len(switches)} switches",
+        message=f"{len(passed)} switches",
     )
