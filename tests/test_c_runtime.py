@@ -9,7 +9,7 @@ from tests.conftest import Exported
 
 C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
-FAST = "-O3 -march=native -fno-trapping-math -ffp-contract=fast"
+FAST = "-O3 -march=native -fno-trapping-math -fno-tree-vectorize -ffp-contract=fast"
 # Undefined behaviour ends the program; needs no library of the sanitizer.
 TRAPPING = "-O1 -fsanitize=undefined -fsanitize-undefined-trap-on-error"
 COMPILERS = [name for name in ("gcc", "clang", "clang-14") if shutil.which(name)]

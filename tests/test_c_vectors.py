@@ -21,7 +21,7 @@ Trio = tuple[Sequence[int], Sequence[int], Sequence[int]]
 COUNT = 20_000
 
 # No product and sum in one operation: which of them are is the compiler's choice.
-FLAGS = ("-std=c99", "-O3", "-fno-trapping-math", "-ffp-contract=off")
+FLAGS = ("-std=c99", "-O3", "-fno-trapping-math", "-fno-tree-vectorize", "-ffp-contract=off")
 PLAIN = ("-DSAILNET_PLAIN",)
 WRAPPER = """
 #include "sailnet_guidance.c"
