@@ -194,7 +194,8 @@ SAILNET_INLINE sailnet_lanes sailnet_lanes_power(sailnet_lanes octaves)
     const sailnet_lanes rounded = octaves + SAILNET_ROUNDER;
 #else
     const sailnet_real largest = (sailnet_real)SAILNET_LARGEST_POWER;
-    const sailnet_lanes rounded = sailnet_lanes_clamped(octaves, -largest, largest) + SAILNET_ROUNDER;
+    const sailnet_lanes rounded = sailnet_lanes_clamped(octaves + SAILNET_ROUNDER, SAILNET_ROUNDER - largest,
+                                                        SAILNET_ROUNDER + largest);
 #endif
     const sailnet_lanes_bits bits = (sailnet_lanes_bits)rounded << SAILNET_MANTISSA_BITS;
     return (sailnet_lanes)bits;
