@@ -25,9 +25,9 @@ PROVED_BUILDS = {
 }
 """The same, of single numbers where analysers cannot read vectors."""
 
-# Portable flags: what is installed may run on another machine than it was built on. The additions to -O3 keep NaN
-# and infinity as they are: gcc makes maxima of clamps, keeps its hands off what is not written as vectors, and
-# may use FMA.
+# Portable flags: what is installed may run on another machine than it was built on. The additions to -O3
+# keep NaN and infinity as they are: gcc makes maxima of clamps, makes no vectors but those that are written,
+# and may use FMA.
 FLAGS = ("-std=c99", "-O3", "-fno-trapping-math", "-fno-tree-vectorize", "-ffp-contract=fast")
 SHARED = ("-fPIC", "-shared")
 CHECKSUMS = "libraries.sha256"

@@ -1,13 +1,15 @@
-"""The long run of the fuzzers, one build after the other, into a text with machine and date."""
+"""The long run of the fuzzers, one build a processor at a time, into a text with machine and date."""
 
 import argparse
 import hashlib
+import os
 import platform
 import re
 import shlex
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -62,6 +64,8 @@ def report(exported: Path, options: str, runs: list[Run]) -> str:
         "Written by `make record-fuzz`: libFuzzer with the address and undefined-behaviour sanitizers on",
         "`fuzz_guidance.c`, each execution a sequence of up to six calls. Any finding fails it.",
         "",
+        f"Executions in all: {sum(run.executions for run in runs):,}.",
+        "",
         f"Mission {mission[1] if mission else 'unknown'}, sailnet_guidance.c {source[:16]};",
         f"{datetime.now(UTC):%Y-%m-%d}; {compiler.splitlines()[0]}; {_processor()};",
         f"options `{options}`.",
@@ -88,11 +92,11 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--options", default="-runs=10000000", help="of libFuzzer (default: %(default)s)")
     parser.add_argument("--output", type=Path, required=True, help="the text to write")
     given = parser.parse_args(arguments)
-    runs = []
-    for fuzzer in given.fuzzers:
-        build, program = fuzzer.split("=", 1)
-        runs.append(fuzz(build, Path(program), shlex.split(given.options)))
-        print(runs[-1].row(), flush=True)
+    builds = [fuzzer.split("=", 1) for fuzzer in given.fuzzers]
+    options = shlex.split(given.options)
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        runs = list(pool.map(lambda one: fuzz(one[0], Path(one[1]), options), builds))
+    print("\n".join(run.row() for run in runs))
     given.output.write_text(report(given.exported, given.options, runs))
     return int(any(run.finding != "none" for run in runs))
 
