@@ -40,6 +40,7 @@ SOLVERS = (
     "ponn.split",
     "delta",
     "shooting, from delta",
+    "delta, polished",
     "switch_times",
 )
 
@@ -147,6 +148,21 @@ class _Bench:
                 "saturation 1e-3 to 1e-8",
                 "delta",
                 lambda near: shooting.solve(self.problem, Saturation(), Schedule(FIRST, 1e-8), guess=near),
+            ),
+            "delta, polished": (
+                "12 Chebyshev polynomials, GA-PSO in a quarter of the box, 8 searches, polished, 20000 flights;"
+                " 3 TU to 9 TU",
+                None,
+                lambda _: delta.solve(
+                    self.problem,
+                    basis=delta.Chebyshev(),
+                    terms=12,
+                    evaluations=20_000,
+                    weights=delta.Weights(minimum=10.0),
+                    polish=delta.Polish(evaluations=500),
+                    restarts=8,
+                    box=0.25,
+                ),
             ),
             "switch_times": ("the structure of its guess", "shooting", self._directly),
         }
