@@ -150,8 +150,8 @@ class _Bench:
                 lambda near: shooting.solve(self.problem, Saturation(), Schedule(FIRST, 1e-8), guess=near),
             ),
             "delta, polished": (
-                "12 Chebyshev polynomials, GA-PSO in a quarter of the box, 8 searches, polished, 20000 flights;"
-                " 3 TU to 9 TU",
+                "12 Chebyshev polynomials, GA-PSO in a quarter of the box, 8 searches, polished, "
+                "20000 flights; 3 TU to 9 TU",
                 None,
                 lambda _: delta.solve(
                     self.problem,
