@@ -174,7 +174,7 @@ def test_the_page_is_self_contained_and_says_everything(made: Made) -> None:
     assert "paper 900, kite: shooting of &lt;kite&gt; stalled; boundary residual 5.00e-01" in text
     for row in made.rows:
         assert f"{row.ours:.9g}" in text
-        assert f"{row.check:.9g}<small>{row.check_method}</small>" in text
+        assert f"{row.check:.9g}</span><small>{row.check_method}</small>" in text
 
 
 def test_every_solution_has_a_picture(made: Made) -> None:
