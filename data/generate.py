@@ -80,4 +80,4 @@ def _stored(shard_of: ShardOf, workers: Workers, parts: Parts, numbers: Iterable
 
 
 def _make(shard_of: ShardOf, parts: Parts, number: int) -> None:
-    parts.store(number, shard_of(number).to_columns())
+    parts.ensure(number, lambda wanted: shard_of(wanted).to_columns())

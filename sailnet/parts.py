@@ -7,7 +7,7 @@ and with a checksum, and what they were made of. When the output is complete the
 import json
 import shutil
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -56,6 +56,15 @@ class Parts:
             write_whole(self._path(number), lambda beside: save_file(columns, beside, facts), durable=False)
         except (OSError, SafetensorError) as error:
             raise DatasetError(f"cannot write {self._path(number)}: {error}") from error
+
+    def ensure(self, number: int, make: Callable[[int], Columns]) -> None:
+        """Make and store one part, unless it is there: a worker may be lost before it can say so.
+
+        Raises:
+            DatasetError: it cannot be written.
+        """
+        if self.load(number) is None:
+            self.store(number, make(number))
 
     def load(self, number: int) -> Columns | None:
         """Read one part; None if it is missing, damaged or of another run."""

@@ -94,9 +94,11 @@ def main(arguments: list[str] | None = None) -> int:
     given = parser.parse_args(arguments)
     builds = [fuzzer.split("=", 1) for fuzzer in given.fuzzers]
     options = shlex.split(given.options)
+    runs = []
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        runs = list(pool.map(lambda one: fuzz(one[0], Path(one[1]), options), builds))
-    print("\n".join(run.row() for run in runs))
+        for run in pool.map(lambda one: fuzz(one[0], Path(one[1]), options), builds):
+            print(run.row(), flush=True)
+            runs.append(run)
     given.output.write_text(report(given.exported, given.options, runs))
     return int(any(run.finding != "none" for run in runs))
 

@@ -123,6 +123,5 @@ def _pieces(job: Job, parts: Parts, workers: Workers | None) -> Iterator[Columns
 
 
 def _carry_out(job: Job, parts: Parts, number: int) -> Columns | None:
-    if parts.load(number) is None:  # a worker may have been lost between storing it and saying so
-        parts.store(number, job.carry_out(number))
+    parts.ensure(number, job.carry_out)
     return None
