@@ -15,6 +15,7 @@ from sailnet.nominal import Nominal, solve_nominal
 from tests.random_networks import random_guidance, random_network, save_guidance
 from tests.reference import Array
 from tests.small_datasets import NOMINAL, pieces, with_recipe
+from tests.tools import pytest_runtest_makereport, pytest_runtest_setup  # noqa: F401 (hooks)
 
 
 @pytest.fixture(scope="session")
