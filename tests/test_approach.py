@@ -8,11 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sailnet.approach import SMALLEST_SCALE, approach_coordinates
-from sailnet.dynamics import Array
-from sailnet.extremals import arrival_gain, propagate_extremals
-from sailnet.mission import Transfer, load_mission
-from sailnet.pontryagin import guidance_law
+from sailnet.mission.mission import load_mission
+from sailnet.networks.approach import SMALLEST_SCALE, approach_coordinates
+from sailnet.physics.arrays import Array
+from sailnet.physics.extremals import arrival_gain, propagate_extremals
+from sailnet.physics.pontryagin import guidance_law
+from sailnet.physics.transfer import Transfer
 
 PROBLEM = load_mission("earth_mars").problem
 

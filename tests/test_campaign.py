@@ -18,20 +18,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sailnet.backends import load_guidance
 from sailnet.campaign.plan import Plan, load_plan, parse_plan, ready_campaigns
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import scores_of
 from sailnet.campaign.store import Results, open_results
 from sailnet.campaign.work import MOST_RECORDS
 from sailnet.cli import main
-from sailnet.disturbances import Disturbance
 from sailnet.errors import CampaignError, SailnetError
-from sailnet.executors import Workers, processes
-from sailnet.expert import solve
-from sailnet.flight import Flights, History, fly
-from sailnet.mission import Mission, load_mission
+from sailnet.expert.fastest import solve
+from sailnet.flight.closed_loop import Flights, History, fly
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission, load_mission
 from sailnet.montecarlo import BATCH, fly_campaign, random_starts
+from sailnet.workers.executors import Workers, processes
 
 ROOT = Path(__file__).parent.parent
 MISSION = load_mission("earth_mars")

@@ -10,13 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from sailnet.backends import load_guidance
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.store import open_results
 from sailnet.campaign.work import Columns, Job
 from sailnet.cli import main
-from sailnet.mission import load_mission
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.mission import load_mission
 from tests.test_resume import children, mounted
 
 ROOT = Path(__file__).parent.parent

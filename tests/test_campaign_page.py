@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from sailnet.backends import load_guidance
+from sailnet.artefacts.files import fill_block
 from sailnet.campaign.again import fly_again
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.readme import campaign_tables, read_records
@@ -24,9 +24,9 @@ from sailnet.campaign.scores import Share, detours, scores_of, share_text
 from sailnet.campaign.store import Results
 from sailnet.cli import main
 from sailnet.errors import CampaignError, SailnetError
-from sailnet.files import fill_block
-from sailnet.flight import History, fly
-from sailnet.mission import load_mission
+from sailnet.flight.closed_loop import History, fly
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.mission import load_mission
 from sailnet.report import opened
 from sailnet.report.campaign_page import write_report
 from sailnet.report.charts import Chart, Curve, page_columns, write_csv

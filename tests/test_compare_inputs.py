@@ -12,10 +12,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sailnet.approach import approach_coordinates
 from sailnet.dataset import open_dataset
-from sailnet.mission import Mission, Transfer
-from sailnet.networks import COMMAND_INPUTS, STATE_INPUTS
+from sailnet.mission.mission import Mission
+from sailnet.networks.approach import approach_coordinates
+from sailnet.networks.guidance_networks import COMMAND_INPUTS, STATE_INPUTS
+from sailnet.physics.transfer import Transfer
 from training.compare_inputs import APPROACH_TIME_INPUTS, TABLE_1, candidates, squared_errors
 from training.samples import Part, load_samples
 from training.targets import INTEGRALS, TARGETS

@@ -18,7 +18,7 @@ from sailnet.dataset import (
     open_dataset,
     write_dataset,
 )
-from sailnet.mission import Mission
+from sailnet.mission.mission import Mission
 from tests.reference import Array
 from tests.small_datasets import pieces
 

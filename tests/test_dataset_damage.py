@@ -12,6 +12,7 @@ import h5py
 import numpy as np
 import pytest
 
+from sailnet.artefacts.files import write_whole
 from sailnet.dataset import (
     SAMPLES,
     TRAJECTORIES,
@@ -20,8 +21,7 @@ from sailnet.dataset import (
     write_dataset,
 )
 from sailnet.errors import DatasetError
-from sailnet.files import write_whole
-from sailnet.mission import Mission
+from sailnet.mission.mission import Mission
 from tests.small_datasets import content, pieces
 
 ROOT = Path(__file__).parent.parent
@@ -197,7 +197,7 @@ import sys, time
 import numpy as np
 from pathlib import Path
 from sailnet.dataset import SAMPLES, TRAJECTORIES, Block, write_dataset
-from sailnet.mission import load_mission
+from sailnet.mission.mission import load_mission
 def blocks():
     samples = {name: np.zeros(100 * 351) for name in SAMPLES if name != "trajectory"}
     rows = {name: np.zeros(100) for name in TRAJECTORIES if name != "first_sample"}

@@ -13,7 +13,11 @@ from numpy.typing import ArrayLike
 from scipy.integrate import cumulative_simpson
 
 from sailnet.cli import _disturbance, _parser
-from sailnet.disturbances import (
+from sailnet.errors import MissionError, SailnetError
+from sailnet.flight.closed_loop import Flights, History, fly
+from sailnet.flight.plant import hold_angle
+from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus
+from sailnet.mission.disturbances import (
     DEGREES_PER_DAY,
     NAMES,
     Disturbance,
@@ -21,13 +25,9 @@ from sailnet.disturbances import (
     disturbance_from,
     switched_on,
 )
-from sailnet.dynamics import Array
-from sailnet.errors import MissionError, SailnetError
-from sailnet.flight import Flights, History, fly
-from sailnet.guidance import Commands, Guidance, GuidanceStatus
-from sailnet.mission import load_mission, parse_mission
-from sailnet.optics import OPTICS, Optics
-from sailnet.plant import hold_angle
+from sailnet.mission.mission import load_mission, parse_mission
+from sailnet.physics.arrays import Array
+from sailnet.physics.optics import OPTICS, Optics
 from tests.pilots import MISSION, Constant, Optimum, Wobble
 from tests.test_plant import EVERYTHING, taylor_hold
 

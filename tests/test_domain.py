@@ -18,10 +18,10 @@ from data.generate import generate
 from data.recipes import prepare
 from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.errors import DatasetError
-from sailnet.executors import Workers
-from sailnet.expert import solve_states
-from sailnet.mission import Mission, load_mission
+from sailnet.expert.fastest import solve_states
+from sailnet.mission.mission import Mission, load_mission
 from sailnet.montecarlo import random_starts
+from sailnet.workers.executors import Workers
 from tests.small_datasets import Inline, with_recipe
 
 ROOT = Path(__file__).parent.parent

@@ -14,14 +14,15 @@ from c_runtime.shared_library import BUILDS, find_compiler
 from export.to_c import write_c
 from export.write import export
 from sailnet import load_mission
-from sailnet.backends import Backend, load_guidance
 from sailnet.dataset import open_dataset
-from sailnet.dynamics import Array
 from sailnet.errors import NetworkError
-from sailnet.guidance import GuidanceStatus, Precision
-from sailnet.guidance_facts import GuidanceFacts, describe
-from sailnet.networks import GuidanceNetworks, load_network, save_network
-from sailnet.trained_domain import AXES, KNOTS, TrainedDomain, size_and_direction
+from sailnet.guidance.backends import Backend, load_guidance
+from sailnet.guidance.facts import GuidanceFacts, describe
+from sailnet.guidance.interface import GuidanceStatus, Precision
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import load_network, save_network
+from sailnet.networks.trained_domain import AXES, KNOTS, TrainedDomain, size_and_direction
+from sailnet.physics.arrays import Array
 from tests.random_networks import (
     NO_TUBE,
     STATE_MAX,

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from sailnet.dynamics import alpha, beta, hold_command, motion, r, theta, u, v
+from sailnet.physics.dynamics import alpha, beta, hold_command, motion, r, theta, u, v
 from tests.reference import Array, sail_motion
 
 NAMES = ("r", "theta", "u", "v")

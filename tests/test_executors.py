@@ -16,15 +16,15 @@ from typing import Any
 
 import pytest
 
-import sailnet.executors
+import sailnet.workers.executors
 from data.generate import generate
-from sailnet.backends import load_guidance
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.dataset import open_dataset, write_dataset
 from sailnet.errors import SailnetError
-from sailnet.executors import LOSSES, Workers, cluster, processes
-from sailnet.mission import Mission
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.mission import Mission
+from sailnet.workers.executors import LOSSES, Workers, cluster, processes
 from tests.small_datasets import Inline, invented_shard, undisturbed
 
 ROOT = Path(__file__).parent.parent
@@ -266,7 +266,7 @@ def test_a_worker_without_the_recipes_is_refused(scheduler: str, tmp_path: Path)
 
 
 def test_a_cluster_that_is_not_there(scheduler: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sailnet.executors, "PATIENCE", 1)
+    monkeypatch.setattr(sailnet.workers.executors, "PATIENCE", 1)
     with pytest.raises(SailnetError, match="has no workers: start some"), cluster(scheduler):
         pass
     with pytest.raises(SailnetError, match=r"cannot reach a Dask scheduler at tcp://127\.0\.0\.1:1"):

@@ -7,15 +7,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-import sailnet.expert
-import sailnet.index
+import sailnet.expert.fastest
+import sailnet.expert.index
 from sailnet.errors import SolveError
-from sailnet.expert import Extremal, solve
-from sailnet.extremals import arrival_lambda_v, propagate_extremals
-from sailnet.index import Guesses
-from sailnet.mission import Transfer
-from sailnet.pontryagin import evaluate_hamiltonian, guidance_law
-from sailnet.shooting import Shots, shoot
+from sailnet.expert.fastest import Extremal, solve
+from sailnet.expert.index import Guesses
+from sailnet.expert.shooting import Shots, shoot
+from sailnet.physics.extremals import arrival_lambda_v, propagate_extremals
+from sailnet.physics.pontryagin import evaluate_hamiltonian, guidance_law
+from sailnet.physics.transfer import Transfer
 from tests.reference import fly
 
 
@@ -84,7 +84,7 @@ def test_the_shortest_of_the_extremals_found_wins(
 ) -> None:
     """Guess and refinement are doctored: a second extremal seems to take a little longer than the first."""
     state, longer = (1.05, 0.15, 1.03), 1e-3
-    genuine_shoot, genuine_distinct = shoot, sailnet.expert._distinct
+    genuine_shoot, genuine_distinct = shoot, sailnet.expert.fastest._distinct
 
     def twice(guesses: Guesses) -> Guesses:
         found = genuine_distinct(guesses)
@@ -100,8 +100,8 @@ def test_the_shortest_of_the_extremals_found_wins(
         calls.append(float(found.tau[0]))
         return found
 
-    monkeypatch.setattr(sailnet.expert, "_distinct", twice)
-    monkeypatch.setattr(sailnet.expert, "shoot", doctored)
+    monkeypatch.setattr(sailnet.expert.fastest, "_distinct", twice)
+    monkeypatch.setattr(sailnet.expert.fastest, "shoot", doctored)
     found = solve(problem, state)
     assert len(calls) == 2
     assert found.time_of_flight == pytest.approx(6.15517, abs=1e-5)
@@ -123,7 +123,7 @@ def test_what_is_no_extremal_through_the_state_is_no_answer(
         return found
 
     assert np.isfinite(solve(problem, (1.05, 0.15, 1.03)).time_of_flight)
-    monkeypatch.setattr(sailnet.expert, "shoot", doctored)
+    monkeypatch.setattr(sailnet.expert.fastest, "shoot", doctored)
     with pytest.raises(SolveError, match=r"no extremal found from r = 1\.05 AU"):
         solve(problem, (1.05, 0.15, 1.03))
 
@@ -169,6 +169,6 @@ def test_a_state_on_the_target_orbit_is_refused(problem: Transfer) -> None:
 def test_a_state_out_of_reach_is_refused(
     problem: Transfer, state: tuple[float, float, float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(sailnet.index, "HORIZONS", (7.0,))  # the rest only costs time here
+    monkeypatch.setattr(sailnet.expert.index, "HORIZONS", (7.0,))  # the rest only costs time here
     with pytest.raises(SolveError, match=f"no extremal found from r = {state[0]:g} AU"):
         solve(problem, state)

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from sailnet.errors import SolveError
-from sailnet.expert import Extremal
-from sailnet.extremals import Extremals, arrival_gain, arrival_lambda_v, propagate_extremals
-from sailnet.mission import Transfer
-from sailnet.nominal import Nominal
-from sailnet.pontryagin import evaluate_hamiltonian, guidance_law
-from sailnet.propagation import propagator
-from sailnet.shooting import shoot
+from sailnet.expert.fastest import Extremal
+from sailnet.expert.nominal import Nominal
+from sailnet.expert.shooting import shoot
+from sailnet.physics.extremals import Extremals, arrival_gain, arrival_lambda_v, propagate_extremals
+from sailnet.physics.pontryagin import evaluate_hamiltonian, guidance_law
+from sailnet.physics.propagation import propagator
+from sailnet.physics.transfer import Transfer
 from tests.reference import Array, fly, smoothed, unconstrained_angle
 
 NOMINAL_ARRIVAL = (-21.5117, 8.5435, -46.6171)

@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sailnet.disturbances import Disturbance
 from sailnet.errors import SailnetError
-from sailnet.expert import sample, solve
-from sailnet.flight import Flights, History, fly
+from sailnet.expert.fastest import sample, solve
+from sailnet.flight.closed_loop import Flights, History, fly
+from sailnet.mission.disturbances import Disturbance
 from tests.pilots import MISSION, Constant, Optimum
 
 

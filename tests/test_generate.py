@@ -24,10 +24,10 @@ from sailnet.dataset import (
     write_dataset,
 )
 from sailnet.errors import DatasetError, SolveError
-from sailnet.executors import Workers
-from sailnet.jumps import restore
-from sailnet.mission import Mission
-from sailnet.pontryagin import guidance_law
+from sailnet.mission.mission import Mission
+from sailnet.physics.jumps import restore
+from sailnet.physics.pontryagin import guidance_law
+from sailnet.workers.executors import Workers
 from tests.reference import fly
 from tests.small_datasets import NOMINAL, Inline, with_recipe
 

@@ -7,13 +7,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from sailnet import load_mission
-from sailnet.backends import Backend, load_guidance
-from sailnet.checksums import write_checksums
-from sailnet.dynamics import Array
+from sailnet.artefacts.checksums import write_checksums
 from sailnet.errors import GuidanceError
-from sailnet.guidance import GuidanceStatus, Precision
-from sailnet.guidance_c import CGuidance
-from sailnet.guidance_facts import describe, round_down
+from sailnet.guidance.backends import Backend, load_guidance
+from sailnet.guidance.exported_c import CGuidance
+from sailnet.guidance.facts import describe, round_down
+from sailnet.guidance.interface import GuidanceStatus, Precision
+from sailnet.physics.arrays import Array
 from tests.conftest import Exported
 from tests.random_networks import STATE_MAX, STATE_MIN
 

@@ -6,10 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from sailnet.extremals import arrival_gain, propagate_extremals
-from sailnet.index import Index, build_index
-from sailnet.mission import Transfer
-from sailnet.prisms import BIN, Grid, bins_of, meets, sums_of
+from sailnet.expert.index import Index, build_index
+from sailnet.expert.prisms import BIN, Grid, bins_of, meets, sums_of
+from sailnet.physics.extremals import arrival_gain, propagate_extremals
+from sailnet.physics.transfer import Transfer
 from tests.reference import Array
 
 CENTRE = np.array([0.72, 0.06, 1.25])

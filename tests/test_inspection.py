@@ -13,11 +13,12 @@ import pytest
 import sailnet.dataset.reader
 from sailnet.cli import main
 from sailnet.dataset import Block, open_dataset, write_dataset
+from sailnet.dataset.inspection import ORIGIN, inspect_dataset
 from sailnet.errors import DatasetError
-from sailnet.extremals import arrival_gain, propagate_extremals
-from sailnet.inspection import ORIGIN, inspect_dataset
-from sailnet.mission import Mission, Transfer
-from sailnet.pontryagin import evaluate_hamiltonian, guidance_law, hamiltonian_bound
+from sailnet.mission.mission import Mission
+from sailnet.physics.extremals import arrival_gain, propagate_extremals
+from sailnet.physics.pontryagin import evaluate_hamiltonian, guidance_law, hamiltonian_bound
+from sailnet.physics.transfer import Transfer
 from tests.reference import Array
 from tests.small_datasets import pieces
 

@@ -5,10 +5,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sailnet.extremals import arrival_lambda_v, propagate_extremals
-from sailnet.jumps import preprocess, restore
-from sailnet.mission import Transfer
-from sailnet.pontryagin import guidance_law
+from sailnet.physics.extremals import arrival_lambda_v, propagate_extremals
+from sailnet.physics.jumps import preprocess, restore
+from sailnet.physics.pontryagin import guidance_law
+from sailnet.physics.transfer import Transfer
 from tests.reference import Array
 
 angles = st.floats(-1.0, 1.0)

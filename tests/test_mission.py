@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from sailnet.errors import MissionError
-from sailnet.mission import load_mission, parse_mission, shipped_missions
+from sailnet.mission.mission import load_mission, parse_mission, shipped_missions
 
 TEXT = (resources.files("sailnet") / "missions" / "earth_mars.toml").read_text("utf-8")
 

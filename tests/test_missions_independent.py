@@ -11,9 +11,10 @@ from functools import cache
 import numpy as np
 import pytest
 
-from sailnet.expert import Extremal, solve
-from sailnet.mission import Mission, Transfer, load_mission
-from sailnet.nominal import solve_nominal
+from sailnet.expert.fastest import Extremal, solve
+from sailnet.expert.nominal import solve_nominal
+from sailnet.mission.mission import Mission, load_mission
+from sailnet.physics.transfer import Transfer
 from tests.direct import Direct, State, minimise
 from tests.forward_shooting import Forward, shoot_forward
 

@@ -6,12 +6,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.stats import binomtest
 
-from sailnet.backends import load_guidance
-from sailnet.disturbances import Disturbance
 from sailnet.errors import SailnetError
-from sailnet.executors import workers
-from sailnet.mission import load_mission
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import load_mission
 from sailnet.montecarlo import BATCH, evaluate, random_starts, summarise, wilson_interval
+from sailnet.workers.executors import workers
 
 MISSION = load_mission("earth_mars")
 

@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-import sailnet.nominal
+import sailnet.expert.nominal
 from sailnet.errors import SolveError
-from sailnet.expert import Extremal, solve
-from sailnet.mission import Mission, Transfer, load_mission
-from sailnet.nominal import Nominal, solve_nominal
+from sailnet.expert.fastest import Extremal, solve
+from sailnet.expert.nominal import Nominal, solve_nominal
+from sailnet.mission.mission import Mission, load_mission
+from sailnet.physics.transfer import Transfer
 from tests.reference import fly
 
 GOLDEN = {
@@ -66,7 +67,7 @@ def silence(monkeypatch: pytest.MonkeyPatch) -> None:
             raise SolveError("silenced")
         return solve(transfer, *arguments)
 
-    monkeypatch.setattr(sailnet.nominal, "solve", unconstrained_only)
+    monkeypatch.setattr(sailnet.expert.nominal, "solve", unconstrained_only)
 
 
 TIGHT = [

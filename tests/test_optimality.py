@@ -5,10 +5,10 @@ import dataclasses
 import numpy as np
 import pytest
 
-import sailnet.index
-from sailnet.expert import solve, solve_states
-from sailnet.extremals import arrival_gain, propagate_extremals
-from sailnet.mission import Transfer
+import sailnet.expert.index
+from sailnet.expert.fastest import solve, solve_states
+from sailnet.physics.extremals import arrival_gain, propagate_extremals
+from sailnet.physics.transfer import Transfer
 from tests.conftest import Solved
 from tests.reference import Array, sail_motion
 
@@ -94,7 +94,7 @@ def test_a_much_finer_index_finds_nothing_faster(
     states = np.array([1.1048, 0.0449, 1.1196]) + np.random.default_rng(6).uniform(-0.01, 0.01, (100, 3))
     expected = solve_states(problem, states, solved.region)
     for name, value in {"PRISM": 0.04, "RIM": 0.008, "BULGE": 0.6, "MOST": 10**6}.items():
-        monkeypatch.setattr(sailnet.index, name, value)
+        monkeypatch.setattr(sailnet.expert.index, name, value)
     # By default what surrounds the states is indexed: no index that was made before serves.
     optima = solve_states(problem, states)
     assert optima.found.all()

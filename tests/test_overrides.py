@@ -7,8 +7,9 @@ from importlib import resources
 import pytest
 
 from sailnet.errors import MissionError
-from sailnet.mission import Mission, Transfer, load_mission, parse_mission, shipped_missions
-from sailnet.tested_range import beyond
+from sailnet.mission.mission import Mission, load_mission, parse_mission, shipped_missions
+from sailnet.mission.tested_range import beyond
+from sailnet.physics.transfer import Transfer
 
 KEYS = {
     "beta": "sail.beta",

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from sailnet.expert import sample, solve
-from sailnet.mission import load_mission
+from sailnet.expert.fastest import sample, solve
+from sailnet.mission.mission import load_mission
 from sailnet.report.figures import Optimum
 from sailnet.report.reproduction import reproduction_charts
 from tests.toy_pipeline import python, toy_mission

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sailnet.mission import load_mission
-from sailnet.networks import load_guidance_networks
+from sailnet.mission.mission import load_mission
+from sailnet.networks.guidance_networks import load_guidance_networks
 from tests.toy_pipeline import python, toy_mission
 
 TOY = {

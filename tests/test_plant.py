@@ -16,16 +16,17 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import solve_ivp
 from scipy.stats import kstest
 
-import sailnet.plant
+import sailnet.flight.plant
 from c_runtime.shared_library import plant_digest, plant_sources
-from sailnet.backends import load_guidance
-from sailnet.disturbances import Disturbance
-from sailnet.dynamics import Array, hold_command, motion
 from sailnet.errors import GuidanceError, SailnetError
-from sailnet.flight import Ending, Flights, History, fly
-from sailnet.guidance import Commands, Guidance, Precision, Steered, Steering
-from sailnet.optics import OPTICS, Optics
-from sailnet.plant import hold_angle, library
+from sailnet.flight.closed_loop import Ending, Flights, History, fly
+from sailnet.flight.plant import hold_angle, library
+from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.interface import Commands, Guidance, Precision, Steered, Steering
+from sailnet.mission.disturbances import Disturbance
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import hold_command, motion
+from sailnet.physics.optics import OPTICS, Optics
 from tests.pilots import MISSION, Constant, Pilot, Wobble
 
 ROOT = Path(__file__).parent.parent
@@ -345,10 +346,10 @@ def test_the_library_is_of_these_sources() -> None:
 
 @pytest.mark.parametrize("damage", [lambda b: b[: len(b) // 2], lambda b: b[:-1] + bytes([b[-1] ^ 1])])
 def test_a_damaged_library_is_refused(damage: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    shutil.copytree(sailnet.plant.LIBRARY.parent, tmp_path / "native")
+    shutil.copytree(sailnet.flight.plant.LIBRARY.parent, tmp_path / "native")
     copy = tmp_path / "native" / "plant.so"
     copy.write_bytes(damage(copy.read_bytes()))
-    monkeypatch.setattr(sailnet.plant, "LIBRARY", copy)
+    monkeypatch.setattr(sailnet.flight.plant, "LIBRARY", copy)
     with pytest.raises(GuidanceError, match="damaged"):
         library.__wrapped__()
 
@@ -384,5 +385,5 @@ def test_the_plant_compiles_without_a_warning_and_stands_the_sanitizers(
 
 def test_structures_are_those_of_the_header() -> None:
     loaded = library()
-    assert loaded.plant_size_of_rules() == ctypes.sizeof(sailnet.plant.Rules)
-    assert loaded.plant_size_of_sail() == sailnet.plant.SAIL.itemsize
+    assert loaded.plant_size_of_rules() == ctypes.sizeof(sailnet.flight.plant.Rules)
+    assert loaded.plant_size_of_sail() == sailnet.flight.plant.SAIL.itemsize

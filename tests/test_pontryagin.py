@@ -9,9 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sailnet.dynamics import alpha, r, u, v
-from sailnet.mission import Transfer
-from sailnet.pontryagin import (
+from sailnet.physics.dynamics import alpha, r, u, v
+from sailnet.physics.pontryagin import (
     evaluate_hamiltonian,
     extremal_motion,
     guidance_law,
@@ -21,6 +20,7 @@ from sailnet.pontryagin import (
     lambda_v,
     unconstrained_law,
 )
+from sailnet.physics.transfer import Transfer
 from tests.reference import (
     Array,
     backward_motion,

@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sailnet.backends import load_guidance
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.store import Results
 from sailnet.errors import SailnetError
-from sailnet.mission import load_mission
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.mission import load_mission
 from sailnet.report import campaign_page, reproduction
 from sailnet.report.charts import Chart
 from sailnet.report.paper_figures import paper_charts, paper_flights

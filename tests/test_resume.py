@@ -14,10 +14,10 @@ from types import MappingProxyType
 import numpy as np
 import pytest
 
+from sailnet.artefacts.resumable import Parts, claim
 from sailnet.dataset import Block, open_dataset
 from sailnet.errors import DatasetError
-from sailnet.mission import load_mission
-from sailnet.parts import Parts, claim
+from sailnet.mission.mission import load_mission
 from tests.small_datasets import INVENTED, invented_shard, undisturbed
 
 ROOT = Path(__file__).parent.parent

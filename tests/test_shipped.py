@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from export.agreement import compare, sails_of_box
-from sailnet.backends import Backend, load_guidance
-from sailnet.disturbances import Disturbance
-from sailnet.expert import solve
-from sailnet.flight import fly
-from sailnet.guidance import Precision
-from sailnet.mission import Mission, shipped_missions
+from sailnet.expert.fastest import solve
+from sailnet.flight.closed_loop import fly
+from sailnet.guidance.backends import Backend, load_guidance
+from sailnet.guidance.interface import Precision
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission, shipped_missions
 from sailnet.montecarlo import evaluate, summarise
-from sailnet.networks import load_guidance_networks
+from sailnet.networks.guidance_networks import load_guidance_networks
 from sailnet.report.paper import CASE_ERROR, CASE_OPTIMUM, CASES, NOISE, NOISE_START
 
 SHIPPED = Path(__file__).parent.parent / "sailnet" / "shipped"

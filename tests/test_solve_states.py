@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-import sailnet.expert
-import sailnet.index
+import sailnet.expert.fastest
+import sailnet.expert.index
 from sailnet.errors import SolveError
-from sailnet.expert import Optima, solve, solve_states
-from sailnet.extremals import propagate_extremals
-from sailnet.mission import Transfer
-from sailnet.shooting import shoot
+from sailnet.expert.fastest import Optima, solve, solve_states
+from sailnet.expert.shooting import shoot
+from sailnet.physics.extremals import propagate_extremals
+from sailnet.physics.transfer import Transfer
 from tests.conftest import Solved
 from tests.reference import Array, fly, hamiltonian
 
@@ -88,7 +88,7 @@ def test_no_states_no_optima(problem: Transfer) -> None:
 def test_states_out_of_reach_are_not_found_and_spoil_no_others(
     problem: Transfer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(sailnet.index, "HORIZONS", (7.0,))  # the rest only costs time here
+    monkeypatch.setattr(sailnet.expert.index, "HORIZONS", (7.0,))  # the rest only costs time here
     reachable = (1.05, 0.15, 1.03)
     optima = solve_states(problem, [(1.0, 0.0, 2.0), reachable, (0.9, 0.0, 2.0)])
     np.testing.assert_array_equal(optima.found, [False, True, False])
@@ -156,7 +156,7 @@ def test_rivals_are_slower_and_do_exist(problem: Transfer, solved: Solved) -> No
 def extremal_with_time(problem: Transfer, solved: Solved, row: int, time: float) -> Array:
     """Arrival direction of the extremal that Newton's method finds from a guess with this time of flight."""
     size, state = problem.target_radius, solved.states[row]
-    guesses = sailnet.expert._index(problem, state[None], solved.region).look_up(
+    guesses = sailnet.expert.fastest._index(problem, state[None], solved.region).look_up(
         state[None] * [1 / size, size**0.5, size**0.5]
     )
     near = np.abs(guesses.tau * size**1.5 - time) < 0.2

@@ -12,8 +12,8 @@ import torch
 
 from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.errors import DatasetError, NetworkError
-from sailnet.mission import Mission, load_mission
-from sailnet.networks import load_network
+from sailnet.mission.mission import Mission, load_mission
+from sailnet.networks.network import load_network
 from training.samples import load_samples, split_trajectories
 from training.targets import TARGETS as ALL_TARGETS
 from training.targets import command_error

@@ -9,11 +9,11 @@ from scipy.spatial.distance import cdist
 from data.generate import generate
 from data.recipes import prepare
 from data.wide import RADIUS, SAMPLES, SLOWER, wide_shard
-from sailnet.approach import approach_coordinates
 from sailnet.dataset import Block, open_dataset, write_dataset
-from sailnet.executors import Workers
-from sailnet.inspection import ORIGIN, inspect_dataset
-from sailnet.mission import Mission, load_mission
+from sailnet.dataset.inspection import ORIGIN, inspect_dataset
+from sailnet.mission.mission import Mission, load_mission
+from sailnet.networks.approach import approach_coordinates
+from sailnet.workers.executors import Workers
 from tests.small_datasets import Inline
 
 FLIGHTS, APPROACHES = 16, 300
