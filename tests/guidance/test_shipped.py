@@ -1,7 +1,5 @@
 """The networks that come with the package: what the README promises of them."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -15,8 +13,9 @@ from sailnet.mission.mission import Mission, shipped_missions
 from sailnet.montecarlo import evaluate, summarise
 from sailnet.networks.guidance_networks import load_guidance_networks
 from sailnet.report.paper import CASE_ERROR, CASE_OPTIMUM, CASES, NOISE, NOISE_START
+from tests.paths import ROOT
 
-SHIPPED = Path(__file__).parent.parent / "sailnet" / "shipped"
+SHIPPED = ROOT / "sailnet" / "shipped"
 
 
 def test_every_shipped_set_belongs_to_a_shipped_mission() -> None:

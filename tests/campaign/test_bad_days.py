@@ -17,9 +17,9 @@ from sailnet.campaign.work import Columns, Job
 from sailnet.cli import main
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.mission import load_mission
-from tests.test_resume import children, mounted
+from tests.data.test_resume import children, mounted
+from tests.paths import ROOT
 
-ROOT = Path(__file__).parent.parent
 TOML = """schema = 1
 name = "many"
 title = "Many"

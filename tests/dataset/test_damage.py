@@ -22,9 +22,8 @@ from sailnet.dataset import (
 )
 from sailnet.errors import DatasetError
 from sailnet.mission.mission import Mission
+from tests.paths import ROOT
 from tests.small_datasets import content, pieces
-
-ROOT = Path(__file__).parent.parent
 
 
 def test_a_truncated_file_is_refused(stored: Path, tmp_path: Path) -> None:

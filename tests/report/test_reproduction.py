@@ -18,9 +18,10 @@ from sailnet.report import campaign_page, reproduction
 from sailnet.report.charts import Chart
 from sailnet.report.paper_figures import paper_charts, paper_flights
 from sailnet.report.reproduction import FOUR, shipped_record
+from tests.paths import ROOT
 
 MISSION = load_mission("earth_mars")
-README = Path(__file__).parent.parent / "README.md"
+README = ROOT / "README.md"
 
 
 @pytest.fixture(scope="module")

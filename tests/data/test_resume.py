@@ -18,9 +18,9 @@ from sailnet.artefacts.resumable import Parts, claim
 from sailnet.dataset import Block, open_dataset
 from sailnet.errors import DatasetError
 from sailnet.mission.mission import load_mission
+from tests.paths import ROOT
 from tests.small_datasets import INVENTED, invented_shard, undisturbed
 
-ROOT = Path(__file__).parent.parent
 TRAJECTORIES = 1000
 SHARDS = TRAJECTORIES // INVENTED
 

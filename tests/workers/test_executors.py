@@ -25,9 +25,8 @@ from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.mission import Mission
 from sailnet.workers.executors import LOSSES, Workers, cluster, processes
+from tests.paths import ROOT
 from tests.small_datasets import Inline, invented_shard, undisturbed
-
-ROOT = Path(__file__).parent.parent
 
 
 def square(number: int) -> int:

@@ -22,9 +22,8 @@ from sailnet.expert.fastest import solve_states
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.montecarlo import random_starts
 from sailnet.workers.executors import Workers
+from tests.paths import ROOT
 from tests.small_datasets import Inline, with_recipe
-
-ROOT = Path(__file__).parent.parent
 
 
 @pytest.fixture(scope="module")

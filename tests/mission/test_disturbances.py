@@ -28,8 +28,8 @@ from sailnet.mission.disturbances import (
 from sailnet.mission.mission import load_mission, parse_mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS, Optics
+from tests.flight.test_plant import EVERYTHING, taylor_hold
 from tests.pilots import MISSION, Constant, Optimum, Wobble
-from tests.test_plant import EVERYTHING, taylor_hold
 
 PERIOD = 0.01
 BETA = MISSION.sail.beta

@@ -27,9 +27,9 @@ from sailnet.mission.disturbances import Disturbance
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import hold_command, motion
 from sailnet.physics.optics import OPTICS, Optics
+from tests.paths import ROOT
 from tests.pilots import MISSION, Constant, Pilot, Wobble
 
-ROOT = Path(__file__).parent.parent
 EVERYTHING = Disturbance(
     beta_bias=-0.03,
     beta_spread=0.05,

@@ -28,10 +28,9 @@ from sailnet.mission.mission import Mission
 from sailnet.physics.jumps import restore
 from sailnet.physics.pontryagin import guidance_law
 from sailnet.workers.executors import Workers
+from tests.paths import ROOT
 from tests.reference import fly
 from tests.small_datasets import NOMINAL, Inline, with_recipe
-
-ROOT = Path(__file__).parent.parent
 
 
 def _only(executor: Executor, ahead: int = 4) -> Workers:

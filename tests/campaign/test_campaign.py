@@ -32,8 +32,8 @@ from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.montecarlo import BATCH, fly_campaign, random_starts
 from sailnet.workers.executors import Workers, processes
+from tests.paths import ROOT
 
-ROOT = Path(__file__).parent.parent
 MISSION = load_mission("earth_mars")
 GUIDANCE = load_guidance(MISSION)
 CASE = (1.05, 0.15, 1.03)

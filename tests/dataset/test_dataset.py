@@ -19,10 +19,9 @@ from sailnet.dataset import (
     write_dataset,
 )
 from sailnet.mission.mission import Mission
+from tests.paths import ROOT
 from tests.reference import Array
 from tests.small_datasets import pieces
-
-ROOT = Path(__file__).parent.parent
 
 
 def test_what_was_written_is_read(small: Mission, shard: Block, stored: Path) -> None:
