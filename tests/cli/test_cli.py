@@ -58,7 +58,7 @@ def test_beyond_the_tested_range_solve_says_so_on_stderr() -> None:
 
 def test_solve_reads_a_mission_file(tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
-    shipped = (resources.files("sailnet") / "missions" / "earth_mars.toml").read_text("utf-8")
+    shipped = (resources.files("sailnet") / "mission" / "missions" / "earth_mars.toml").read_text("utf-8")
     path.write_text(shipped.replace('"earth_mars"', '"mine"').replace("60.0", "45.0"))
     result = _json("solve", "1", "0", "1", "--mission", str(path), "--smoothing", "0")
     assert result["time_of_flight"] == pytest.approx(7.138440, abs=1e-6)

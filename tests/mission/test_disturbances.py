@@ -391,7 +391,7 @@ def test_tables_that_cannot_be_are_refused(table: dict[str, object], says: str) 
 
 
 def mission_text(table: str) -> str:
-    shipped = (resources.files("sailnet") / "missions" / "earth_mars.toml").read_text("utf-8")
+    shipped = (resources.files("sailnet") / "mission" / "missions" / "earth_mars.toml").read_text("utf-8")
     return shipped + "\n[disturbance]\n" + table
 
 

@@ -13,7 +13,7 @@ import pytest
 from sailnet.errors import MissionError
 from sailnet.mission.mission import load_mission, parse_mission, shipped_missions
 
-TEXT = (resources.files("sailnet") / "missions" / "earth_mars.toml").read_text("utf-8")
+TEXT = (resources.files("sailnet") / "mission" / "missions" / "earth_mars.toml").read_text("utf-8")
 
 
 def changed(key: str, value: object) -> dict[str, Any]:

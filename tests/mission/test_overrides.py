@@ -57,7 +57,9 @@ def test_ninety_degrees_are_exactly_no_bound(mission: Mission) -> None:
     ],
 )
 def test_what_a_file_may_not_say_is_refused_in_the_same_words(name: str, value: float) -> None:
-    content = tomllib.loads((resources.files("sailnet") / "missions" / "earth_mars.toml").read_text("utf-8"))
+    content = tomllib.loads(
+        (resources.files("sailnet") / "mission" / "missions" / "earth_mars.toml").read_text("utf-8")
+    )
     section, key = KEYS[name].split(".")
     content[section][key] = value
     with pytest.raises(MissionError) as of_file:
