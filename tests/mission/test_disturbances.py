@@ -12,7 +12,8 @@ import pytest
 from numpy.typing import ArrayLike
 from scipy.integrate import cumulative_simpson
 
-from sailnet.cli import _disturbance, _parser
+from sailnet.cli.arguments import disturbance_of
+from sailnet.cli.command_line import parser
 from sailnet.errors import MissionError, SailnetError
 from sailnet.flight.closed_loop import Flights, History, fly
 from sailnet.flight.plant import hold_angle
@@ -434,10 +435,10 @@ def test_the_command_line_has_every_disturbance_and_goes_before_the_mission_file
     line = ["evaluate", "--seed", "9", "--optics", "ideal"]
     for name in NAMES:
         line += [f"--{name.replace('_', '-')}", "0.25"]
-    given = _disturbance(_parser().parse_args(line), MISSION)
+    given = disturbance_of(parser().parse_args(line), MISSION)
     assert given == Disturbance(**dict.fromkeys(NAMES, 0.25), seed=9)  # type: ignore[arg-type]
     sails = MISSION.model_copy(update={"disturbance": Disturbance(delay=0.1, rate_limit=3.0, seed=2)})
-    some = _disturbance(_parser().parse_args(["fly", "1", "0", "1", "--delay", "0"]), sails)
+    some = disturbance_of(parser().parse_args(["fly", "1", "0", "1", "--delay", "0"]), sails)
     assert some == Disturbance(rate_limit=3.0, seed=2)
 
 
