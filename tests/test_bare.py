@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parent.parent
+from tests.paths import ROOT
 
 
 def bare(*command: str, **variables: str) -> subprocess.CompletedProcess[str]:
@@ -79,7 +79,16 @@ def test_a_missing_tool_is_named_and_fails_where_nobody_looks(
     tmp_path: Path, ci: str, absent: list[str], expected: dict[str, int]
 ) -> None:
     (tmp_path / "test_it.py").write_text(A_TEST.format(absent=absent))
-    command = [sys.executable, "-m", "pytest", "-c", str(ROOT / "pyproject.toml"), "--rootdir", str(tmp_path), "-rfs"]
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-c",
+        str(ROOT / "pyproject.toml"),
+        "--rootdir",
+        str(tmp_path),
+        "-rfs",
+    ]
     done = subprocess.run(
         [*command, "-n0", "-p", "tests.tools", "-p", "no:cacheprovider", tmp_path], cwd=ROOT,
         env={**os.environ, "CI": ci}, capture_output=True, text=True, check=False,
