@@ -131,6 +131,7 @@ lint: | $(READY)
 	$(PYTHON) -m ruff check .
 	$(PYTHON) -m ruff format --check .
 	$(PYTHON) -m mypy
+	$(VENV)/bin/lint-imports --no-cache --no-logo
 
 # Every test that needs no more than Python, make and a C compiler.
 test: lint
