@@ -19,7 +19,8 @@ PYTEST  := $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
 # What a data set depends on; what flights depend on.
 physics  := $(wildcard sailnet/physics/*.py sailnet/expert/*.py)
-closed   := $(wildcard sailnet/physics/*.py sailnet/guidance/*.py sailnet/flight/*.py sailnet/campaign/*.py)
+plant    := $(wildcard c_runtime/plant/*)
+closed   := $(wildcard sailnet/physics/*.py sailnet/guidance/*.py sailnet/flight/*.py sailnet/campaign/*.py) $(plant)
 mission  := $(wildcard sailnet/mission/missions/$(MISSION).toml sailnet/mission/*.py)
 run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
@@ -42,7 +43,7 @@ paper:
 setup: $(READY)
 
 $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance.c) \
-    c_runtime/shared_library.py $(wildcard c_runtime/plant/*)
+    c_runtime/shared_library.py $(plant)
 	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }
 	@$(PYTHON) --version >/dev/null 2>&1 || $(PYTHON3) -m venv $(VENV) || \
