@@ -19,7 +19,6 @@ from sailnet.optics import OPTICS
 
 if TYPE_CHECKING:
     from sailnet.expert import Extremal
-    from sailnet.flight import History
 
 Result = dict[str, object]
 
@@ -273,7 +272,7 @@ def _guide(options: argparse.Namespace) -> Result:
 def _fly(options: argparse.Namespace) -> Result:
     from sailnet.backends import load_guidance
     from sailnet.expert import solve
-    from sailnet.flight import Ending, fly
+    from sailnet.flight import Ending, fly_recorded
     from sailnet.report import report
 
     mission = load_mission(options.mission)
@@ -282,9 +281,8 @@ def _fly(options: argparse.Namespace) -> Result:
         raise SailnetError(f"--plot writes FILE.png or FILE.html, not {options.plot}")
     guidance = load_guidance(mission, options.backend, options.precision, options.networks)
     disturbance = _disturbance(options, mission)
-    recorder: list[History] | None = None if options.plot is None else []
-    flight = fly(
-        mission, guidance, [state], disturbance=disturbance, period=options.period, recorder=recorder
+    flight, (history,) = fly_recorded(
+        mission, guidance, [state], disturbance=disturbance, period=options.period
     )
     try:
         optimum: Extremal | None = solve(mission.problem, state)
@@ -302,9 +300,9 @@ def _fly(options: argparse.Namespace) -> Result:
         "beta_estimate": float(flight.beta_estimate[0]),
         "optimal_time_of_flight": None if optimum is None else optimum.time_of_flight,
     }
-    if recorder is not None:
+    if options.plot is not None:
         facts = {key.replace("_", " "): _readable(value) for key, value in result.items()}
-        report("flight_page").plot_flight(options.plot, mission, recorder[0], optimum, facts)
+        report("flight_page").plot_flight(options.plot, mission, history, optimum, facts)
         result["plot"] = str(options.plot)
     return result
 

@@ -18,7 +18,7 @@ from sailnet.guidance import Guidance
 from sailnet.interruption import asked_to_stop
 from sailnet.mission import Mission
 from sailnet.parts import Parts, claim
-from sailnet.plant import sources_digest
+from sailnet.plant_library import sources_digest
 from sailnet.provenance import environment, software
 
 

@@ -8,7 +8,7 @@ from sailnet.acceptance import PERIODS
 from sailnet.disturbances import Disturbance
 from sailnet.dynamics import Array
 from sailnet.expert import Extremal, sample, solve
-from sailnet.flight import Flights, History, fly
+from sailnet.flight import Flights, History, fly, fly_recorded
 from sailnet.guidance import Guidance
 from sailnet.mission import Mission
 from sailnet.montecarlo import Campaign, evaluate, random_starts, summarise
@@ -92,7 +92,6 @@ def fly_section5(
 def _fly(
     mission: Mission, guidance: Guidance, start: tuple[float, float, float], disturbance: Disturbance | None
 ) -> Flown:
-    recorder: list[History] = []
-    flights = fly(mission, guidance, [start], disturbance=disturbance, recorder=recorder)
+    flights, (history,) = fly_recorded(mission, guidance, [start], disturbance=disturbance)
     extremal = solve(mission.problem, start)
-    return Flown(flights, recorder[0], extremal, Optimum(*sample(mission.problem, extremal)))
+    return Flown(flights, history, extremal, Optimum(*sample(mission.problem, extremal)))
