@@ -14,9 +14,10 @@ VENV    ?= .venv
 PYTHON  := $(VENV)/bin/python
 READY   := $(VENV)/.ready
 
-physics  := $(addprefix sailnet/,dynamics.py pontryagin.py propagation.py extremals.py shooting.py \
-    directions.py prisms.py index.py expert.py nominal.py)
-mission  := $(wildcard sailnet/missions/$(MISSION).toml) sailnet/mission.py
+# What a data set depends on; what flights depend on.
+physics  := $(wildcard sailnet/physics/*.py sailnet/expert/*.py)
+closed   := $(wildcard sailnet/physics/*.py sailnet/guidance/*.py sailnet/flight/*.py sailnet/campaign/*.py)
+mission  := $(wildcard sailnet/mission/missions/$(MISSION).toml sailnet/mission/*.py)
 run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
 exported := $(run)/export
@@ -48,7 +49,7 @@ $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/s
 
 # A run that was killed goes on where it was; RESTART=1 throws away what it left.
 dataset: $(learned)
-$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/jumps.py sailnet/approach.py \
+$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/networks/approach.py \
     $(wildcard sailnet/dataset/*.py data/*.py) | $(READY)
 	$(PYTHON) -m data $@ --mission $(MISSION) --recipe $* $(if $(RESTART),--restart)
 
@@ -58,7 +59,7 @@ coverage: $(BUILD)/domain.h5
 
 # --resume: a run that was killed goes on, and networks that are finished are kept.
 train: $(networks)/trained
-$(networks)/trained: $(learned) sailnet/networks.py $(wildcard training/*.py) | $(READY)
+$(networks)/trained: $(learned) $(wildcard sailnet/networks/*.py) $(wildcard training/*.py) | $(READY)
 	$(PYTHON) -m training $< $(networks) --resume
 	@touch $@
 
@@ -75,7 +76,7 @@ evaluate: $(exported)/exported
 
 # Everything a set of networks has to stand, and the table of it.
 accept: $(run)/acceptance.json
-$(run)/acceptance.json: $(exported)/exported $(wildcard sailnet/*.py) | $(READY)
+$(run)/acceptance.json: $(exported)/exported $(closed) sailnet/acceptance.py | $(READY)
 	$(PYTHON) -m sailnet.acceptance --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED) \
 	    --output $@
 

@@ -3,7 +3,8 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array, runge_kutta_step
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import runge_kutta_step
 
 LARGEST_STEP = 0.005
 """Substep [TU]: keeps a whole flight within 1e-10 of DOP853."""

@@ -14,7 +14,7 @@ from PIL import Image
 
 from sailnet import cli
 from sailnet.errors import SailnetError
-from sailnet.mission import load_mission
+from sailnet.mission.mission import load_mission
 from sailnet.ocp import ConvergenceError, Exact, Problem, Solution, shooting
 from sailnet.ocp.papers import command, delta, sail
 from sailnet.ocp.papers.row import Row, Solved
