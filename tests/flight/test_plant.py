@@ -1,7 +1,6 @@
 """The plant in C: its motion, its random numbers, its closed loop, each against something else."""
 
 import math
-import shutil
 import subprocess
 from functools import cache
 from itertools import pairwise
