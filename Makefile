@@ -14,7 +14,7 @@ VENV    ?= .venv
 PYTHON  := $(VENV)/bin/python
 READY   := $(VENV)/.ready
 # Markers of tests that need more than a bare machine has; pyproject.toml says what each is.
-TOOLS   := emulator or browser or analyser or peer or mount or cuda
+TOOLS   := emulator or browser or analyser or peer or install or mount or cuda
 PYTEST  := $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
 # What a data set depends on; what flights depend on.

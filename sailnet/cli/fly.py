@@ -21,7 +21,6 @@ from sailnet.mission.mission import load_mission
 
 if TYPE_CHECKING:
     from sailnet.expert.fastest import Extremal
-    from sailnet.flight.closed_loop import History
 
 
 def add(commands: Commands) -> None:
@@ -42,7 +41,7 @@ def add(commands: Commands) -> None:
 def run(options: argparse.Namespace) -> Result:
     """Fly; how it ended by name."""
     from sailnet.expert.fastest import solve
-    from sailnet.flight.closed_loop import Ending, fly
+    from sailnet.flight.closed_loop import Ending, fly_recorded
     from sailnet.report import report
 
     mission = load_mission(options.mission)
@@ -51,9 +50,8 @@ def run(options: argparse.Namespace) -> Result:
         raise SailnetError(f"--plot writes FILE.png or FILE.html, not {options.plot}")
     guidance = guidance_of(options, mission)
     disturbance = disturbance_of(options, mission)
-    recorder: list[History] | None = None if options.plot is None else []
-    flight = fly(
-        mission, guidance, [state], disturbance=disturbance, period=options.period, recorder=recorder
+    flight, (history,) = fly_recorded(
+        mission, guidance, [state], disturbance=disturbance, period=options.period
     )
     try:
         optimum: Extremal | None = solve(mission.problem, state)
@@ -71,8 +69,8 @@ def run(options: argparse.Namespace) -> Result:
         "beta_estimate": float(flight.beta_estimate[0]),
         "optimal_time_of_flight": None if optimum is None else optimum.time_of_flight,
     }
-    if recorder is not None:
+    if options.plot is not None:
         facts = {key.replace("_", " "): readable(value) for key, value in result.items()}
-        report("flight_page").plot_flight(options.plot, mission, recorder[0], optimum, facts)
+        report("flight_page").plot_flight(options.plot, mission, history, optimum, facts)
         result["plot"] = str(options.plot)
     return result

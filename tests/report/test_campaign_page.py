@@ -24,7 +24,7 @@ from sailnet.campaign.scores import Share, detours, scores_of, share_text
 from sailnet.campaign.store import Results
 from sailnet.cli import main
 from sailnet.errors import CampaignError, SailnetError
-from sailnet.flight.closed_loop import History, fly
+from sailnet.flight.closed_loop import fly_recorded
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.mission import load_mission
 from sailnet.report import opened
@@ -260,8 +260,7 @@ def test_where_flights_fail_is_told_by_the_starts(flown: tuple[Results, Path]) -
 
 
 def test_a_flight_is_shown_with_what_differs() -> None:
-    histories: list[History] = []
-    fly(MISSION, GUIDANCE, [(1.0, 0.0, 1.0)], period=0.02, recorder=histories)
+    _, histories = fly_recorded(MISSION, GUIDANCE, [(1.0, 0.0, 1.0)], period=0.02)
     columns = flight_columns(MISSION, histories[0], None)
     r, theta = histories[0].states[:, :2].T
     np.testing.assert_array_equal(columns["x"], r * np.cos(theta))
