@@ -358,7 +358,7 @@ def _info(options: argparse.Namespace) -> Result:
 
 
 def _papers(options: argparse.Namespace) -> int:
-    from sailnet.ocp.papers import command
+    from sailnet.papers import command
 
     return command.run(options.name, options.json, options.output, options.readme)
 

@@ -25,10 +25,10 @@ from sailnet.ocp import (
     survey,
     switch_times,
 )
-from sailnet.ocp.newton import Root, solve_equations
-from sailnet.ocp.papers import bbsr, dionysus
 from sailnet.ocp.problems import earth_dionysus, equinoctial, goddard, intercept, reorientation
-from sailnet.ocp.shooting_equations import Shooting
+from sailnet.ocp.solvers.newton import Root, solve_equations
+from sailnet.ocp.solvers.shooting_equations import Shooting
+from sailnet.papers import bbsr, dionysus
 from tests.test_ocp_problem import differences
 
 

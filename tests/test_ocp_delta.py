@@ -21,18 +21,18 @@ from sailnet.ocp import (
     Problem,
     Schedule,
     Solution,
-    delta,
     shooting,
     symbols,
 )
-from sailnet.ocp.delta.controls import Controls
-from sailnet.ocp.delta.flight import Flyer
-from sailnet.ocp.delta.heuristics import Heuristic, Search
-from sailnet.ocp.delta.polish import Polished, minimising
-from sailnet.ocp.delta.sensitivity import aligned, linearised, switches
-from sailnet.ocp.delta.series import zeros
-from sailnet.ocp.delta.solver import Delta
 from sailnet.ocp.problems import asteroid_rendezvous, leo_geo, lunar_landing
+from sailnet.ocp.solvers import delta
+from sailnet.ocp.solvers.delta.controls import Controls
+from sailnet.ocp.solvers.delta.flight import Flyer
+from sailnet.ocp.solvers.delta.heuristics import Heuristic, Search
+from sailnet.ocp.solvers.delta.polish import Polished, minimising
+from sailnet.ocp.solvers.delta.sensitivity import aligned, linearised, switches
+from sailnet.ocp.solvers.delta.series import zeros
+from sailnet.ocp.solvers.delta.solver import Delta
 from tests.test_ocp_problem import differences
 
 BASES = [delta.Fourier(), delta.Chebyshev(), delta.Legendre()]

@@ -13,8 +13,8 @@ import pytest
 from sailnet import cli
 from sailnet.errors import SailnetError
 from sailnet.ocp import ConvergenceError
-from sailnet.ocp.papers import bbsr, command, delta, ponn
-from sailnet.ocp.papers.row import Row
+from sailnet.papers import bbsr, command, delta, ponn
+from sailnet.papers.row import Row
 
 ROW = Row(
     paper="900",

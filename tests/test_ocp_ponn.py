@@ -29,14 +29,14 @@ from sailnet.ocp import (
     shooting,
     symbols,
 )
-from sailnet.ocp.functions import ExtremalFunctions
-from sailnet.ocp.papers import ponn as papers
-from sailnet.ocp.ponn import Basis, Chebyshev, RandomFeatures
-from sailnet.ocp.ponn.bases import lobatto
-from sailnet.ocp.ponn.connections import Connections, EndCondition
-from sailnet.ocp.ponn.network import Network
-from sailnet.ocp.ponn.training import iterative_least_squares, levenberg_marquardt, mean_loss
+from sailnet.ocp.definition.functions import ExtremalFunctions
 from sailnet.ocp.problems import earth_mars, intercept, mars_landing
+from sailnet.ocp.solvers.ponn import Basis, Chebyshev, RandomFeatures
+from sailnet.ocp.solvers.ponn.bases import lobatto
+from sailnet.ocp.solvers.ponn.connections import Connections, EndCondition
+from sailnet.ocp.solvers.ponn.network import Network
+from sailnet.ocp.solvers.ponn.training import iterative_least_squares, levenberg_marquardt, mean_loss
+from sailnet.papers import ponn as papers
 from tests.test_ocp_problem import differences
 from tests.test_ocp_solvers import bounded_cost, intercept_cost, manifold
 

@@ -21,9 +21,8 @@ from sailnet.ocp import (
     Saturation,
     symbols,
 )
-from sailnet.ocp.canonical import Form, Singular
-from sailnet.ocp.flow import first_modes
-from sailnet.ocp.functions import ExtremalFunctions, ProblemFunctions
+from sailnet.ocp.definition.canonical import Form, Singular
+from sailnet.ocp.definition.functions import ExtremalFunctions, ProblemFunctions
 from sailnet.ocp.problems import (
     earth_dionysus,
     earth_mars,
@@ -34,6 +33,7 @@ from sailnet.ocp.problems import (
     reorientation,
     solar_sail,
 )
+from sailnet.ocp.propagation.flow import first_modes
 
 PROBLEMS: dict[str, Callable[[], Problem]] = {
     "goddard": goddard.problem,

@@ -22,9 +22,9 @@ from sailnet.ocp import (
     shooting,
     symbols,
 )
-from sailnet.ocp.flow import Flow
 from sailnet.ocp.problems import earth_mars, goddard, intercept, leo_geo
-from sailnet.ocp.shooting_equations import Shooting
+from sailnet.ocp.propagation.flow import Flow
+from sailnet.ocp.solvers.shooting_equations import Shooting
 from tests.test_ocp_problem import differences
 
 START, SPEED, TARGET = (

@@ -16,9 +16,6 @@ from sailnet import cli
 from sailnet.errors import SailnetError
 from sailnet.mission import load_mission
 from sailnet.ocp import ConvergenceError, Exact, Problem, Solution, shooting
-from sailnet.ocp.papers import command, delta, sail
-from sailnet.ocp.papers.row import Row, Solved
-from sailnet.ocp.papers.trial import Trial
 from sailnet.ocp.problems import (
     asteroid_rendezvous,
     earth_dionysus,
@@ -31,9 +28,12 @@ from sailnet.ocp.problems import (
     reorientation,
     solar_sail,
 )
+from sailnet.papers import command, delta, sail
+from sailnet.papers.problem_views import VIEWS, view_of
+from sailnet.papers.row import Row, Solved
+from sailnet.papers.solution_charts import expected_hamiltonian, solution_charts
+from sailnet.papers.trial import Trial
 from sailnet.report.flight_page import LIBRARY
-from sailnet.report.problem_views import VIEWS, view_of
-from sailnet.report.solution_charts import expected_hamiltonian, solution_charts
 from tests.browser import told
 
 

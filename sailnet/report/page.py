@@ -4,9 +4,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoescape
 
 from sailnet.files import write_whole
+
+FOLDER = Path(__file__).parent
+"""Where the templates of this package are."""
 
 
 @dataclass(frozen=True)
@@ -19,10 +22,16 @@ class Picture:
     svg: str
 
 
-def render(template: str, **content: object) -> str:
-    """Fill one of the templates of this package."""
+def render(template: str, folder: Path = FOLDER, /, **content: object) -> str:
+    """Fill a template.
+
+    Args:
+        template: its name.
+        folder: where it is; what it includes may be there or among the templates of this package.
+        content: for the template.
+    """
     environment = Environment(
-        loader=PackageLoader("sailnet", "report"),
+        loader=FileSystemLoader([folder, FOLDER]),
         autoescape=select_autoescape(["jinja"], default=True),
         undefined=StrictUndefined,
         trim_blocks=False,

@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
 from sailnet.dynamics import Array
-from sailnet.ocp.problem import Bounded, Direction, Problem, symbols
+from sailnet.ocp.definition.problem import Bounded, Direction, Problem, symbols
 
 MASS_FLOW = 0.01536
 """Greatest mass flow, as printed."""

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sailnet.dynamics import Array, Expression
-from sailnet.ocp.problem import symbols
+from sailnet.ocp.definition.problem import symbols
 
 
 @dataclass(frozen=True)

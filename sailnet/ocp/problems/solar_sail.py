@@ -9,15 +9,15 @@ import heyoka as hy
 from sailnet import pontryagin
 from sailnet.dynamics import alpha, motion, r, u, v
 from sailnet.mission import Transfer
-from sailnet.ocp.problem import Bounded, FreeTime, Problem
+from sailnet.ocp.definition.problem import Bounded, FreeTime, Problem
 
 
 def problem(transfer: Transfer, guess: float = 7.0) -> Problem:
     """From the Earth's orbit to the target orbit; AU and TU.
 
-    The smoothing parameter of :class:`~sailnet.ocp.smoothing.Saturation` is the transfer's delta; that
-    of ``transfer`` itself is not used. Shooting knows no jump of the cone angle: where an extremal
-    crosses lambda_v = 0 with lambda_u > 0 it cannot be trusted, and says so by its Hamiltonian.
+    The smoothing parameter of :class:`~sailnet.ocp.definition.smoothing.Saturation` is the transfer's
+    delta; that of ``transfer`` itself is not used. Shooting knows no jump of the cone angle: where an
+    extremal crosses lambda_v = 0 with lambda_u > 0 it cannot be trusted, and says so by its Hamiltonian.
 
     Args:
         transfer: beta, phi_max and the target.

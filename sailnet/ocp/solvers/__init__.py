@@ -1,0 +1,1 @@
+"""A module a solver, each with a ``solve`` of its own."""
