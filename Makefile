@@ -115,7 +115,8 @@ benchmarks: | $(READY)
 # Every figure that the four papers on optimal control print, beside ours and a second method's, and a page with
 # every solution drawn; some minutes.
 papers: | $(READY)
-	$(VENV)/bin/sailnet papers --output build/papers --readme sailnet/ocp/README.md
+	$(VENV)/bin/sailnet papers --output build/papers --readme sailnet/papers/RESULTS.md
+	$(PYTHON) -m sailnet.papers.logistic sailnet/papers/RESULTS.md
 	@echo
 	@echo "The report: build/papers/index.html"
 

@@ -169,6 +169,9 @@ def _parser() -> argparse.ArgumentParser:
         "--output", metavar="DIR", type=Path, help="write papers.json, papers.md, a page and pictures there"
     )
     papers.add_argument("--readme", metavar="FILE", type=Path, help="fill its blocks `papers` and `sail`")
+    papers.add_argument(
+        "--workers", type=int, default=1, metavar="N", help="problems solved side by side (%(default)s)"
+    )
     papers.set_defaults(run=_papers)
     return parser
 
@@ -360,7 +363,7 @@ def _info(options: argparse.Namespace) -> Result:
 def _papers(options: argparse.Namespace) -> int:
     from sailnet.papers import command
 
-    return command.run(options.name, options.json, options.output, options.readme)
+    return command.run(options.name, options.json, options.output, options.readme, options.workers)
 
 
 def _state(options: argparse.Namespace) -> tuple[float, float, float]:

@@ -78,40 +78,51 @@ def test_first_reorientation_and_its_decoy() -> None:
     assert round(best.final_time, 3) == 2.479
     assert decoy.final_time == pytest.approx(2.4817, abs=5e-5)
     assert [switch.name for switch in best.switches] == ["S_1", "S_3", "S_1", "S_2", "S_3"]
-    even = switch_times.solve(problem, best, lengths=np.full(6, 1.0 / 3.0))
+    even = switch_times.solve(problem, best, options=switch_times.Options([1.0 / 3.0] * 6))
     assert even.final_time == pytest.approx(best.final_time, rel=1e-8)
     with pytest.raises(SailnetError, match="lengths of 6 arcs"):
-        switch_times.solve(problem, best, lengths=np.ones(5))
+        switch_times.solve(problem, best, options=switch_times.Options([1.0] * 5))
     for one in (best, decoy):
         direct = switch_times.solve(problem, one)
         assert direct.final_time == pytest.approx(one.final_time, rel=1e-8)
-        np.testing.assert_allclose(direct.times, [switch.time for switch in one.switches], atol=1e-5)
+        for ours, other in zip(direct.switches, one.switches, strict=True):
+            assert (ours.name, ours.rising) == (other.name, other.rising)
+            assert ours.time == pytest.approx(other.time, abs=1e-5)
+        # The program's multipliers are the costates, which no equation of it mentions.
+        np.testing.assert_allclose(direct.costate[0], one.costate[0], atol=1e-5)
+        np.testing.assert_allclose(direct.hamiltonian, -1.0, atol=1e-6)
+        assert direct.residuals["transversality"] < 1e-6
         np.testing.assert_allclose(one.hamiltonian, -1.0, atol=1e-9)
 
 
 def test_second_reorientation_has_no_digit_more() -> None:
     problem = reorientation.problem(three_torques=False)
-    smooth = shooting.solve(problem, L2Norm(), 0.1, guess=[-0.25, -2.16, -0.07, -2.22])
-    at_rho = collocation.solve(problem, L2Norm(), Schedule(0.07, 9.66e-6, 0.7), guess=smooth, tolerance=1e-4)
-    pieces = multiple.solve(problem, at_rho, schedule=9.66e-6)
+    smooth = shooting.solve(problem, [-0.25, -2.16, -0.07, -2.22], options=shooting.Options(L2Norm(), 0.1))
+    at_rho = collocation.solve(
+        problem, smooth, options=collocation.Options(L2Norm(), Schedule(0.07, 9.66e-6, 0.7), tolerance=1e-4)
+    )
+    pieces = multiple.solve(problem, at_rho, options=multiple.Options(L2Norm(), 9.66e-6))
     assert pieces.final_time == pytest.approx(at_rho.final_time, rel=1e-8)
     assert pieces.final_time == pytest.approx(2.883892, abs=2e-6)
-    limit = collocation.solve(problem, L2Norm(), Schedule(7e-6, 1e-7, 0.7), guess=at_rho, tolerance=1e-4)
+    limit = collocation.solve(
+        problem, at_rho, options=collocation.Options(L2Norm(), Schedule(7e-6, 1e-7, 0.7), tolerance=1e-4)
+    )
     direct = switch_times.solve(problem, limit)
     # A control that meets the end: no lower bound, so that the printed time is not the least.
-    assert direct.miss < 1e-12
+    assert direct.residuals["boundary"] < 1e-12
     assert limit.final_time < direct.final_time < 2.8838915
     assert direct.final_time == pytest.approx(limit.final_time, rel=1e-7)
 
 
 def test_multiple_shooting_where_single_fails() -> None:
     problem = goddard.problem(3.5)
-    smooth = collocation.solve(
-        problem, L2Norm(), Schedule(1.0, goddard.PRINTED_RHO, 0.5), final_tolerance=1e-8
-    )
+    path = Schedule(1.0, goddard.PRINTED_RHO, 0.5)
+    smooth = collocation.solve(problem, options=collocation.Options(L2Norm(), path, final_tolerance=1e-8))
     with pytest.raises(ConvergenceError):
-        shooting.solve(problem, L2Norm(), goddard.PRINTED_RHO, guess=smooth)
-    pieces = multiple.solve(problem, smooth, schedule=goddard.PRINTED_RHO, pieces=80)
+        shooting.solve(problem, smooth, options=shooting.Options(L2Norm(), goddard.PRINTED_RHO))
+    pieces = multiple.solve(
+        problem, smooth, options=multiple.Options(L2Norm(), goddard.PRINTED_RHO, pieces=80)
+    )
     assert pieces.final_time == pytest.approx(smooth.final_time, rel=1e-7)
     assert pieces["h"][-1] == pytest.approx(smooth["h"][-1], rel=1e-9)
     # The smoothed control does not minimise H, which may therefore change by as much as rho.
@@ -129,17 +140,18 @@ def test_moving_the_target_reaches_what_newton_does_not() -> None:
     problem = earth_dionysus.least_effort()
     draws = np.random.default_rng(7).uniform(-1.0, 1.0, (3, 6)) * dionysus.SCALE
     reached, shot = [], 0
+    plain = shooting.Options(L2Norm(), 1.0, goal=1e-5, tolerance=1e-6, samples=3)
     for draw in draws:
-        reached.append(reach.solve(problem, draw, goal=1e-5, tolerance=1e-6).cost)
+        reached.append(reach.solve(problem, draw, options=reach.Options(goal=1e-5, tolerance=1e-6)).cost)
         try:
-            shooting.solve(problem, L2Norm(), 1.0, guess=draw, goal=1e-5, tolerance=1e-6, samples=3)
+            shooting.solve(problem, draw, options=plain)
             shot += 1
         except ConvergenceError:
             pass
     np.testing.assert_allclose(reached, 2.047009e-3, rtol=1e-4)
     assert shot < len(draws)
     with pytest.raises(ConvergenceError, match="blocked"):
-        reach.solve(problem, draws[0] * 1e3, retreats=0)
+        reach.solve(problem, draws[0] * 1e3, options=reach.Options(retreats=0))
 
 
 def test_dionysus_from_random_costates() -> None:
@@ -192,7 +204,8 @@ def test_refusals_say_what_to_do() -> None:
     with pytest.raises(SailnetError, match="not of minimum time"):
         switch_times.SwitchTimes(goddard.problem(), np.ones(1), [0])
     problem = earth_dionysus.least_effort()
-    effort = reach.solve(problem, np.zeros(6), goal=1e-3, samples=20, tolerance=1e-6)
+    roughly = reach.Options(goal=1e-3, samples=20, tolerance=1e-6)
+    effort = reach.solve(problem, np.zeros(6), options=roughly)
     effort.control *= 0.1
     with pytest.raises(SailnetError, match="engine cannot"):
         earth_dionysus.costates_from(effort, 1.0)
@@ -200,4 +213,8 @@ def test_refusals_say_what_to_do() -> None:
     with pytest.raises(SailnetError, match="depends on time"):
         multiple.Pieces(late, L2Norm(), 2, 1e-9)
     with pytest.raises(ConvergenceError, match="try more"):
-        survey.extremals(intercept.problem(), Exact(), 0.0, shooting.RandomCostates(1e-9), 1, iterations=1)
+        survey.extremals(
+            intercept.problem(),
+            shooting.RandomCostates(1e-9, starts=1),
+            options=survey.Options(Exact(), 0.0, iterations=1),
+        )

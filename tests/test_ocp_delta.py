@@ -29,10 +29,10 @@ from sailnet.ocp.solvers import delta
 from sailnet.ocp.solvers.delta.controls import Controls
 from sailnet.ocp.solvers.delta.flight import Flyer
 from sailnet.ocp.solvers.delta.heuristics import Heuristic, Search
+from sailnet.ocp.solvers.delta.method import Delta
 from sailnet.ocp.solvers.delta.polish import Polished, minimising
 from sailnet.ocp.solvers.delta.sensitivity import aligned, linearised, switches
 from sailnet.ocp.solvers.delta.series import zeros
-from sailnet.ocp.solvers.delta.solver import Delta
 from tests.test_ocp_problem import differences
 
 BASES = [delta.Fourier(), delta.Chebyshev(), delta.Legendre()]
@@ -60,13 +60,14 @@ def double_integrator(end: float = 0.0) -> Problem:
 
 @pytest.fixture(scope="module")
 def rendezvous() -> Solution:
-    smooth = shooting.solve(asteroid_rendezvous.problem(), L2Norm(), Schedule(1.0, 1e-2))
-    return shooting.solve(asteroid_rendezvous.problem(), Exact(), guess=smooth, samples=400)
+    problem = asteroid_rendezvous.problem()
+    smooth = shooting.solve(problem, options=shooting.Options(L2Norm(), Schedule(1.0, 1e-2)))
+    return shooting.solve(problem, smooth, options=shooting.Options(Exact(), samples=400))
 
 
 @pytest.fixture(scope="module")
 def landing() -> Solution:
-    return shooting.solve(lunar_landing.problem(), Exact(), samples=400)
+    return shooting.solve(lunar_landing.problem(), options=shooting.Options(Exact(), samples=400))
 
 
 def fitted(found: Delta, solution: Solution) -> Array:
@@ -168,7 +169,7 @@ def test_a_switch_within_an_interval_is_flown_as_if_at_a_node() -> None:
 def test_criteria_vanish_on_the_extremal_alone(
     rendezvous: Solution, basis: delta.Basis, terms: int, end: float
 ) -> None:
-    found = Delta(asteroid_rendezvous.problem(), basis, terms, 60)
+    found = Delta(asteroid_rendezvous.problem(), delta.Options(basis, terms=terms))
     z = fitted(found, rendezvous)
     s = aligned(found.controls, z, 400)
     true = found.evaluate(z[None], s)[1]
@@ -187,7 +188,7 @@ def test_criteria_vanish_on_the_extremal_alone(
 
 
 def test_criteria_of_the_landing(landing: Solution) -> None:
-    found = Delta(lunar_landing.problem(), delta.Legendre(), 12, 60)
+    found = Delta(lunar_landing.problem(), delta.Options(delta.Legendre(), terms=12))
     z = fitted(found, landing)
     true = found.evaluate(z[None], aligned(found.controls, z, 400))[1]
     assert true.worst_end[0] < 1e-5
@@ -206,7 +207,7 @@ def test_criteria_of_the_landing(landing: Solution) -> None:
 @settings(max_examples=20, deadline=None)
 @given(st.integers(0, 2**31))
 def test_no_control_has_less_than_the_least_hamiltonian(seed: int) -> None:
-    found = Delta(asteroid_rendezvous.problem(), delta.Fourier(), 5, 20)
+    found = Delta(asteroid_rendezvous.problem(), delta.Options(delta.Fourier(), terms=5, nodes=20))
     lower, upper = found.controls.bounds
     z = np.random.default_rng(seed).uniform(lower, upper, (5, len(lower)))
     s = np.linspace(0.0, 1.0, 21)
@@ -227,7 +228,9 @@ def test_final_values_and_final_equations_are_the_same() -> None:
     z[:, -1] = 1.0
     s = np.linspace(0.0, 1.0, 31)
     totals = [
-        Delta(problem, delta.Chebyshev(), 3, 30).evaluate(z, s)[1].total(delta.Weights())
+        Delta(problem, delta.Options(delta.Chebyshev(), terms=3, nodes=30))
+        .evaluate(z, s)[1]
+        .total(delta.Weights())
         for problem in (plain, said)
     ]
     np.testing.assert_allclose(totals[0], totals[1], rtol=1e-9)
@@ -287,7 +290,8 @@ def test_heuristics_use_their_budget_within_the_box_and_repeat(heuristic: Heuris
 @pytest.mark.parametrize("heuristic", HEURISTICS, ids=lambda heuristic: str(heuristic.name))
 @pytest.mark.parametrize("basis", BASES, ids=lambda basis: str(basis.name))
 def test_double_integrator_by_every_basis_and_heuristic(basis: delta.Basis, heuristic: Heuristic) -> None:
-    solution = delta.solve(double_integrator(), basis, heuristic, 3000, seed=3, terms=3, nodes=20, goal=1e-2)
+    options = delta.Options(basis, heuristic, terms=3, nodes=20, evaluations=3000, goal=1e-2)
+    solution = delta.solve(double_integrator(), delta.RandomSeries(seed=3), options=options)
     assert solution.final_time == pytest.approx(2.0, abs=3e-2)
     (switch,) = solution.switches
     assert switch.time == pytest.approx(1.0, abs=3e-2)
@@ -302,7 +306,8 @@ def test_double_integrator_by_every_basis_and_heuristic(basis: delta.Basis, heur
 
 def test_a_control_that_is_not_switched_is_a_series_itself() -> None:
     heuristic = delta.GaPso(population=50, flights=10)
-    found = delta.solve(least_effort(), delta.Legendre(), heuristic, 3000, terms=3, nodes=10)
+    options = delta.Options(delta.Legendre(), heuristic, terms=3, nodes=10, evaluations=3000)
+    found = delta.solve(least_effort(), options=options)
     assert 0.499 < found.cost < 0.51
     np.testing.assert_allclose(found["u"], 1.0, atol=0.5)
     assert found.residuals["delta_u"] < 0.15
@@ -313,10 +318,11 @@ def test_a_control_that_is_not_switched_is_a_series_itself() -> None:
 
 def test_a_flight_that_misses_its_end_is_no_solution() -> None:
     with pytest.raises(ConvergenceError, match="misses the end") as caught:
-        delta.solve(asteroid_rendezvous.problem(), evaluations=60)
+        delta.solve(asteroid_rendezvous.problem(), options=delta.Options(evaluations=60))
     assert caught.value.residuals["boundary"] > 1e-3
     assert caught.value.history[-1].iterations == 60
-    solution = delta.solve(asteroid_rendezvous.problem(), evaluations=60, goal=math.inf)
+    whatever = delta.Options(evaluations=60, goal=math.inf)
+    solution = delta.solve(asteroid_rendezvous.problem(), options=whatever)
     assert solution.residuals["boundary"] == caught.value.residuals["boundary"]
 
 
@@ -324,12 +330,13 @@ def test_problems_that_are_none_for_the_method() -> None:
     plain = double_integrator()
     x = plain.states[0]
     with pytest.raises(SailnetError, match="give all of it"):
-        delta.solve(replace(plain, initial={x: 1.0}), evaluations=10)
+        delta.solve(replace(plain, initial={x: 1.0}), options=delta.Options(evaluations=10))
     u = plain.control_variables[0]
+    free = replace(plain, controls=[Bounded(u)], running_cost=0.5 * u**2)
     with pytest.raises(SailnetError, match="needs bounds of u"):
-        delta.solve(replace(plain, controls=[Bounded(u)], running_cost=0.5 * u**2), evaluations=10)
+        delta.solve(free, options=delta.Options(evaluations=10))
     with pytest.raises(SailnetError, match="give more"):
-        delta.solve(plain, evaluations=0)
+        delta.solve(plain, options=delta.Options(evaluations=3))
 
 
 def least_effort() -> Problem:
@@ -396,7 +403,7 @@ def test_soft_switches_become_sharp() -> None:
 
 
 def test_minimising_keeps_the_extremal(rendezvous: Solution) -> None:
-    found = Delta(asteroid_rendezvous.problem(), delta.Legendre(), 16, 60)
+    found = Delta(asteroid_rendezvous.problem(), delta.Options(delta.Legendre(), terms=16))
     z = fitted(found, rendezvous)
     again = minimising(found.judge, z, 200)
     s = np.linspace(0.0, 1.0, 50)
@@ -417,7 +424,7 @@ def test_minimising_keeps_the_extremal(rendezvous: Solution) -> None:
 @pytest.mark.parametrize("basis", BASES, ids=lambda basis: str(basis.name))
 def test_polish_brings_in_a_switch(basis: delta.Basis) -> None:
     # A series without a zero, which no derivative would give one.
-    found = Delta(double_integrator(), basis, 3, 20)
+    found = Delta(double_integrator(), delta.Options(basis, terms=3, nodes=20))
     start = np.array([0.5, 0.1, 0.05, 0.9])
     assert not switches(found.controls, start)
     polished = delta.Polish(evaluations=300).run(found.judge, start, 20)
@@ -439,15 +446,14 @@ def test_a_polish_keeps_the_better_of_two() -> None:
 
 def test_restarts_and_polish_within_the_evaluations() -> None:
     heuristic = delta.GaPso(population=50, flights=5)
-    settings = {"terms": 4, "nodes": 20, "stages": 1, "polish": delta.Polish(150), "restarts": 2, "box": 0.25}
-    runs = [
-        delta.solve(double_integrator(0.25), delta.Legendre(), heuristic, 600, 1, **settings)  # type: ignore[arg-type]
-        for _ in range(2)
-    ]
+    options = delta.Options(delta.Legendre(), heuristic, 4, 20, 600, stages=1, polish=delta.Polish(150))
+    guess = delta.RandomSeries(0.25, seed=1, searches=2)
+    runs = [delta.solve(double_integrator(0.25), guess, options=options) for _ in range(2)]
     np.testing.assert_array_equal(runs[0].state, runs[1].state)
     assert runs[0].solver.endswith("polished")
     assert runs[0].history[-1].iterations <= 600
     assert runs[0].residuals["boundary"] < 2e-6
     assert runs[0].final_time == pytest.approx(math.sqrt(3.0), abs=1e-5)
-    with pytest.raises(SailnetError, match="a search and an evaluation a stage"):
-        delta.solve(double_integrator(), evaluations=600, polish=delta.Polish(300), restarts=2)
+    spent = delta.Options(evaluations=600, polish=delta.Polish(300))
+    with pytest.raises(SailnetError, match="an evaluation a stage and search"):
+        delta.solve(double_integrator(), guess, options=spent)

@@ -13,8 +13,9 @@ import pytest
 from sailnet import cli
 from sailnet.errors import SailnetError
 from sailnet.ocp import ConvergenceError
-from sailnet.papers import bbsr, command, delta, ponn
+from sailnet.papers import bbsr, command, delta, parts, ponn
 from sailnet.papers.row import Row
+from sailnet.papers.tables import tables
 
 ROW = Row(
     paper="900",
@@ -42,8 +43,8 @@ def _stalled() -> list[Row]:
 def stage(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
     """Puts parts in the place of the papers' own."""
 
-    def put(*parts: command.Part) -> None:
-        monkeypatch.setattr(command, "PARTS", parts)
+    def put(*those: parts.Part) -> None:
+        monkeypatch.setattr(command, "PARTS", those)
 
     return put
 
@@ -51,8 +52,8 @@ def stage(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
 @pytest.fixture
 def two_papers(stage: Callable[..., None]) -> None:
     stage(
-        command.Part("900", ("cart", "sled"), lambda: [ROW, replace(ROW, problem="sled", printed="5")]),
-        command.Part("901", ("kite",), lambda: [OTHER]),
+        parts.Part("900", ("cart", "sled"), lambda: [ROW, replace(ROW, problem="sled", printed="5")]),
+        parts.Part("901", ("kite",), lambda: [OTHER]),
     )
 
 
@@ -101,7 +102,7 @@ def test_name_is_a_paper_or_a_problem(
 
 
 def test_only_what_was_asked_for_is_computed(stage: Callable[..., None]) -> None:
-    stage(command.Part("900", ("cart",), lambda: [ROW]), command.Part("901", ("kite",), _stalled))
+    stage(parts.Part("900", ("cart",), lambda: [ROW]), parts.Part("901", ("kite",), _stalled))
     assert cli.main(["papers", "cart"]) == 0
 
 
@@ -132,7 +133,7 @@ def test_an_unknown_name_lists_the_known_ones(capsys: pytest.CaptureFixture[str]
 def test_two_methods_that_differ_are_a_failure(
     change: dict[str, Any], status: int, stage: Callable[..., None], capsys: pytest.CaptureFixture[str]
 ) -> None:
-    stage(command.Part("900", ("cart",), lambda: [OTHER, replace(ROW, **change)]))
+    stage(parts.Part("900", ("cart",), lambda: [OTHER, replace(ROW, **change)]))
     assert cli.main(["papers", "--json"]) == status
     said = capsys.readouterr()
     assert len(json.loads(said.out, parse_constant=pytest.fail)) == 2
@@ -143,7 +144,7 @@ def test_two_methods_that_differ_are_a_failure(
 def test_what_does_not_converge_costs_no_other_row(
     stage: Callable[..., None], capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    stage(command.Part("900", ("cart",), _stalled), command.Part("901", ("kite",), lambda: [OTHER]))
+    stage(parts.Part("900", ("cart",), _stalled), parts.Part("901", ("kite",), lambda: [OTHER]))
     readme = tmp_path / "README.md"
     before = "<!-- papers -->\nof yesterday\n<!-- /papers -->\n"
     readme.write_text(before)
@@ -159,7 +160,7 @@ def test_files_and_readme(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     made = {"machine": "an abacus", "date": "1999-12-31", "revision": "abc"}
-    monkeypatch.setattr(command, "software", lambda: made)
+    monkeypatch.setattr("sailnet.papers.tables.software", lambda: made)
     readme = tmp_path / "README.md"
     readme.write_text("before\n<!-- papers -->\nold\n<!-- /papers -->\nafter\n")
     folder = tmp_path / "new" / "papers"
@@ -175,7 +176,7 @@ def test_files_and_readme(
 
 
 def test_a_readme_is_looked_at_before_minutes_are_spent(stage: Callable[..., None], tmp_path: Path) -> None:
-    stage(command.Part("900", ("cart",), lambda: pytest.fail("computed")))
+    stage(parts.Part("900", ("cart",), lambda: pytest.fail("computed")))
     readme = tmp_path / "README.md"
     readme.write_text("no block\n")
     with pytest.raises(SailnetError, match="<!-- papers -->"):
@@ -186,7 +187,7 @@ def test_a_readme_is_looked_at_before_minutes_are_spent(stage: Callable[..., Non
 
 
 def test_every_function_that_gives_rows_is_in_the_table() -> None:
-    listed = {part.rows for part in command.PARTS}
+    listed = {part.rows for part in parts.PARTS}
     inner = {"goddard_rows", "fuel_rows"}
     for module in (bbsr, delta, ponn):
         for name, function in inspect.getmembers(module, inspect.isfunction):
@@ -197,7 +198,7 @@ def test_every_function_that_gives_rows_is_in_the_table() -> None:
 def test_a_real_row_through_the_table() -> None:
     rows = bbsr.goddard_rows(2.5)
     assert all(map(command.agree, rows))
-    assert "2.024430e-01" in command.tables(rows)
+    assert "2.024430e-01" in tables(rows)
 
 
 def test_the_example_of_the_readme() -> None:

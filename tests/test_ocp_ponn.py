@@ -40,6 +40,8 @@ from sailnet.papers import ponn as papers
 from tests.test_ocp_problem import differences
 from tests.test_ocp_solvers import bounded_cost, intercept_cost, manifold
 
+SMALL_WEIGHTS = ponn.RandomWeights(0.01, starts=20)
+
 FIRST, LAST = EndCondition(0, 0), EndCondition(1, 0)
 FIRST_SLOPE, LAST_SLOPE = EndCondition(0, 1), EndCondition(1, 1)
 ACTIVATIONS: list[Literal["tanh", "logistic", "sine"]] = ["tanh", "logistic", "sine"]
@@ -190,17 +192,17 @@ def test_split_networks_have_the_exact_jacobian(problem: Problem, words: list[st
         assert sweep.clock[k][-1] == pytest.approx(sweep.clock[k + 1][0])
 
 
+def least_squares(basis: Basis, points: int = 20) -> ponn.Options:
+    return ponn.Options(basis=basis, points=points, training="iterative least squares")
+
+
 @pytest.mark.parametrize("gamma", [0.0, 1.0, 5.0, 10.0])
 def test_intercept_from_any_start(gamma: float) -> None:
     oracle = minimize_scalar(intercept_cost, bounds=(10, 80), args=(gamma,), options={"xatol": 1e-10})
     problem = intercept.problem(gamma)
     for seed in range(15):
         solution = ponn.solve(
-            problem,
-            basis=RandomFeatures(16, seed=seed // 5),
-            points=20,
-            training="iterative least squares",
-            seed=seed,
+            problem, ponn.RandomWeights(seed=seed), options=least_squares(RandomFeatures(16, seed=seed // 5))
         )
         assert solution.residuals["mean loss"] < 1e-9
         assert solution.final_time == pytest.approx(oracle.x, abs=1e-5)
@@ -208,11 +210,9 @@ def test_intercept_from_any_start(gamma: float) -> None:
         np.testing.assert_allclose(solution.hamiltonian, -gamma, atol=1e-6)
     # Starts from which the time runs away unless the weights settle before it moves.
     for seed in (34, 150):
-        solution = ponn.solve(
-            problem, basis=Chebyshev(16), points=20, training="iterative least squares", seed=seed
-        )
+        solution = ponn.solve(problem, ponn.RandomWeights(seed=seed), options=least_squares(Chebyshev(16)))
         assert solution.final_time == pytest.approx(oracle.x, abs=1e-5)
-    exact = ponn.solve(problem, basis=Chebyshev(4), points=8, training="iterative least squares", seed=0)
+    exact = ponn.solve(problem, options=least_squares(Chebyshev(4), 8))
     assert exact.residuals["dynamics"] < 1e-12
     np.testing.assert_allclose(exact.hamiltonian, -gamma, atol=1e-9)
 
@@ -220,13 +220,14 @@ def test_intercept_from_any_start(gamma: float) -> None:
 def test_bounded_intercept_after_the_split() -> None:
     oracle = minimize_scalar(bounded_cost, bounds=(50.5, 55.0), options={"xatol": 1e-10})
     problem = intercept.problem(1.0, intercept.BOUND)
-    smooth = ponn.solve(problem, Saturation(), Schedule(1.0, 1e-2, 0.3), spread=0.01, starts=20, goal=1e-3)
-    exact = ponn.split.solve(problem, smooth, basis=Chebyshev(6), points=10)
+    options = ponn.Options(Saturation(), Schedule(1.0, 1e-2, 0.3), goal=1e-3)
+    smooth = ponn.solve(problem, SMALL_WEIGHTS, options=options)
+    exact = ponn.split.solve(problem, smooth, options=ponn.split.Options(basis=Chebyshev(6), points=10))
     assert exact.message == "arcs -0+ 00+ 000"
     assert exact.cost == pytest.approx(oracle.fun, rel=1e-9)
     assert exact.final_time == pytest.approx(oracle.x, abs=1e-4)
     np.testing.assert_allclose(exact.hamiltonian, -1.0, atol=1e-10)
-    by_arcs = arcs.solve(problem, smooth, [(0.0, "-0+"), (12.0, "00+"), (33.0, "000")])
+    by_arcs = arcs.solve(problem, smooth, options=arcs.Options([(0.0, "-0+"), (12.0, "00+"), (33.0, "000")]))
     assert exact.cost == pytest.approx(by_arcs.cost, rel=1e-12)
     assert [s.time for s in exact.switches] == pytest.approx([s.time for s in by_arcs.switches])
     # Beside the network: the bound is met, and the free end costates vanish.
@@ -236,15 +237,14 @@ def test_bounded_intercept_after_the_split() -> None:
 
 @pytest.fixture(scope="module")
 def landing() -> Solution:
-    return ponn.solve(
-        mars_landing.problem(), schedule=Schedule(1.0, 0.1, 0.3), spread=0.01, starts=20, goal=5e-3
-    )
+    options = ponn.Options(schedule=Schedule(1.0, 0.1, 0.3), goal=5e-3)
+    return ponn.solve(mars_landing.problem(), SMALL_WEIGHTS, options=options)
 
 
 def test_mars_landing(landing: Solution) -> None:
     problem = mars_landing.problem()
     exact = ponn.split.solve(problem, landing)
-    by_shooting = shooting.solve(problem, Exact(), guess=exact)
+    by_shooting = shooting.solve(problem, exact, options=shooting.Options(Exact()))
     by_arcs = arcs.solve(problem, exact)
     assert round(exact.cost * mars_landing.MASS, 2) == 267.93
     assert exact.cost == pytest.approx(by_shooting.cost, rel=1e-10)
@@ -262,7 +262,9 @@ def test_the_landing_needs_canted_engines() -> None:
     shares = [0.8 * 6 * 3100 * math.cos(mars_landing.CANT), 0.3 * 6 * 3100 * math.cos(mars_landing.CANT)]
     assert shares == pytest.approx([13258.18, 4971.81], abs=0.01)
     straight = shooting.solve(
-        mars_landing.problem(0.0), HyperbolicTangent(), Schedule(1.0, 1e-3, 0.1), starts=50
+        mars_landing.problem(0.0),
+        shooting.RandomCostates(starts=50),
+        options=shooting.Options(HyperbolicTangent(), Schedule(1.0, 1e-3, 0.1)),
     )
     assert round(straight.cost * mars_landing.MASS) == 241
 
@@ -271,12 +273,8 @@ def test_earth_mars_after_the_split() -> None:
     problem = earth_mars.problem()
     smooth = ponn.solve(
         problem,
-        schedule=Schedule(0.5, 0.05, 0.4),
-        basis=Chebyshev(30),
-        points=60,
-        spread=0.01,
-        starts=20,
-        goal=5e-3,
+        SMALL_WEIGHTS,
+        options=ponn.Options(schedule=Schedule(0.5, 0.05, 0.4), basis=Chebyshev(30), points=60, goal=5e-3),
     )
     exact = ponn.split.solve(problem, smooth)
     by_arcs = arcs.solve(problem, exact)
@@ -285,16 +283,17 @@ def test_earth_mars_after_the_split() -> None:
     assert exact.cost == pytest.approx(by_arcs.cost, abs=1e-9)
     np.testing.assert_allclose(exact.hamiltonian, exact.hamiltonian[0], atol=1e-7)
     assert abs(smooth.cost - exact.cost) * earth_mars.MASS < 5.0
+    fewer = ponn.split.Options([(0.0, "+"), (0.8, "-"), (4.5, "+")], goal=1e-7)
     # With one burn less all equations have a root, which the control law would not fly.
     with pytest.raises(ConvergenceError, match="meets its equations and not the control law") as caught:
-        ponn.split.solve(problem, smooth, [(0.0, "+"), (0.8, "-"), (4.5, "+")], goal=1e-7)
+        ponn.split.solve(problem, smooth, options=fewer)
     assert caught.value.residuals["law"] > 1e-3
 
 
 def test_every_kind_of_end_condition() -> None:
     problem = manifold(FreeTime(2.0))
-    guess = shooting.solve(problem, Exact(), guess=shooting.RandomCostates(seed=1))
-    by_network = ponn.solve(problem, guess=guess, basis=Chebyshev(10), points=20)
+    guess = shooting.solve(problem, shooting.RandomCostates(seed=1), options=shooting.Options(Exact()))
+    by_network = ponn.solve(problem, guess, options=ponn.Options(basis=Chebyshev(10), points=20))
     assert by_network.cost == pytest.approx(guess.cost, rel=1e-9)
     np.testing.assert_allclose(by_network.multipliers, guess.multipliers, rtol=1e-6)
 
@@ -320,27 +319,29 @@ def test_training_finds_the_least_squares_of_a_plain_fit() -> None:
 def test_no_convergence_says_so(landing: Solution) -> None:
     problem = mars_landing.problem()
     with pytest.raises(ConvergenceError, match=r"finds no solution at rho = 1; .*none converged") as caught:
-        ponn.solve(problem, iterations=2)
+        ponn.solve(problem, options=ponn.Options(iterations=2))
     assert caught.value.history[0].residual > 1e-9
+    narrow = ponn.Options(schedule=Schedule(0.3, 1e-6, 0.3), goal=1e-4)
     # Twenty polynomials cannot follow a switch of this width.
     with pytest.raises(ConvergenceError, match="stalls on the way") as caught:
-        ponn.solve(problem, schedule=Schedule(0.3, 1e-6, 0.3), guess=landing, goal=1e-4)
+        ponn.solve(problem, landing, options=narrow)
     assert any(step.converged for step in caught.value.history)
+    wrong = ponn.split.Options([(0.0, "+"), (0.8, "-")], iterations=30)
     with pytest.raises(ConvergenceError, match="split PoNN"):
-        ponn.split.solve(problem, landing, [(0.0, "+"), (0.8, "-")], iterations=30)
+        ponn.split.solve(problem, landing, options=wrong)
 
 
 def test_wrong_parameters_say_what_to_do() -> None:
     with pytest.raises(SailnetError, match="take tanh, logistic or sine"):
         RandomFeatures(4, "relu")  # type: ignore[arg-type]
     with pytest.raises(SailnetError, match="training points"):
-        ponn.solve(intercept.problem(), points=1)
+        ponn.solve(intercept.problem(), options=ponn.Options(points=1))
     with pytest.raises(SailnetError, match="more weights than losses"):
-        ponn.solve(intercept.problem(), basis=Chebyshev(20), points=10)
+        ponn.solve(intercept.problem(), options=ponn.Options(basis=Chebyshev(20), points=10))
     with pytest.raises(SailnetError, match="give at least 1"):
         Chebyshev(0)
-    with pytest.raises(SailnetError, match="take iterative least squares"):
-        ponn.solve(intercept.problem(), training="adam")  # type: ignore[arg-type]
+    with pytest.raises(SailnetError, match="take iterative least squares or levenberg"):
+        ponn.Options(training="adam")  # type: ignore[arg-type]
     with pytest.raises(SailnetError, match="given twice"):
         Connections((FIRST, FIRST))
 

@@ -32,6 +32,13 @@ START, SPEED, TARGET = (
 )
 
 
+EXACTLY = shooting.Options(Exact())
+
+
+def down_to(rho: float) -> collocation.Options:
+    return collocation.Options(L2Norm(), Schedule(1.0, rho, 0.5))
+
+
 def intercept_cost(time: float, gamma: float) -> float:
     """The closed form: J = Gamma T + 1.5 |Z|^2 / T^3."""
     z = START + SPEED * time + 0.5 * TARGET * time**2
@@ -45,7 +52,7 @@ def test_intercept_is_the_closed_form(gamma: float, time: float, printed: float 
     oracle = minimize_scalar(
         intercept_cost, bounds=(time - 2, time + 2), args=(gamma,), options={"xatol": 1e-10}
     )
-    solution = shooting.solve(intercept.problem(gamma), Exact())
+    solution = shooting.solve(intercept.problem(gamma), options=EXACTLY)
     assert solution.final_time == pytest.approx(oracle.x, abs=1e-5)
     assert solution.final_time == pytest.approx(time, abs=6e-3)
     assert solution.cost == pytest.approx(oracle.fun, rel=1e-10)
@@ -72,8 +79,8 @@ def bounded_cost(time: float) -> float:
 def test_bounded_intercept_is_one_dimensional() -> None:
     oracle = minimize_scalar(bounded_cost, bounds=(50.5, 55.0), options={"xatol": 1e-10})
     problem = intercept.problem(1.0, intercept.BOUND)
-    smooth = shooting.solve(problem, Saturation(), Schedule(1.0, 1e-4, 0.1))
-    exact = shooting.solve(problem, Exact(), guess=smooth)
+    smooth = shooting.solve(problem, options=shooting.Options(Saturation(), Schedule(1.0, 1e-4, 0.1)))
+    exact = shooting.solve(problem, smooth, options=EXACTLY)
     assert exact.cost == pytest.approx(oracle.fun, rel=1e-9)
     assert exact.final_time == pytest.approx(oracle.x, abs=1e-4)
     # The paper's pair is wrong.
@@ -86,14 +93,13 @@ def test_bounded_intercept_is_one_dimensional() -> None:
 def transfer() -> Solution:
     return shooting.solve(
         earth_mars.problem(),
-        HyperbolicTangent(),
-        Schedule(1.0, 1e-5, 0.1),
-        guess=shooting.RandomCostates(seed=0),
+        shooting.RandomCostates(seed=0),
+        options=shooting.Options(HyperbolicTangent(), Schedule(1.0, 1e-5, 0.1)),
     )
 
 
 def test_earth_mars_by_shooting(transfer: Solution) -> None:
-    limit = shooting.solve(earth_mars.problem(), Exact(), guess=transfer)
+    limit = shooting.solve(earth_mars.problem(), transfer, options=EXACTLY)
     assert round(limit.cost * earth_mars.MASS, 2) == 396.06
     assert limit.cost == pytest.approx(transfer.cost, rel=1e-6)
     assert limit.cost == pytest.approx(1.0 - limit["m"][-1], rel=1e-12)
@@ -109,8 +115,8 @@ def test_earth_mars_by_arcs_and_collocation(transfer: Solution) -> None:
     problem = earth_mars.problem()
     by_arcs = arcs.solve(problem, transfer)
     assert by_arcs.message == "arcs + - + - +"
-    by_collocation = collocation.solve(problem, L2Norm(), 1e-3, guess=transfer)
-    by_shooting = shooting.solve(problem, L2Norm(), 1e-3, guess=transfer)
+    by_collocation = collocation.solve(problem, transfer, options=collocation.Options(L2Norm(), 1e-3))
+    by_shooting = shooting.solve(problem, transfer, options=shooting.Options(L2Norm(), 1e-3))
     assert by_arcs.cost == pytest.approx(transfer.cost, rel=1e-6)
     assert by_collocation.cost == pytest.approx(by_shooting.cost, rel=1e-6)
 
@@ -126,9 +132,8 @@ TABLE_1 = [
 @pytest.mark.parametrize(("thrust", "time", "altitude", "structure"), TABLE_1)
 def test_goddard_table_1(thrust: float, time: float, altitude: float, structure: str) -> None:
     problem = goddard.problem(thrust)
-    printed = collocation.solve(
-        problem, L2Norm(), Schedule(1.0, goddard.PRINTED_RHO, 0.5), final_tolerance=1e-7
-    )
+    path = Schedule(1.0, goddard.PRINTED_RHO, 0.5)
+    printed = collocation.solve(problem, options=collocation.Options(L2Norm(), path, final_tolerance=1e-7))
     assert printed.final_time == pytest.approx(time, abs=6e-8)
     assert printed["h"][-1] == pytest.approx(altitude, abs=6e-7)
     limit = arcs.solve(problem, printed)
@@ -185,10 +190,12 @@ def test_every_kind_of_end_condition(final_time: float | FreeTime) -> None:
         (minimize(manifold_cost, [a, 2.0, 2.0], args=(fixed,), tol=1e-14) for a in (0.2, 0.8, 1.4)),
         key=lambda found: found.fun,
     )
-    solved = [shooting.solve(problem, Exact(), guess=shooting.RandomCostates(seed=seed)) for seed in range(4)]
+    solved = [
+        shooting.solve(problem, shooting.RandomCostates(seed=seed), options=EXACTLY) for seed in range(4)
+    ]
     assert min(s.cost for s in solved) == pytest.approx(oracle.fun, rel=1e-7)
     best = min(solved, key=lambda s: s.cost)
-    refined = collocation.solve(problem, L2Norm(), 1.0, guess=best)
+    refined = collocation.solve(problem, best, options=collocation.Options(L2Norm(), 1.0))
     assert refined.cost == pytest.approx(oracle.fun, rel=1e-6)
 
 
@@ -203,7 +210,7 @@ def test_shooting_has_the_exact_jacobian(smoothing: Smoothing, transfer: Solutio
 
 def test_arcs_have_the_exact_jacobian() -> None:
     problem = goddard.problem(2.5)
-    smooth = collocation.solve(problem, L2Norm(), Schedule(1.0, 1e-4, 0.5))
+    smooth = collocation.solve(problem, options=down_to(1e-4))
     equations = arcs.Arcs(problem, ["+", "s", "+", "-"])
     z = np.concatenate([equations.ends.unknowns(smooth), [0.0497, 0.0612, 0.0811]])
     _, jacobian = equations.linearise(z)
@@ -244,13 +251,15 @@ def test_arcs_refuse_a_root_that_the_law_would_not_fly() -> None:
         {x: 0.0, v: 0.0},
         running_cost=1.0,
     )
-    smooth = shooting.solve(problem, L2Norm(), Schedule(1.0, 1e-2), guess=shooting.RandomCostates())
+    smooth = shooting.solve(
+        problem, shooting.RandomCostates(), options=shooting.Options(L2Norm(), Schedule(1.0, 1e-2))
+    )
     right = arcs.solve(problem, smooth)
     # By hand: half circles around (1, 0) and (-1, 0), the middle one whole, so the switches are pi apart.
     assert right.message == "arcs - + -"
     assert np.diff([switch.time for switch in right.switches]) == pytest.approx(np.pi, abs=1e-9)
     with pytest.raises(ConvergenceError, match="break the control law in between") as caught:
-        arcs.solve(problem, smooth, [(0.0, "+"), (2.0, "-")])
+        arcs.solve(problem, smooth, options=arcs.Options([(0.0, "+"), (2.0, "-")]))
     assert caught.value.residuals["largest"] < 1e-10
     assert caught.value.residuals["law"] > 0.1
 
@@ -269,16 +278,20 @@ def test_a_law_that_never_switches_flies_in_lanes() -> None:
 def test_no_convergence_says_so() -> None:
     with pytest.raises(ConvergenceError, match="finds no solution at rho = 1") as caught:
         shooting.solve(
-            goddard.problem(3.5), L2Norm(), Schedule(1.0, 1e-5), guess=[1.0, 1.0, 1.0], iterations=3
+            goddard.problem(3.5),
+            [1.0, 1.0, 1.0],
+            options=shooting.Options(L2Norm(), Schedule(1.0, 1e-5), iterations=3),
         )
     assert caught.value.history
     assert not any(step.converged for step in caught.value.history)
-    smooth = collocation.solve(goddard.problem(3.5), L2Norm(), Schedule(1.0, 1e-3, 0.5))
+    smooth = collocation.solve(goddard.problem(3.5), options=down_to(1e-3))
+    wrong = arcs.Options([(0.0, "+"), (0.02, "-")], iterations=15)
     with pytest.raises(ConvergenceError, match="arcs"):
-        arcs.solve(goddard.problem(3.5), smooth, [(0.0, "+"), (0.02, "-")], iterations=15)
-    easy = collocation.solve(goddard.problem(3.5), L2Norm(), 0.3)
+        arcs.solve(goddard.problem(3.5), smooth, options=wrong)
+    easy = collocation.solve(goddard.problem(3.5), options=collocation.Options(L2Norm(), 0.3))
+    path = Schedule(0.3, 1e-9, 0.5)
     # A singular arc is a saddle of the smoothed equations: flying along it loses every digit.
     with pytest.raises(ConvergenceError, match="stalls on the way") as caught:
-        shooting.solve(goddard.problem(3.5), L2Norm(), Schedule(0.3, 1e-9, 0.5), guess=easy)
+        shooting.solve(goddard.problem(3.5), easy, options=shooting.Options(L2Norm(), path))
     assert any(step.converged for step in caught.value.history)
     assert caught.value.residuals["largest"] > 0.0

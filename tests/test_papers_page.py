@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -29,6 +30,7 @@ from sailnet.ocp.problems import (
     solar_sail,
 )
 from sailnet.papers import command, delta, sail
+from sailnet.papers.parts import Part
 from sailnet.papers.problem_views import VIEWS, view_of
 from sailnet.papers.row import Row, Solved
 from sailnet.papers.solution_charts import expected_hamiltonian, solution_charts
@@ -39,6 +41,9 @@ from tests.browser import told
 
 def _stalled() -> list[Row]:
     raise ConvergenceError("shooting of <kite> stalled", {"boundary": 0.5})
+
+
+LOST = Trial("ponn", "1 start", math.nan, math.nan, 0.5, "no solution", "always on a bound")
 
 
 @dataclass
@@ -55,15 +60,15 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Made:
     folder = tmp_path_factory.mktemp("papers")
     # Of the intercept's paths one kept changing its own margins.
     problem = intercept.problem()
-    solved = Solved(problem, shooting.solve(problem, Exact()))
+    solved = Solved(problem, shooting.solve(problem, options=shooting.Options(Exact())))
     rows = delta._lunar()
     rows.append(replace(rows[0], paper="002", problem="intercept", solved=solved))
     rows[1] = replace(rows[1], reason="a </script> & more")
-    trials = sail.trials(["collocation", "arcs", "switch_times"])
+    trials = [*sail.trials(["collocation", "arcs"]), LOST]
     parts = (
-        command.Part("004", ("lunar-landing", "intercept"), lambda: rows),
-        command.Part("900", ("kite",), _stalled),
-        command.Part("001", ("sail",), lambda: trials),
+        Part("004", ("lunar-landing", "intercept"), lambda: rows),
+        Part("900", ("kite",), _stalled),
+        Part("001", ("sail",), lambda: trials),
     )
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(command, "PARTS", parts)
@@ -240,7 +245,7 @@ def test_units_and_paths_are_the_papers() -> None:
 def test_what_the_hamiltonian_has_to_be() -> None:
     for gamma in (1.0, 5.0):
         problem = intercept.problem(gamma)
-        solved = Solved(problem, shooting.solve(problem, Exact()))
+        solved = Solved(problem, shooting.solve(problem, options=shooting.Options(Exact())))
         assert expected_hamiltonian(solved) == -gamma
         (deviation,) = (chart for chart in solution_charts(solved) if chart.name.startswith("deviation"))
         assert deviation.y == f"|H + {gamma:g}|"
@@ -251,7 +256,7 @@ def test_what_the_hamiltonian_has_to_be() -> None:
 
 def test_a_problem_of_ones_own_is_shown_too() -> None:
     problem = replace(lunar_landing.problem(), name="hopper")
-    solved = Solved(problem, shooting.solve(problem, Exact()))
+    solved = Solved(problem, shooting.solve(problem, options=shooting.Options(Exact())))
     assert view_of(problem).title == "hopper"
     names = [chart.name for chart in solution_charts(solved)]
     assert names == [
@@ -266,7 +271,7 @@ def test_nothing_is_solved_where_nothing_can_be_drawn(
     def missing(module: str) -> None:
         raise SailnetError(f"no pictures here ({module}): pip install 'sailnet[report]'")
 
-    part = command.Part("900", ("kite",), lambda: pytest.fail("computed"))
+    part = Part("900", ("kite",), lambda: pytest.fail("computed"))
     monkeypatch.setattr(command, "PARTS", (part,))
     monkeypatch.setattr(command, "report", missing)
     assert cli.main(["papers", "--output", str(tmp_path)]) == 1
@@ -277,6 +282,6 @@ def test_a_folder_that_cannot_be_written(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "file").touch()
-    monkeypatch.setattr(command, "PARTS", (command.Part("900", ("kite",), list),))
+    monkeypatch.setattr(command, "PARTS", (Part("900", ("kite",), list),))
     assert cli.main(["papers", "--output", str(tmp_path / "file")]) == 1
     assert "error: cannot write" in capsys.readouterr().err

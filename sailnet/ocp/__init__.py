@@ -1,7 +1,7 @@
 """Optimal control: one problem definition, and solvers that all take it.
 
     problem = goddard.problem(thrust=3.5)
-    smooth = collocation.solve(problem, L2Norm(), Schedule(1.0, 1e-5, 0.5))
+    smooth = collocation.solve(problem, options=collocation.Options(L2Norm(), Schedule(1.0, 1e-5, 0.5)))
     limit = arcs.solve(problem, smooth)
 
 Folders, each importing only those before it: :mod:`~sailnet.ocp.definition` (a problem and its necessary
@@ -14,7 +14,7 @@ from sailnet.ocp.definition.problem import TIME, Bounded, Direction, FreeTime, P
 from sailnet.ocp.definition.smoothing import Exact, HyperbolicTangent, L2Norm, Logistic, Saturation, Smoothing
 from sailnet.ocp.definition.solution import ConvergenceError, Solution, Step, Switch
 from sailnet.ocp.globalisation import reach, survey
-from sailnet.ocp.solvers import arcs, collocation, multiple, ponn, shooting, switch_times
+from sailnet.ocp.solvers import arcs, collocation, delta, multiple, ponn, shooting, switch_times
 from sailnet.ocp.solvers.continuation import Schedule
 
 __all__ = [
@@ -37,6 +37,7 @@ __all__ = [
     "arcs",
     "collocation",
     "costate",
+    "delta",
     "multiple",
     "ponn",
     "reach",

@@ -32,10 +32,14 @@ def goddard_rows(thrust: float) -> list[Row]:
     """Table 1 for one T_max: at the paper's smoothing parameter, and in the limit."""
     problem = goddard.problem(thrust)
     path = Schedule(1.0, goddard.PRINTED_RHO, 0.5)
-    smooth = collocation.solve(problem, L2Norm(), path, final_tolerance=1e-8)
-    pieces = multiple.solve(problem, smooth, schedule=goddard.PRINTED_RHO, pieces=80)
+    smooth = collocation.solve(problem, options=collocation.Options(L2Norm(), path, final_tolerance=1e-8))
+    pieces = multiple.solve(
+        problem, smooth, options=multiple.Options(L2Norm(), goddard.PRINTED_RHO, pieces=80)
+    )
     limit = arcs.solve(problem, smooth)
-    sharp = collocation.solve(problem, L2Norm(), Schedule(1.0, 1e-8, 0.5), tolerance=1e-4)
+    sharp = collocation.solve(
+        problem, options=collocation.Options(L2Norm(), Schedule(1.0, 1e-8, 0.5), tolerance=1e-4)
+    )
     name, (time_printed, height_printed) = f"goddard, T_max = {thrust}", TABLE_1[thrust]
     above = smooth.final_time - limit.final_time
     at_rho = "the value at the paper's last smoothing parameter, not the limit"
@@ -80,14 +84,16 @@ def _altitude(solution: Solution) -> float:
 def reorientations(three_torques: bool, starts: int = 200, seed: int = 1) -> list[survey.Extremal]:
     """The extremals of a reorientation at rho = 0.1 that random costates in [-1, 1] find, fastest first."""
     problem = reorientation.problem(three_torques)
-    return survey.extremals(problem, L2Norm(), 0.1, shooting.RandomCostates(1.0, seed), starts)
+    guess = shooting.RandomCostates(1.0, seed, starts)
+    return survey.extremals(problem, guess, options=survey.Options(L2Norm(), 0.1))
 
 
 def exact_reorientation(smooth: Solution) -> Solution:
     """The bang-bang extremal of case I near a smoothed one."""
     problem = reorientation.problem()
-    sharp = shooting.solve(problem, L2Norm(), Schedule(0.1, 1e-4, 0.3), guess=smooth, goal=1e-9)
-    return shooting.solve(problem, Exact(), guess=sharp)
+    ever_sharper = shooting.Options(L2Norm(), Schedule(0.1, 1e-4, 0.3), goal=1e-9)
+    sharp = shooting.solve(problem, smooth, options=ever_sharper)
+    return shooting.solve(problem, sharp, options=shooting.Options(Exact()))
 
 
 def first_reorientation() -> list[Row]:
@@ -97,8 +103,8 @@ def first_reorientation() -> list[Row]:
     best, second = (exact_reorientation(one.solution) for one in found[:2])
     seconds = time.perf_counter() - began
     solved = Solved(reorientation.problem(), best)
-    even = np.full(len(best.switches) + 1, 1.0 / 3.0)
-    check = switch_times.solve(solved.problem, best, lengths=even)
+    even = [1.0 / 3.0] * (len(best.switches) + 1)
+    check = switch_times.solve(solved.problem, best, options=switch_times.Options(even))
     count = sum(one.starts for one in found)
     reason = (
         f"fastest of {len(found)} extremals, which {found[0].starts} of {count} converged starts find;"
@@ -106,7 +112,6 @@ def first_reorientation() -> list[Row]:
     )
     method = "direct, over the lengths of the arcs, begun at 1/3 each"
     switches = [sum(switch.name == f"S_{i}" for switch in best.switches) for i in (1, 2, 3)]
-    kept = int(np.sum(np.diff([0.0, *check.times]) > 0.0))
     name = "reorientation-1"
     time_agrees, count_agrees = f"{best.final_time:.3f}" == "2.479", switches == [2, 1, 2]
     return [
@@ -130,7 +135,7 @@ def first_reorientation() -> list[Row]:
             "switches of u_1, u_2, u_3 together",
             "5",
             len(best.switches),
-            kept,
+            len(check.switches),
             method,
             "agrees" if count_agrees else "paper in error",
             f"{switches[0]}, {switches[1]} and {switches[2]}",
@@ -141,21 +146,23 @@ def first_reorientation() -> list[Row]:
     ]
 
 
+def _down(start: float, end: float) -> collocation.Options:
+    return collocation.Options(L2Norm(), Schedule(start, end, 0.7), tolerance=1e-4)
+
+
 def second_reorientation() -> list[Row]:
     """Case II: an arc of second order, where the limit chatters."""
     problem = reorientation.problem(three_torques=False)
     began = time.perf_counter()
     smooth = reorientations(three_torques=False)[0].solution
     printed_rho = 9.66e-6
-    at_rho = collocation.solve(
-        problem, L2Norm(), Schedule(0.07, printed_rho, 0.7), guess=smooth, tolerance=1e-4
-    )
+    at_rho = collocation.solve(problem, smooth, options=_down(0.07, printed_rho))
     seconds = time.perf_counter() - began
-    pieces = multiple.solve(problem, at_rho, schedule=printed_rho)
-    limit = collocation.solve(problem, L2Norm(), Schedule(7e-6, 1e-7, 0.7), guess=at_rho, tolerance=1e-4)
+    pieces = multiple.solve(problem, at_rho, options=multiple.Options(L2Norm(), printed_rho))
+    limit = collocation.solve(problem, at_rho, options=_down(7e-6, 1e-7))
     longer = time.perf_counter() - began
     direct = switch_times.solve(problem, limit)
-    printed, count = "2.883892", len(direct.times)
+    printed, count = "2.883892", len(direct.switches)
     over = float(printed) - limit.final_time
     proof = (
         f"to {over:.0e}: a control of {count} switches, found without costates, takes"
@@ -199,8 +206,9 @@ def dionysus_rows() -> list[Row]:
     # The first solve compiles.
     dionysus.solve(zero)
     solution = dionysus.solve(zero, samples=2000)
-    check = collocation.solve(problem, L2Norm(), 1e-4, guess=solution, tolerance=1e-6)
-    check = collocation.solve(problem, L2Norm(), solution.rho, guess=check, tolerance=1e-6)
+    check = solution
+    for rho in (1e-4, solution.rho):
+        check = collocation.solve(problem, check, options=collocation.Options(L2Norm(), rho))
     mass, other = (-one.cost * earth_dionysus.MASS for one in (solution, check))
     count, also = len(solution.switches), len(check.switches)
     figures = [

@@ -41,52 +41,62 @@ class Reference:
 
 @cache
 def _landing() -> Solution:
-    return shooting.solve(lunar_landing.problem(), Exact())
+    return shooting.solve(lunar_landing.problem(), options=shooting.Options(Exact()))
 
 
 @cache
 def _rendezvous() -> Solution:
     problem = asteroid_rendezvous.problem()
-    smoothed = shooting.solve(problem, L2Norm(), Schedule(1.0, 1e-2))
-    return shooting.solve(problem, Exact(), guess=smoothed)
+    smoothed = shooting.solve(problem, options=shooting.Options(L2Norm(), Schedule(1.0, 1e-2)))
+    return shooting.solve(problem, smoothed, options=shooting.Options(Exact()))
 
 
 def _rendezvous_by_arcs() -> Solution:
     problem = asteroid_rendezvous.problem()
-    return arcs.solve(problem, collocation.solve(problem, L2Norm(), Schedule(1.0, 1e-3), costate=0.1))
+    lines, path = collocation.StraightLines(costate=0.1), Schedule(1.0, 1e-3)
+    return arcs.solve(problem, collocation.solve(problem, lines, options=collocation.Options(L2Norm(), path)))
 
 
 @cache
 def _fastest() -> Solution:
     # Nothing is bounded, so no smoothing is in it.
-    return shooting.solve(leo_geo.minimum_time(), L2Norm(), 1.0)
+    return shooting.solve(leo_geo.minimum_time(), options=shooting.Options(L2Norm(), 1.0))
 
 
 @cache
 def _thriftiest() -> Solution:
-    return shooting.solve(leo_geo.minimum_fuel(), Exact())
+    return shooting.solve(leo_geo.minimum_fuel(), options=shooting.Options(Exact()))
 
 
 def _by_arcs(problem: Problem, smoothed: Solution) -> Solution:
     """The limit on the arcs of a solution by collocation near a smoothed one."""
-    near = collocation.solve(problem, L2Norm(), smoothed.rho, guess=smoothed)
+    near = collocation.solve(problem, smoothed, options=collocation.Options(L2Norm(), smoothed.rho))
     first = "-" if near.switches[0].rising else "+"
     switched = [(switch.time, "+" if switch.rising else "-") for switch in near.switches]
-    return arcs.solve(problem, near, [(0.0, first), *switched])
+    return arcs.solve(problem, near, options=arcs.Options([(0.0, first), *switched]))
 
 
-def _thriftiest_smoothed() -> Solution:
-    return shooting.solve(leo_geo.minimum_fuel(), L2Norm(), 1e-3)
+def _landing_by_arcs() -> Solution:
+    problem = lunar_landing.problem()
+    smoothed = shooting.solve(problem, _landing(), options=shooting.Options(L2Norm(), 1e-2))
+    return _by_arcs(problem, smoothed)
+
+
+def _fastest_by_collocation() -> Solution:
+    options = collocation.Options(L2Norm(), 1.0, tolerance=1e-8)
+    return collocation.solve(leo_geo.minimum_time(), _fastest(), options=options)
+
+
+def _thriftiest_by_arcs() -> Solution:
+    problem = leo_geo.minimum_fuel()
+    return _by_arcs(problem, shooting.solve(problem, options=shooting.Options(L2Norm(), 1e-3)))
 
 
 REFERENCES: Mapping[str, Reference] = {
     "lunar-landing": Reference(
         lunar_landing.problem,
         _landing,
-        lambda: _by_arcs(
-            lunar_landing.problem(),
-            shooting.solve(lunar_landing.problem(), L2Norm(), 1e-2, guess=_landing()),
-        ),
+        _landing_by_arcs,
         f"arcs, {NEAR_OURS}",
     ),
     "asteroid-rendezvous": Reference(
@@ -98,13 +108,13 @@ REFERENCES: Mapping[str, Reference] = {
     "leo-geo-time": Reference(
         leo_geo.minimum_time,
         _fastest,
-        lambda: collocation.solve(leo_geo.minimum_time(), L2Norm(), 1.0, guess=_fastest(), tolerance=1e-8),
+        _fastest_by_collocation,
         "collocation, begun at ours",
     ),
     "leo-geo-fuel": Reference(
         leo_geo.minimum_fuel,
         _thriftiest,
-        lambda: _by_arcs(leo_geo.minimum_fuel(), _thriftiest_smoothed()),
+        _thriftiest_by_arcs,
         f"arcs, {NEAR_OURS}",
     ),
 }

@@ -1,13 +1,13 @@
 """Table 2 of paper 004 for all its problems: bases against heuristics on equal numbers of evaluations.
 
-python -m sailnet.papers.delta_table benchmarks/delta_table2.json --readme sailnet/ocp/README.md
+python -m sailnet.papers.delta_table benchmarks/delta_table2.json --readme sailnet/papers/RESULTS.md
 """
 
 import argparse
 import json
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -22,10 +22,13 @@ from sailnet.ocp.solvers.delta import (
     Heuristic,
     Imperialist,
     Legendre,
+    Options,
     Polish,
-    Weights,
+    RandomSeries,
 )
-from sailnet.ocp.solvers.delta.solver import GOAL, Delta, Found, flown, restarted
+from sailnet.ocp.solvers.delta.method import Delta, Found
+from sailnet.ocp.solvers.delta.options import GOAL
+from sailnet.ocp.solvers.delta.table import tabulate
 from sailnet.papers.delta import REFERENCES
 from sailnet.provenance import software
 
@@ -57,6 +60,9 @@ NODES, STAGES, RESTARTS, BOX, SPACING = 60, 4, 8, 0.25, 100
 """Intervals of a flight; stages of the paper's method; searches and box of RESTARTED; between seeds."""
 
 POLISH = Polish(evaluations=500)
+
+NEAR = 2e-3
+"""Cost above the optimum, relative to its size, up to which a search has found it."""
 
 
 @dataclass(frozen=True)
@@ -129,20 +135,23 @@ def entry(
         begun: for POLISHED, the entry of ALONE that it begins at.
     """
     reference = REFERENCES[problem].solve()
-    delta = Delta(REFERENCES[problem].problem(), basis, TERMS[problem], NODES)
+    options = Options(basis, heuristic, TERMS[problem], NODES, evaluations, STAGES)
+    guess = RandomSeries(seed=SPACING * seed)
+    if method == RESTARTED:
+        options = replace(options, stages=1, polish=POLISH)
+        guess = replace(guess, box=BOX, searches=RESTARTS)
+    delta = Delta(REFERENCES[problem].problem(), options)
     busy = time.process_time()
     if method == POLISHED:
         assert begun is not None
         made = POLISH.run(delta.judge, np.array(begun.point), NODES)
         found = Found(made.point, begun.evaluations + made.evaluations, [])
-    elif method == RESTARTED:
-        found = restarted(delta, heuristic, evaluations, SPACING * seed, Weights(), 1, POLISH, RESTARTS, BOX)
     else:
-        found = restarted(delta, heuristic, evaluations, SPACING * seed, Weights(), STAGES)
+        found = delta.search(guess)
     if not len(found.point):
         return None
     busy = time.process_time() - busy + (begun.cpu_seconds if begun else 0.0)
-    solution, stride = flown(delta, found.point), max(1, len(found.history) // 10)
+    solution, stride = tabulate(delta, found.point), max(1, len(found.history) // 10)
     return Entry(
         problem=problem,
         basis=basis.name,
@@ -236,6 +245,23 @@ def markdown(found: Sequence[Entry], origin: Mapping[str, str]) -> str:
     return "\n".join(lines)
 
 
+def counted(found: Sequence[Entry]) -> str:
+    """Of all searches of a problem by each method: how many arrive, and how many near the optimum."""
+    lines = [
+        f"| method: searches that arrive (within 0.2 % of the optimum) | {' | '.join(TERMS)} |",
+        "| --- " * 5 + "|",
+    ]
+    for method in (ALONE, POLISHED, RESTARTED):
+        cells = []
+        for problem in TERMS:
+            those = [one for one in found if (one.problem, one.method) == (problem, method)]
+            met = [one for one in those if one.converged]
+            near = sum(one.cost_error < NEAR for one in met)
+            cells.append(f"{len(met)} ({near}) of {len(those)}")
+        lines.append(f"| {method} | {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
 def _cell(group: Sequence[Entry]) -> str:
     if not group:
         return ""
@@ -272,7 +298,7 @@ def main() -> None:
             flush=True,
         )
     if arguments.readme:
-        fill_block(arguments.readme, "delta", markdown(found, origin))
+        fill_block(arguments.readme, "delta", f"{markdown(found, origin)}\n\n{counted(found)}")
 
 
 if __name__ == "__main__":

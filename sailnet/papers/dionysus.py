@@ -38,25 +38,19 @@ def solve(costates: ArrayLike, samples: int = 3) -> Solution:
     """
     began = time.perf_counter()
     problem = earth_dionysus.problem()
-    effort = reach.solve(earth_dionysus.least_effort(), costates, goal=1e-3, samples=100, tolerance=1e-6)
+    roughly = reach.Options(goal=1e-3, samples=100, tolerance=1e-6)
+    effort = reach.solve(earth_dionysus.least_effort(), costates, options=roughly)
     soft = shooting.solve(
         problem,
-        L2Norm(),
-        Schedule(1.0, 0.03, 0.2),
-        guess=earth_dionysus.costates_from(effort, 1.0),
-        goal=1e-3,
-        samples=3,
-        tolerance=1e-7,
+        earth_dionysus.costates_from(effort, 1.0),
+        options=shooting.Options(L2Norm(), Schedule(1.0, 0.03, 0.2), goal=1e-3, samples=3, tolerance=1e-7),
     )
     solution = shooting.solve(
         problem,
-        L2Norm(),
-        Schedule(0.003, 1e-5, 0.1),
-        guess=soft,
-        goal=1e-8,
-        samples=samples,
-        tolerance=1e-11,
-        rough=1e-5,
+        soft,
+        options=shooting.Options(
+            L2Norm(), Schedule(0.003, 1e-5, 0.1), goal=1e-8, samples=samples, tolerance=1e-11, rough=1e-5
+        ),
     )
     solution.history = [*effort.history, *soft.history, *solution.history]
     solution.wall_time = time.perf_counter() - began

@@ -1,12 +1,18 @@
-"""The bounded intercept of paper 002 by its own smoothing, until the parameter no longer matters."""
+"""The bounded intercept of paper 002 by its own smoothing, until the parameter no longer matters.
 
+python -m sailnet.papers.logistic sailnet/papers/RESULTS.md
+"""
+
+import argparse
 import math
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 from scipy.optimize import brentq
 
+from sailnet.files import fill_block
 from sailnet.ocp import Logistic, Saturation, Schedule, Solution, shooting
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.problems import intercept
@@ -43,10 +49,11 @@ def _problem() -> Problem:
 
 @cache
 def _solutions() -> dict[float, Solution]:
-    guess = shooting.solve(_problem(), Saturation(), Schedule(1.0, 1e-4, 0.1))
+    saturated = shooting.Options(Saturation(), Schedule(1.0, 1e-4, 0.1))
+    guess = shooting.solve(_problem(), options=saturated)
     found: dict[float, Solution] = {}
     for eps in SERIES:
-        guess = found[eps] = shooting.solve(_problem(), Logistic(), eps, guess=guess)
+        guess = found[eps] = shooting.solve(_problem(), guess, options=shooting.Options(Logistic(), eps))
     return found
 
 
@@ -70,7 +77,8 @@ def of_final_time(time: float) -> Smoothed:
 
     def solved(log_eps: float) -> Solution:
         nearest = min(solutions, key=lambda eps: abs(math.log10(eps) - log_eps))
-        return shooting.solve(_problem(), Logistic(), 10.0**log_eps, guess=solutions[nearest])
+        options = shooting.Options(Logistic(), 10.0**log_eps)
+        return shooting.solve(_problem(), solutions[nearest], options=options)
 
     ends = math.log10(SERIES[-1]), math.log10(SERIES[0])
     log_eps = float(brentq(lambda x: solved(x).final_time - time, *ends, xtol=1e-6))
@@ -93,3 +101,24 @@ def reason(time: str, cost: str) -> str:
         f" eps = {settled.eps:g} on; {time} s belongs to eps = {there.eps:.1e} and J = {there.cost:.3f}"
         f" ({there.cost + there.penalty:.3f} with eps w^2), not {cost}"
     )
+
+
+def markdown() -> str:
+    """A line for each eps of SERIES."""
+    lines = ["| eps | t_f [s] | J | eps integral of w^2 | largest w |", "| --- " * 5 + "|"]
+    for one in series():
+        eps = f"{one.eps:.0e}".replace("e-0", "e-") + (", the paper's last" if one.eps == LAST else "")
+        penalty = f"{one.penalty:.3g}" if one.penalty > 0.01 else f"{one.penalty:.1e}".replace("e-0", "e-")
+        lines.append(f"| {eps} | {one.final_time:.5f} | {one.cost:.5f} | {penalty} | {one.largest_w:.0f} |")
+    return "\n".join(lines)
+
+
+def main() -> None:
+    """Write the table into a text."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("text", type=Path, help="its block <!-- logistic --> becomes the table")
+    fill_block(parser.parse_args().text, "logistic", markdown())
+
+
+if __name__ == "__main__":
+    main()

@@ -64,11 +64,10 @@ def closed_form(gamma: float) -> tuple[float, float]:
 def converged(problem: Problem, basis: RandomFeatures | Chebyshev, starts: int) -> list[Solution]:
     """The unbounded intercept by networks of the paper's size, from as many random starts as converge."""
     found = []
+    options = ponn.Options(basis=basis, points=20, training="iterative least squares")
     for seed in range(starts):
         with contextlib.suppress(ConvergenceError):
-            found.append(
-                ponn.solve(problem, basis=basis, points=20, training="iterative least squares", seed=seed)
-            )
+            found.append(ponn.solve(problem, ponn.RandomWeights(seed=seed), options=options))
     return found
 
 
@@ -79,7 +78,7 @@ def intercept_rows(starts: int = 100) -> list[Row]:
         found += _table_2(gamma, printed, seconds, starts)
     for gamma, t_f, j, seconds in GPOPS:
         problem = intercept.problem(gamma)
-        solution = shooting.solve(problem, Exact())
+        solution = shooting.solve(problem, options=shooting.Options(Exact()))
         solved = Solved(problem, solution)
         name, (time, cost) = f"intercept, Gamma = {gamma:g}, GPOPS-II", closed_form(gamma)
         for quantity, text, ours, check in (
@@ -141,19 +140,15 @@ def bounded_rows() -> list[Row]:
     problem = intercept.problem(1.0, intercept.BOUND)
     smooth = ponn.solve(
         problem,
-        Saturation(),
-        Schedule(1.0, 1e-3, 0.3),
-        basis=Chebyshev(40),
-        points=120,
-        spread=0.01,
-        starts=20,
-        goal=5e-3,
-        iterations=300,
+        ponn.RandomWeights(0.01, starts=20),
+        options=ponn.Options(
+            Saturation(), Schedule(1.0, 1e-3, 0.3), Chebyshev(40), points=120, goal=5e-3, iterations=300
+        ),
     )
-    split = ponn.split.solve(problem, smooth, basis=Chebyshev(10), points=20)
-    by_shooting = shooting.solve(
-        problem, Exact(), guess=shooting.solve(problem, Saturation(), Schedule(1.0, 1e-4, 0.1))
-    )
+    split = ponn.split.solve(problem, smooth, options=ponn.split.Options(basis=Chebyshev(10), points=20))
+    saturated = shooting.Options(Saturation(), Schedule(1.0, 1e-4, 0.1))
+    near = shooting.solve(problem, options=saturated)
+    by_shooting = shooting.solve(problem, near, options=shooting.Options(Exact()))
     printed = {"t_f [s]": "51.946", "J": "67.807"}
     reason = f"not converged in eps: {logistic.reason(*printed.values())}"
     return [
@@ -178,6 +173,12 @@ def bounded_rows() -> list[Row]:
     ]
 
 
+def _shot(problem: Problem) -> Solution:
+    """A problem of least fuel by shooting from random costates."""
+    options = shooting.Options(HyperbolicTangent(), Schedule(1.0, 1e-4, 0.1))
+    return shooting.solve(problem, shooting.RandomCostates(starts=50), options=options)
+
+
 def fuel_rows(
     problem: Problem,
     mass: float,
@@ -189,17 +190,14 @@ def fuel_rows(
     """Fuel by a second method and by the network, and the number of switches, as paper 000 prints them."""
     plain = ponn.solve(
         problem,
-        HyperbolicTangent(),
-        Schedule(1.0, PLAIN_RHO, 0.3),
-        basis=Chebyshev(neurons),
-        points=points,
-        spread=0.01,
-        starts=20,
-        goal=5e-3,
+        ponn.RandomWeights(0.01, starts=20),
+        options=ponn.Options(
+            HyperbolicTangent(), Schedule(1.0, PLAIN_RHO, 0.3), Chebyshev(neurons), points, goal=5e-3
+        ),
     )
     split = ponn.split.solve(problem, plain)
     # Begun without the network: what both find is found twice.
-    smooth = shooting.solve(problem, HyperbolicTangent(), Schedule(1.0, 1e-4, 0.1), starts=50)
+    smooth = _shot(problem)
     check = arcs.solve(problem, smooth)
     kilograms, seconds = split.cost * mass, plain.wall_time + split.wall_time
     reason = (
@@ -242,9 +240,7 @@ def landing_rows() -> list[Row]:
     """Section 4.2 of paper 000."""
 
     def note() -> str:
-        straight = shooting.solve(
-            mars_landing.problem(0.0), HyperbolicTangent(), Schedule(1.0, 1e-4, 0.1), starts=50
-        )
+        straight = _shot(mars_landing.problem(0.0))
         angle = math.degrees(mars_landing.CANT)
         return (
             f"its GPOPS-II; only with engines canted by {angle:.0f} degrees, which is not printed: without,"

@@ -6,18 +6,26 @@ random weights. What only refines begins at shooting's solution, and its setting
 
 import math
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
 
 from sailnet.errors import SailnetError
 from sailnet.mission import load_mission
-from sailnet.ocp import arcs, collocation, multiple, ponn, shooting, switch_times
-from sailnet.ocp.definition.problem import Problem
-from sailnet.ocp.definition.smoothing import Exact, Saturation
-from sailnet.ocp.definition.solution import Solution
+from sailnet.ocp import (
+    Exact,
+    Problem,
+    Saturation,
+    Schedule,
+    Solution,
+    arcs,
+    collocation,
+    delta,
+    multiple,
+    ponn,
+    shooting,
+)
 from sailnet.ocp.problems import solar_sail
-from sailnet.ocp.solvers import delta
-from sailnet.ocp.solvers.continuation import Schedule
-from sailnet.ocp.solvers.ponn import Chebyshev, split
 from sailnet.papers.row import Solved
 from sailnet.papers.trial import MINIMUM, ROUNDING, Trial, Verdict
 
@@ -27,192 +35,155 @@ GUESS = 6.0
 FIRST = 1e-3
 """First smoothing parameter, the paper's delta; at 0.1 neither shooting nor collocation found an extremal."""
 
+PATH = Schedule(FIRST, 1e-8)
+
 _ENDS = ("boundary", "transversality", "largest")
 """Kinds of residuals that are errors of end conditions."""
 
-SOLVERS = (
-    "shooting",
-    "shooting, exact",
-    "multiple",
-    "collocation",
-    "arcs",
-    "ponn",
-    "ponn, from shooting",
-    "ponn.split",
-    "delta",
-    "shooting, from delta",
-    "delta, polished",
-    "switch_times",
-)
+
+class Solver(Protocol):
+    """The one form of every ``solve`` in :mod:`sailnet.ocp.solvers`."""
+
+    def __call__(self, problem: Problem, guess: Any, *, options: Any) -> Solution:
+        """Solve a problem."""
+        ...
 
 
-def trials(names: Sequence[str] = SOLVERS) -> list[Trial]:
-    """Let solvers try, in the order of :data:`SOLVERS`.
+@dataclass(frozen=True)
+class Way:
+    """A solver and how it is set.
+
+    Attributes:
+        solve: the solver.
+        options: its own.
+        settings: the same in words, with the guess.
+        guess: what it begins at; None for what is the solver's own.
+        after: the solver, by its name in :data:`WAYS`, whose solution it begins at instead.
+    """
+
+    solve: Solver
+    options: Any
+    settings: str
+    guess: Any = None
+    after: str | None = None
+
+
+WAYS: Mapping[str, Way] = {
+    "shooting": Way(
+        shooting.solve,
+        shooting.Options(Saturation(), PATH, iterations=30),
+        "saturation 1e-3 to 1e-8; random costates in [-10, 10], 6 TU",
+        shooting.RandomCostates(10.0, starts=300),
+    ),
+    "shooting, exact": Way(
+        shooting.solve, shooting.Options(Exact()), "no smoothing, switches located", after="shooting"
+    ),
+    "multiple": Way(
+        multiple.solve,
+        multiple.Options(Saturation(), PATH, pieces=10),
+        "saturation 1e-3 to 1e-8, 10 pieces",
+        after="shooting",
+    ),
+    "collocation": Way(
+        collocation.solve,
+        collocation.Options(Saturation(), PATH, final_tolerance=1e-8),
+        "saturation 1e-3 to 1e-8; straight lines, all costates -10, 6 TU",
+        collocation.StraightLines(costate=-10.0),
+    ),
+    "arcs": Way(arcs.solve, arcs.Options(), "no smoothing, structure read off its guess", after="shooting"),
+    "ponn": Way(
+        ponn.solve,
+        ponn.Options(Saturation(), FIRST, ponn.Chebyshev(100), points=200, goal=1e-5, iterations=60),
+        "100 Chebyshev polynomials, saturation 1e-3, mean loss 1e-5; 5 random starts, 6 TU",
+        ponn.RandomWeights(-10.0, starts=5),
+    ),
+    "ponn, from shooting": Way(
+        ponn.solve,
+        ponn.Options(Saturation(), FIRST, ponn.Chebyshev(100), points=200, goal=1e-3),
+        "100 Chebyshev polynomials, saturation 1e-3, mean loss 1e-3",
+        after="shooting",
+    ),
+    "ponn.split": Way(
+        ponn.split.solve,
+        ponn.split.Options(basis=ponn.Chebyshev(80), points=160, goal=1e-6),
+        "80 Chebyshev polynomials an arc, no smoothing, mean loss 1e-6",
+        after="shooting",
+    ),
+    "delta": Way(
+        delta.solve,
+        delta.Options(delta.Chebyshev(), terms=10, evaluations=40_000, weights=delta.Weights(minimum=10.0)),
+        "10 Chebyshev polynomials, GA-PSO, 40000 flights, delta_s^H tenfold; 3 TU to 9 TU",
+    ),
+    "shooting, from delta": Way(
+        shooting.solve, shooting.Options(Saturation(), PATH), "saturation 1e-3 to 1e-8", after="delta"
+    ),
+    "delta, polished": Way(
+        delta.solve,
+        delta.Options(
+            delta.Chebyshev(),
+            terms=12,
+            evaluations=20_000,
+            weights=delta.Weights(minimum=10.0),
+            polish=delta.Polish(evaluations=500),
+        ),
+        "12 Chebyshev polynomials, GA-PSO in a quarter of the box, 8 searches, polished, "
+        "20000 flights; 3 TU to 9 TU",
+        delta.RandomSeries(box=0.25, searches=8),
+    ),
+}
+"""Every solver on the sail, in the order of the table."""
+
+
+def trials(names: Sequence[str] = tuple(WAYS)) -> list[Trial]:
+    """Let solvers try, in the order of :data:`WAYS`.
 
     Args:
         names: of those that shall; the ones they begin at are run as well, unlisted.
     """
-    bench = _Bench()
-    return [bench.trial(name) for name in SOLVERS if name in names]
+    bench = Bench()
+    return [bench.trial(name) for name in WAYS if name in names]
 
 
-class _Bench:
-    """Solvers by name, each run once."""
+@dataclass
+class Bench:
+    """The sail's transfer, and what has been tried on it; every solver is run once.
 
-    def __init__(self) -> None:
-        self.problem = solar_sail.problem(load_mission("earth_mars").problem, GUESS)
-        self.found: dict[str, tuple[Trial, Solution | None]] = {}
-        self.ways: dict[str, tuple[str, str | None, Callable[[Solution | None], Solution]]] = {
-            "shooting": (
-                "saturation 1e-3 to 1e-8; random costates in [-10, 10], 6 TU",
-                None,
-                lambda _: shooting.solve(
-                    self.problem,
-                    Saturation(),
-                    Schedule(FIRST, 1e-8),
-                    guess=shooting.RandomCostates(10.0),
-                    starts=300,
-                    iterations=30,
-                ),
-            ),
-            "shooting, exact": (
-                "no smoothing, switches located",
-                "shooting",
-                lambda near: shooting.solve(self.problem, Exact(), guess=near),
-            ),
-            "multiple": (
-                "saturation 1e-3 to 1e-8, 10 pieces",
-                "shooting",
-                lambda near: multiple.solve(
-                    self.problem, _given(near), Saturation(), Schedule(FIRST, 1e-8), pieces=10
-                ),
-            ),
-            "collocation": (
-                "saturation 1e-3 to 1e-8; straight lines, all costates -10, 6 TU",
-                None,
-                lambda _: collocation.solve(
-                    self.problem, Saturation(), Schedule(FIRST, 1e-8), costate=-10.0, final_tolerance=1e-8
-                ),
-            ),
-            "arcs": (
-                "no smoothing, structure read off its guess",
-                "shooting",
-                lambda near: arcs.solve(self.problem, _given(near)),
-            ),
-            "ponn": (
-                "100 Chebyshev polynomials, saturation 1e-3, mean loss 1e-5; 5 random starts, 6 TU",
-                None,
-                lambda _: ponn.solve(
-                    self.problem,
-                    Saturation(),
-                    FIRST,
-                    basis=Chebyshev(100),
-                    points=200,
-                    starts=5,
-                    spread=-10.0,
-                    goal=1e-5,
-                    iterations=60,
-                ),
-            ),
-            "ponn, from shooting": (
-                "100 Chebyshev polynomials, saturation 1e-3, mean loss 1e-3",
-                "shooting",
-                lambda near: ponn.solve(
-                    self.problem,
-                    Saturation(),
-                    FIRST,
-                    guess=_given(near),
-                    basis=Chebyshev(100),
-                    points=200,
-                    goal=1e-3,
-                ),
-            ),
-            "ponn.split": (
-                "80 Chebyshev polynomials an arc, no smoothing, mean loss 1e-6",
-                "shooting",
-                lambda near: split.solve(
-                    self.problem, _given(near), basis=Chebyshev(80), points=160, goal=1e-6
-                ),
-            ),
-            "delta": (
-                "10 Chebyshev polynomials, GA-PSO, 40000 flights, delta_s^H tenfold; 3 TU to 9 TU",
-                None,
-                lambda _: delta.solve(
-                    self.problem,
-                    basis=delta.Chebyshev(),
-                    terms=10,
-                    evaluations=40_000,
-                    weights=delta.Weights(minimum=10.0),
-                ),
-            ),
-            "shooting, from delta": (
-                "saturation 1e-3 to 1e-8",
-                "delta",
-                lambda near: shooting.solve(self.problem, Saturation(), Schedule(FIRST, 1e-8), guess=near),
-            ),
-            "delta, polished": (
-                "12 Chebyshev polynomials, GA-PSO in a quarter of the box, 8 searches, polished, "
-                "20000 flights; 3 TU to 9 TU",
-                None,
-                lambda _: delta.solve(
-                    self.problem,
-                    basis=delta.Chebyshev(),
-                    terms=12,
-                    evaluations=20_000,
-                    weights=delta.Weights(minimum=10.0),
-                    polish=delta.Polish(evaluations=500),
-                    restarts=8,
-                    box=0.25,
-                ),
-            ),
-            "switch_times": ("the structure of its guess", "shooting", self._directly),
-        }
+    Attributes:
+        problem: from the Earth to Mars.
+        found: by the solver's name.
+    """
+
+    problem: Problem = field(
+        default_factory=lambda: solar_sail.problem(load_mission("earth_mars").problem, GUESS)
+    )
+    found: dict[str, Trial] = field(default_factory=dict)
 
     def trial(self, name: str) -> Trial:
-        return self._run(name)[0]
-
-    def _run(self, name: str) -> tuple[Trial, Solution | None]:
+        """What became of one solver."""
         if name not in self.found:
-            settings, before, solve = self.ways[name]
-            near = self._run(before)[1] if before else None
-            if before:
-                settings += f"; from the solution of {before}"
-            self.found[name] = _tried(self.problem, name, settings, lambda: solve(near))
+            self.found[name] = self._tried(name, WAYS[name])
         return self.found[name]
 
-    def _directly(self, near: Solution | None) -> Solution:
+    def _tried(self, name: str, way: Way) -> Trial:
+        guess, settings = way.guess, way.settings
+        if way.after:
+            settings += f"; from the solution of {way.after}"
+            near = self.trial(way.after).solved
+            guess = near.solution if near else None
+        began = time.perf_counter()
         try:
-            switch_times.solve(self.problem, _given(near))
+            if way.after and guess is None:
+                raise SailnetError("has nothing to begin at: the solver before it found no solution")
+            found = way.solve(self.problem, guess, options=way.options)
         except SailnetError as error:
-            raise SailnetError(
-                "takes controls that are always on a bound, for a final time as terminal cost; the cone angle"
-                f" lies between its bounds for most of the way ({error})"
-            ) from error
-        raise SailnetError("gives lengths of arcs and no flight to judge")
-
-
-def _given(near: Solution | None) -> Solution:
-    if near is None:
-        raise SailnetError("has nothing to begin at: the solver before it found no solution")
-    return near
-
-
-def _tried(
-    problem: Problem, name: str, settings: str, solve: Callable[[], Solution]
-) -> tuple[Trial, Solution | None]:
-    began = time.perf_counter()
-    try:
-        found = solve()
-    except SailnetError as error:
+            seconds = time.perf_counter() - began
+            return Trial(name, settings, math.nan, math.nan, seconds, "no solution", str(error))
         seconds = time.perf_counter() - began
-        return Trial(name, settings, math.nan, math.nan, seconds, "no solution", str(error)), None
-    seconds = time.perf_counter() - began
-    ends = [value for kind, value in found.residuals.items() if kind in _ENDS]
-    near = abs(found.final_time - MINIMUM) <= ROUNDING
-    verdict: Verdict = "agrees" if near else "differs"
-    worth, solved = _worth(found, near), Solved(problem, found)
-    trial = Trial(name, settings, found.final_time, max(ends), seconds, verdict, worth, solved=solved)
-    return trial, found
+        ends = [value for kind, value in found.residuals.items() if kind in _ENDS]
+        near_by = abs(found.final_time - MINIMUM) <= ROUNDING
+        verdict: Verdict = "agrees" if near_by else "differs"
+        worth, solved = _worth(found, near_by), Solved(self.problem, found)
+        return Trial(name, settings, found.final_time, max(ends), seconds, verdict, worth, solved=solved)
 
 
 def _worth(found: Solution, near: bool) -> str:

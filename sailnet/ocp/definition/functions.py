@@ -165,11 +165,6 @@ class ExtremalFunctions:
         """(m,) Hamiltonian."""
         return self.evaluate("H", (time, y, extras), [self.equations.hamiltonian])[:, 0]
 
-    def hamiltonian_gradient(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
-        """(m, 2n) derivatives of the Hamiltonian by y, the law's included."""
-        at, equations = (time, y, extras), self.equations
-        return self.evaluate("dH/dy", at, [equations.hamiltonian], equations.variables)[:, 0]
-
     def running_cost(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m,) integrand of the cost."""
         return self.evaluate("L", (time, y, extras), [self.equations.running_cost])[:, 0]

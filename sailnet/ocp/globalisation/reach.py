@@ -5,6 +5,7 @@ moved to the given one in steps as long as Newton's method bears.
 """
 
 import time
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +17,7 @@ from sailnet.ocp.definition.solution import ConvergenceError, Solution, Step
 from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.continuation import Schedule, follow
 from sailnet.ocp.solvers.newton import solve_equations
+from sailnet.ocp.solvers.options import check_at_least, check_positive
 from sailnet.ocp.solvers.shooting import GOAL, extremal
 from sailnet.ocp.solvers.shooting_equations import Shooting
 
@@ -26,23 +28,12 @@ ITERATIONS = 10
 """Trial points at one target, from where it was before."""
 
 
-def solve(
-    problem: Problem,
-    costates: ArrayLike,
-    smoothing: Smoothing | None = None,
-    rho: float = 1.0,
-    retreats: int = 4,
-    near: float = 0.1,
-    goal: float = GOAL,
-    samples: int = 200,
-    tolerance: float = 1e-7,
-) -> Solution:
-    """Solve a problem at one smoothing parameter from costates that need not be near.
+@dataclass(frozen=True)
+class Options:
+    """How the target is moved.
 
-    Args:
-        problem: the problem.
-        costates: (n,) where to begin.
-        smoothing: of the controls; :class:`L2Norm` by default.
+    Attributes:
+        smoothing: of the controls.
         rho: its parameter.
         retreats: how often the costates are halved if the way from them is blocked.
         near: largest residual at a target on the way.
@@ -51,19 +42,46 @@ def solve(
         tolerance: local error of the propagation.
 
     Raises:
+        SailnetError: a number that makes no sense.
+    """
+
+    smoothing: Smoothing = field(default_factory=L2Norm)
+    rho: float = 1.0
+    retreats: int = 4
+    near: float = 0.1
+    goal: float = GOAL
+    samples: int = 200
+    tolerance: float = 1e-7
+
+    def __post_init__(self) -> None:
+        check_positive(self, "near", "goal", "tolerance")
+        check_at_least(self, 1, "samples")
+        check_at_least(self, 0, "retreats")
+
+
+def solve(problem: Problem, guess: ArrayLike, *, options: Options | None = None) -> Solution:
+    """Solve a problem at one smoothing parameter from costates that need not be near.
+
+    Args:
+        problem: the problem.
+        guess: (n,) costates to begin at.
+        options: how.
+
+    Raises:
         ConvergenceError: if every way is blocked.
     """
     began = time.perf_counter()
-    equations = Shooting(problem, smoothing or L2Norm(), tolerance)
-    start = np.asarray(costates, float)
+    options = options or Options()
+    equations = Shooting(problem, options.smoothing, options.tolerance)
+    start = np.asarray(guess, float)
     history: list[Step] = []
-    for retreat in range(retreats + 1):
+    for retreat in range(options.retreats + 1):
         try:
-            z, steps = _move(equations, equations.guess(start * 0.5**retreat), rho, near, goal)
+            z, steps = _move(equations, equations.guess(start * 0.5**retreat), options)
         except (ConvergenceError, LostError) as error:
             history += getattr(error, "history", [])
             continue
-        solution = extremal(equations, z, rho, samples, goal)
+        solution = extremal(equations, z, options.rho, options.samples, options.goal)
         solution.history, solution.wall_time = [*history, *steps], time.perf_counter() - began
         solution.message += f", {retreat} retreats"
         return solution
@@ -72,10 +90,11 @@ def solve(
     )
 
 
-def _move(equations: Shooting, z: Array, rho: float, near: float, goal: float) -> tuple[Array, list[Step]]:
+def _move(equations: Shooting, z: Array, options: Options) -> tuple[Array, list[Step]]:
+    rho = options.rho
     first = equations.residual(z, rho)
 
-    def solve_at(share: float, z: Array, goal: float = near) -> tuple[Array, Step]:
+    def solve_at(share: float, z: Array, goal: float = options.near) -> tuple[Array, Step]:
         def linearise(u: Array) -> tuple[Array, Array]:
             value, jacobian = equations.linearise(u, rho)
             return value - share * first, jacobian
@@ -89,7 +108,7 @@ def _move(equations: Shooting, z: Array, rho: float, near: float, goal: float) -
         return root.z, Step(share, float(np.abs(root.residual).max()), root.iterations, root.converged)
 
     found, history = follow(solve_at, DISTANCES, z, "moving the target")
-    found, last = solve_at(0.0, found, goal)
+    found, last = solve_at(0.0, found, options.goal)
     if not last.converged:
         raise ConvergenceError("the target itself is not reached", {"largest": last.residual}, history)
     return found, [*history, last]

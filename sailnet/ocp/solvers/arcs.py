@@ -6,6 +6,7 @@ singular arc it flies the control that the derivatives of the switching function
 
 import time
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -21,6 +22,7 @@ from sailnet.ocp.propagation.switching import structure_of
 from sailnet.ocp.propagation.tabulate import Arc, largest, tabulate
 from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.newton import solve_equations
+from sailnet.ocp.solvers.options import check_at_least, check_positive
 from sailnet.ocp.solvers.shooting import GOAL
 from sailnet.ocp.solvers.shooting_equations import Shooting
 
@@ -154,38 +156,53 @@ class Arcs:
         ]
 
 
-def solve(
-    problem: Problem,
-    guess: Solution,
-    structure: Sequence[tuple[float, str]] | None = None,
-    order: int = 1,
-    goal: float = GOAL,
-    iterations: int = 200,
-    samples: int = 200,
-) -> Solution:
-    """Solve the limit problem on a given structure of arcs.
+@dataclass(frozen=True)
+class Options:
+    """How arcs are solved.
 
-    Args:
-        problem: the problem.
-        guess: a smoothed solution near it.
-        structure: (time of begin, letters) of every arc; read off the guess by default.
+    Attributes:
+        structure: (time of begin, letters) of every arc; read off the guess for None.
         order: of singular arcs.
         goal: largest residual of an accepted solution.
         iterations: most trial points of Newton's method.
         samples: points of the solution, at least.
 
     Raises:
+        SailnetError: a number that makes no sense.
+    """
+
+    structure: Sequence[tuple[float, str]] | None = None
+    order: int = 1
+    goal: float = GOAL
+    iterations: int = 200
+    samples: int = 200
+
+    def __post_init__(self) -> None:
+        check_positive(self, "goal")
+        check_at_least(self, 1, "order", "iterations", "samples")
+
+
+def solve(problem: Problem, guess: Solution, *, options: Options | None = None) -> Solution:
+    """Solve the limit problem on a given structure of arcs.
+
+    Args:
+        problem: the problem.
+        guess: a smoothed solution near it.
+        options: how.
+
+    Raises:
         ConvergenceError: if there is no solution of this structure near the guess, or only one that the
             control law would not fly.
     """
     began = time.perf_counter()
-    chosen = list(structure or structure_of(problem, guess))
+    options = options or Options()
+    chosen = list(options.structure or structure_of(problem, guess))
     words, begins = [word for _, word in chosen], [begin for begin, _ in chosen[1:]]
-    equations = Arcs(problem, words, order)
+    equations = Arcs(problem, words, options.order)
     z = np.concatenate([equations.ends.unknowns(guess), begins])
     what = f"arcs {' '.join(words)} on {problem.name}"
     try:
-        root = solve_equations(equations.residual, equations.linearise, z, goal, iterations)
+        root = solve_equations(equations.residual, equations.linearise, z, options.goal, options.iterations)
     except LostError as error:
         raise ConvergenceError(f"{what}: the guess itself fails; give a nearer one") from error
     step = Step(0.0, float(np.abs(root.residual).max()), root.iterations, root.converged)
@@ -193,7 +210,7 @@ def solve(
         raise ConvergenceError(
             f"{what} do not meet; another structure may", {"largest": step.residual}, [step]
         )
-    solution = _tabulate(equations, root.z, samples)
+    solution = _tabulate(equations, root.z, options.samples)
     broken = _broken(equations, root.z[len(root.z) - len(begins) :], solution)
     if broken > LAWFUL:
         raise ConvergenceError(

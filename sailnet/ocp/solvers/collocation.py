@@ -6,7 +6,7 @@ accuracy is that of its mesh, so a shooting solve from its result is the usual l
 
 import time
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -20,9 +20,53 @@ from sailnet.ocp.definition.solution import Solution, Step
 from sailnet.ocp.propagation.switching import zero_crossings
 from sailnet.ocp.propagation.tabulate import largest
 from sailnet.ocp.solvers.continuation import Schedule, follow
+from sailnet.ocp.solvers.options import check_at_least, check_positive, check_smoothed
 
 MOST_NODES = 20_000
 """A smoothed switch needs some tens of nodes; a mesh of this size is chasing a discontinuity."""
+
+
+@dataclass(frozen=True)
+class StraightLines:
+    """States on straight lines between their end values, and costates that are all alike.
+
+    Attributes:
+        costate: value of all costates.
+        nodes: of the first mesh.
+
+    Raises:
+        SailnetError: a mesh without an inside.
+    """
+
+    costate: float = 0.0
+    nodes: int = 50
+
+    def __post_init__(self) -> None:
+        check_at_least(self, 3, "nodes")
+
+
+@dataclass(frozen=True)
+class Options:
+    """How collocation goes about it.
+
+    Attributes:
+        smoothing: how bang-bang and clipped controls are smoothed; not the exact law.
+        schedule: smoothing parameters to follow, or one value of it.
+        tolerance: relative residual of the differential equations along the continuation.
+        final_tolerance: of the last solve, if it is to be finer.
+
+    Raises:
+        SailnetError: a number that makes no sense, or the exact law.
+    """
+
+    smoothing: Smoothing = field(default_factory=L2Norm)
+    schedule: Schedule | float = 1.0
+    tolerance: float = 1e-6
+    final_tolerance: float | None = None
+
+    def __post_init__(self) -> None:
+        check_smoothed(self)
+        check_positive(self, "tolerance", "final_tolerance")
 
 
 @dataclass(frozen=True)
@@ -57,11 +101,11 @@ class Collocation:
         end = self._split + len(self.problem.final_equations)
         return unknowns[: self._split], unknowns[self._split : end]
 
-    def mesh(self, guess: Solution | None, costate: float, nodes: int) -> Mesh:
+    def mesh(self, guess: Solution | StraightLines) -> Mesh:
         """Begin at a solution, or at straight lines between the end values and constant costates."""
         free = len(self.problem.initial_equations) + len(self.problem.final_equations)
         unknowns = np.zeros(free + int(self.problem.time_is_free))
-        if guess is not None:
+        if isinstance(guess, Solution):
             clock, kept = np.unique(guess.time / guess.final_time, return_index=True)
             unknowns[:free] = guess.multipliers if len(guess.multipliers) else 0.0
             if self.problem.time_is_free:
@@ -69,8 +113,8 @@ class Collocation:
             return Mesh(clock, np.hstack([guess.state, guess.costate])[kept].T, unknowns)
         if self.problem.time_is_free:
             unknowns[-1] = self.problem.time_guess
-        clock = np.linspace(0.0, 1.0, nodes)
-        y = np.full((2 * len(self.problem.states), nodes), costate, float)
+        clock = np.linspace(0.0, 1.0, guess.nodes)
+        y = np.full((2 * len(self.problem.states), guess.nodes), guess.costate, float)
         for row, x in zip(y, self.problem.states, strict=False):
             first = self.problem.initial.get(x, self.problem.final.get(x, 1.0))
             row[:] = first + (self.problem.final.get(x, first) - first) * clock
@@ -130,37 +174,25 @@ class Collocation:
 
 
 def solve(
-    problem: Problem,
-    smoothing: Smoothing | None = None,
-    schedule: Schedule | float | None = None,
-    guess: Solution | None = None,
-    costate: float = 0.0,
-    nodes: int = 50,
-    tolerance: float = 1e-6,
-    final_tolerance: float | None = None,
+    problem: Problem, guess: Solution | StraightLines | None = None, *, options: Options | None = None
 ) -> Solution:
     """Solve a problem by collocation.
 
     Args:
         problem: the problem.
-        smoothing: how bang-bang and clipped controls are smoothed; not the exact law.
-        schedule: smoothing parameters to follow, or one value of it.
-        guess: a solution to begin from; else straight lines between the end values.
-        costate: value of all costates in that case.
-        nodes: of the first mesh in that case.
-        tolerance: relative residual of the differential equations along the continuation.
-        final_tolerance: of the last solve, if it is to be finer.
+        guess: a solution to begin from, or straight lines, which are the default.
+        options: how.
 
     Raises:
         ConvergenceError: if the continuation stalls.
     """
     began = time.perf_counter()
-    form = smoothing or L2Norm()
+    options = options or Options()
+    form, schedule = options.smoothing, Schedule.of(options.schedule)
     equations = Collocation(problem, form)
-    schedule = schedule if isinstance(schedule, Schedule) else Schedule(*[schedule or 1.0] * 2)
     last: list[Any] = []
 
-    def solve_at(rho: float, mesh: Mesh, tol: float = tolerance) -> tuple[Mesh, Step]:
+    def solve_at(rho: float, mesh: Mesh, tol: float = options.tolerance) -> tuple[Mesh, Step]:
         result, step = equations.solve(mesh, rho, tol)
         if not step.converged:
             return mesh, step
@@ -168,10 +200,10 @@ def solve(
         return Mesh(result.x, result.y, np.zeros(0) if result.p is None else result.p), step
 
     what = f"collocation ({form.name}) on {problem.name}"
-    found, history = follow(solve_at, schedule, equations.mesh(guess, costate, nodes), what)
-    if final_tolerance is not None:
-        once = Schedule(schedule.end, schedule.end)
-        found, more = follow(lambda rho, mesh: solve_at(rho, mesh, final_tolerance), once, found, what)
+    found, history = follow(solve_at, schedule, equations.mesh(guess or StraightLines()), what)
+    if (finer := options.final_tolerance) is not None:
+        once = Schedule.of(schedule.end)
+        found, more = follow(lambda rho, mesh: solve_at(rho, mesh, finer), once, found, what)
         history += more
     return _solution(equations, found, last[0], history, time.perf_counter() - began)
 

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeVar
 
+from sailnet.errors import SailnetError
 from sailnet.ocp.definition.solution import ConvergenceError, Step
 
 T = TypeVar("T")
@@ -18,12 +19,31 @@ class Schedule:
         start, end: of the parameter; equal for a single solve.
         factor: first ratio of two consecutive values; later ones adapt.
         slowest: ratio so near 1 that a failure there ends the continuation.
+
+    Raises:
+        SailnetError: it does not go down, or not towards its end.
     """
 
     start: float = 1.0
     end: float = 1e-5
     factor: float = 0.3
     slowest: float = 0.98
+
+    def __post_init__(self) -> None:
+        if not self.start >= self.end >= 0.0:
+            raise SailnetError(
+                f"a schedule goes down from its start to its end, not from {self.start} to {self.end}"
+            )
+        if not (0.0 < self.factor < 1.0 and 0.0 < self.slowest < 1.0):
+            raise SailnetError(
+                "factor and slowest of a schedule lie between 0 and 1,"
+                f" not at {self.factor} and {self.slowest}"
+            )
+
+    @classmethod
+    def of(cls, value: "Schedule | float") -> "Schedule":
+        """The schedule itself, or that of a single value."""
+        return value if isinstance(value, Schedule) else cls(value, value)
 
 
 def follow(

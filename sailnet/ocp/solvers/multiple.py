@@ -6,6 +6,7 @@ collocation is so to that of its mesh.
 """
 
 import time
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from sailnet.ocp.propagation.switching import zero_crossings
 from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.continuation import Schedule, follow
 from sailnet.ocp.solvers.newton import solve_equations
+from sailnet.ocp.solvers.options import check_at_least, check_positive, check_smoothed
 from sailnet.ocp.solvers.shooting import GOAL
 
 
@@ -97,23 +99,12 @@ class Pieces:
         return np.concatenate(values), jacobian
 
 
-def solve(
-    problem: Problem,
-    guess: Solution,
-    smoothing: Smoothing | None = None,
-    schedule: Schedule | float = 1e-4,
-    pieces: int = 30,
-    goal: float = GOAL,
-    iterations: int = 50,
-    samples: int = 300,
-    tolerance: float = TOLERANCE,
-) -> Solution:
-    """Solve an autonomous problem by multiple shooting.
+@dataclass(frozen=True)
+class Options:
+    """How multiple shooting goes about it.
 
-    Args:
-        problem: the problem.
-        guess: a smoothed solution near it.
-        smoothing: of the controls; :class:`L2Norm` by default.
+    Attributes:
+        smoothing: of the controls; not the exact law.
         schedule: smoothing parameters to follow, or one value of it.
         pieces: of the flight.
         goal: largest residual of an accepted solution.
@@ -122,13 +113,39 @@ def solve(
         tolerance: local error of the propagation.
 
     Raises:
+        SailnetError: a number that makes no sense, or the exact law.
+    """
+
+    smoothing: Smoothing = field(default_factory=L2Norm)
+    schedule: Schedule | float = 1e-4
+    pieces: int = 30
+    goal: float = GOAL
+    iterations: int = 50
+    samples: int = 300
+    tolerance: float = TOLERANCE
+
+    def __post_init__(self) -> None:
+        check_smoothed(self)
+        check_positive(self, "goal", "tolerance")
+        check_at_least(self, 1, "pieces", "iterations", "samples")
+
+
+def solve(problem: Problem, guess: Solution, *, options: Options | None = None) -> Solution:
+    """Solve an autonomous problem by multiple shooting.
+
+    Args:
+        problem: the problem.
+        guess: a smoothed solution near it.
+        options: how.
+
+    Raises:
         ConvergenceError: if the continuation stalls.
+        SailnetError: if the problem depends on time.
     """
     began = time.perf_counter()
-    form = smoothing or L2Norm()
-    equations = Pieces(problem, form, pieces, tolerance)
-    if not isinstance(schedule, Schedule):
-        schedule = Schedule(schedule, schedule)
+    options = options or Options()
+    form = options.smoothing
+    equations = Pieces(problem, form, options.pieces, options.tolerance)
 
     def solve_at(rho: float, z: Array) -> tuple[Array, Step]:
         try:
@@ -136,16 +153,16 @@ def solve(
                 lambda u: equations.linearise(u, rho)[0],
                 lambda u: equations.linearise(u, rho),
                 z,
-                goal,
-                iterations,
+                options.goal,
+                options.iterations,
             )
         except LostError:
             return z, Step(rho, np.inf, 0, False)
         return root.z, Step(rho, float(np.abs(root.residual).max()), root.iterations, root.converged)
 
     what = f"multiple shooting ({form.name}) on {problem.name}"
-    z, history = follow(solve_at, schedule, equations.unknowns(guess), what)
-    return _solution(equations, z, history, samples, time.perf_counter() - began)
+    z, history = follow(solve_at, Schedule.of(options.schedule), equations.unknowns(guess), what)
+    return _solution(equations, z, history, options.samples, time.perf_counter() - began)
 
 
 def _solution(equations: Pieces, z: Array, history: list[Step], samples: int, wall_time: float) -> Solution:

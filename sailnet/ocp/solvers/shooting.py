@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,6 +17,7 @@ from sailnet.ocp.propagation.switching import zero_crossings
 from sailnet.ocp.propagation.tabulate import Arc, largest, tabulate
 from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.continuation import Schedule, follow
+from sailnet.ocp.solvers.options import check_at_least, check_positive
 from sailnet.ocp.solvers.shooting_equations import Shooting
 
 GOAL = 1e-10
@@ -30,92 +31,113 @@ class RandomCostates:
     Attributes:
         scale: half the box's width, one number or one a state.
         seed: of the generator.
+        starts: most draws.
+
+    Raises:
+        SailnetError: there is no draw.
     """
 
     scale: float | Sequence[float] = 1.0
     seed: int = 0
+    starts: int = 20
 
-    def draws(self, problem: Problem, count: int) -> list[Array]:
-        """That many draws."""
-        rng = np.random.default_rng(self.seed)
-        return [rng.uniform(-1.0, 1.0, len(problem.states)) * np.asarray(self.scale) for _ in range(count)]
+    def __post_init__(self) -> None:
+        check_at_least(self, 1, "starts")
+
+    def draws(self, problem: Problem) -> list[Array]:
+        """(n,) costates of every start."""
+        rng, size = np.random.default_rng(self.seed), len(problem.states)
+        return [rng.uniform(-1.0, 1.0, size) * np.asarray(self.scale) for _ in range(self.starts)]
 
 
-def solve(
-    problem: Problem,
-    smoothing: Smoothing | None = None,
-    schedule: Schedule | float | None = None,
-    guess: ArrayLike | Solution | RandomCostates | None = None,
-    starts: int = 20,
-    goal: float = GOAL,
-    iterations: int = 100,
-    samples: int = 200,
-    tolerance: float = TOLERANCE,
-    rough: float | None = None,
-) -> Solution:
-    """Solve a problem by single shooting.
+Guess = ArrayLike | Solution | RandomCostates
+"""Initial costates, a solution to begin from, or random costates."""
 
-    Args:
-        problem: the problem.
-        smoothing: how bang-bang and clipped controls are smoothed; :class:`L2Norm` by default.
-            :class:`Exact` solves the limit itself from a good guess; it has no schedule.
+
+@dataclass(frozen=True)
+class Options:
+    """How shooting goes about it.
+
+    Attributes:
+        smoothing: how bang-bang and clipped controls are smoothed. :class:`Exact` solves the limit itself
+            from a good guess; it has no schedule.
         schedule: smoothing parameters to follow, or one value of it.
-        guess: initial costates, a solution to begin from, or random ones; by default the problem's own,
-            else random ones.
-        starts: most random draws.
         goal: largest residual of an accepted solution.
         iterations: most trial points of Newton's method at one smoothing parameter.
         samples: points of the solution, at least.
         tolerance: local error of the propagation.
-        rough: largest residual on the way, before the schedule's end; ``goal`` by default.
+        rough: largest residual on the way, before the schedule's end; ``goal`` for None.
+
+    Raises:
+        SailnetError: a number that makes no sense.
+    """
+
+    smoothing: Smoothing = field(default_factory=L2Norm)
+    schedule: Schedule | float = field(default_factory=Schedule)
+    goal: float = GOAL
+    iterations: int = 100
+    samples: int = 200
+    tolerance: float = TOLERANCE
+    rough: float | None = None
+
+    def __post_init__(self) -> None:
+        check_positive(self, "goal", "tolerance", "rough")
+        check_at_least(self, 1, "iterations", "samples")
+
+
+def solve(problem: Problem, guess: Guess | None = None, *, options: Options | None = None) -> Solution:
+    """Solve a problem by single shooting.
+
+    Args:
+        problem: the problem.
+        guess: initial costates, a solution to begin from, or random ones; by default the problem's own,
+            else random ones.
+        options: how.
 
     Returns:
-        An extremal whose residuals are below ``goal``.
+        An extremal whose residuals are below ``options.goal``.
 
     Raises:
         ConvergenceError: if none was found from any start.
+        SailnetError: if the costates are not as many as the states.
     """
     began = time.perf_counter()
-    form = smoothing or L2Norm()
-    equations = Shooting(problem, form, tolerance)
-    if schedule is None or isinstance(form, Exact):
-        schedule = 0.0 if isinstance(form, Exact) else Schedule()
-    if not isinstance(schedule, Schedule):
-        schedule = Schedule(schedule, schedule)
+    options = options or Options()
+    form, goal, rough = options.smoothing, options.goal, options.rough
+    equations = Shooting(problem, form, options.tolerance)
+    schedule = Schedule.of(0.0 if isinstance(form, Exact) else options.schedule)
 
     def solve_at(rho: float, z: Array) -> tuple[Array, Step]:
         enough = goal if rough is None or rho <= schedule.end else rough
         try:
-            root = equations.root(z, rho, enough, iterations)
+            root = equations.root(z, rho, enough, options.iterations)
         except LostError:
             return z, Step(rho, np.inf, 0, False)
         return root.z, Step(rho, float(np.abs(root.residual).max()), root.iterations, root.converged)
 
     what = f"shooting ({form.name}) on {problem.name}"
-    failure: ConvergenceError | None = None
-    for z in _guesses(equations, guess, starts):
+    failure = ConvergenceError(f"{what} was given no start")
+    for z in _guesses(equations, guess):
         try:
             found, history = follow(solve_at, schedule, z, what)
         except ConvergenceError as error:
-            if failure is None or len(error.history) > len(failure.history):
+            if len(error.history) > len(failure.history):
                 failure = error
             continue
-        solution = extremal(equations, found, history[-1].rho, samples, goal)
+        solution = extremal(equations, found, history[-1].rho, options.samples, goal)
         solution.history, solution.wall_time = history, time.perf_counter() - began
         return solution
-    raise failure or ConvergenceError(f"{what} was given no start; let starts be at least 1")
+    raise failure
 
 
-def _guesses(
-    equations: Shooting, guess: ArrayLike | Solution | RandomCostates | None, starts: int
-) -> list[Array]:
+def _guesses(equations: Shooting, guess: Guess | None) -> list[Array]:
     problem = equations.problem
     if guess is None:
         guess = (
             RandomCostates() if problem.costate_guess is None else np.asarray(problem.costate_guess, float)
         )
     if isinstance(guess, RandomCostates):
-        return [equations.guess(draw) for draw in guess.draws(problem, starts)]
+        return [equations.guess(draw) for draw in guess.draws(problem)]
     if isinstance(guess, Solution):
         return [equations.unknowns(guess)]
     costates = np.asarray(guess, float)

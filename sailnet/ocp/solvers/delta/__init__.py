@@ -1,11 +1,15 @@
 """The delta method of paper 004: series for the controls, a heuristic for their coefficients.
 
-solution = delta.solve(lunar_landing.problem(), basis=delta.Chebyshev(), heuristic=delta.Imperialist())
+GA-PSO and CMA-ES need pygmo, the extra `ocp`; the imperialist competitive algorithm needs nothing.
+
+options = delta.Options(basis=delta.Chebyshev(), heuristic=delta.Imperialist())
+solution = delta.solve(lunar_landing.problem(), options=options)
 """
 
 from sailnet.ocp.solvers.delta.criteria import Weights
 from sailnet.ocp.solvers.delta.heuristics import CmaEs, GaPso, Heuristic
 from sailnet.ocp.solvers.delta.imperialist import Imperialist
+from sailnet.ocp.solvers.delta.options import Options, RandomSeries
 from sailnet.ocp.solvers.delta.polish import Polish
 from sailnet.ocp.solvers.delta.series import Basis, Chebyshev, Fourier, Legendre
 from sailnet.ocp.solvers.delta.solver import solve
@@ -19,7 +23,9 @@ __all__ = [
     "Heuristic",
     "Imperialist",
     "Legendre",
+    "Options",
     "Polish",
+    "RandomSeries",
     "Weights",
     "solve",
 ]

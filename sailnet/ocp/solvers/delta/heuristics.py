@@ -2,22 +2,33 @@
 
 pygmo's genetic algorithm takes one candidate at a time, its swarm and CMA-ES whole generations, which is
 what flights are cheap in: so the genetic half is written here, and the imperialist competitive algorithm,
-which pygmo lacks, in :mod:`sailnet.ocp.solvers.delta.imperialist`.
+which pygmo lacks, in :mod:`sailnet.ocp.solvers.delta.imperialist`. pygmo is asked for when a search begins:
+all else can do without.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import ClassVar, Protocol
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 
-try:
-    import pygmo
-except ImportError as error:
-    raise SailnetError("the delta method searches with pygmo; pip install 'sailnet[ocp]'") from error
+
+def _pygmo() -> Any:
+    """The library, which is no dependency of the package's.
+
+    Raises:
+        SailnetError: it is not installed.
+    """
+    try:
+        import pygmo
+    except ImportError as error:
+        raise SailnetError(
+            "the delta method searches with pygmo, which is not installed: pip install 'sailnet[ocp]'"
+        ) from error
+    return pygmo
 
 
 @dataclass
@@ -99,7 +110,8 @@ class _Posed:
         return self.search.lower, self.search.upper
 
 
-def _population(search: Search, points: Array, costs: Array, seed: int) -> pygmo.population:
+def _population(search: Search, points: Array, costs: Array, seed: int) -> Any:
+    pygmo = _pygmo()
     found = pygmo.population(pygmo.problem(_Posed(search)), size=0, seed=seed)
     for point, cost in zip(points, costs, strict=True):
         found.push_back(point, [cost if np.isfinite(cost) else 1e300])
@@ -132,7 +144,7 @@ class GaPso:
 
     def run(self, search: Search, seed: int) -> None:
         """Use the budget."""
-        rng = np.random.default_rng(seed)
+        pygmo, rng = _pygmo(), np.random.default_rng(seed)
         points = search.draw(rng, self.population)
         costs = search(points)
         elite, children = round(self.keep * self.population), round(self.cross * self.population)
@@ -187,7 +199,7 @@ class CmaEs:
 
     def run(self, search: Search, seed: int) -> None:
         """Use the budget."""
-        rng, size = np.random.default_rng(seed), self.population
+        pygmo, rng, size = _pygmo(), np.random.default_rng(seed), self.population
         while search.left > 0:
             points = search.draw(rng, size)
             begun = _population(search, points, search(points), int(rng.integers(2**31)))

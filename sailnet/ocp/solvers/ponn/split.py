@@ -7,6 +7,7 @@ continuous for any weights; the mapping coefficient of every domain is an unknow
 
 import time
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
@@ -17,6 +18,7 @@ from sailnet.ocp.definition.solution import ConvergenceError, Solution, Step
 from sailnet.ocp.propagation.switching import structure_of
 from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.arcs import LAWFUL, Arcs
+from sailnet.ocp.solvers.options import check_at_least, check_positive
 from sailnet.ocp.solvers.ponn.bases import Basis, Chebyshev
 from sailnet.ocp.solvers.ponn.network import Network
 from sailnet.ocp.solvers.ponn.table import tabulate
@@ -29,39 +31,56 @@ FULL_STEPS = 30
 """Most undamped steps before damped ones are tried."""
 
 
-def solve(
-    problem: Problem,
-    guess: Solution,
-    structure: Sequence[tuple[float, str]] | None = None,
-    order: int = 1,
-    basis: Basis | None = None,
-    points: int = 40,
-    goal: float = GOAL,
-    iterations: int = 200,
-    samples: int = 200,
-) -> Solution:
-    """Solve the limit problem by a network on every arc of a given structure.
+@dataclass(frozen=True)
+class Options:
+    """How the networks of all arcs are built and trained.
 
-    Args:
-        problem: the problem.
-        guess: a smoothed solution near it.
-        structure: (time of begin, letters) of every arc, as :mod:`~sailnet.ocp.solvers.arcs` has them; by
-            default read off the guess, with no singular arcs.
+    Attributes:
+        structure: (time of begin, letters) of every arc, as :mod:`~sailnet.ocp.solvers.arcs` has them; None
+            reads it off the guess, with no singular arcs.
         order: of singular arcs.
-        basis: of the free functions; 20 Chebyshev polynomials by default.
+        basis: of the free functions.
         points: training points of every arc.
         goal: mean absolute loss of an accepted solution.
         iterations: most training steps.
         samples: points of the solution, at least.
 
     Raises:
+        SailnetError: a number that makes no sense.
+    """
+
+    structure: Sequence[tuple[float, str]] | None = None
+    order: int = 1
+    basis: Basis = field(default_factory=Chebyshev)
+    points: int = 40
+    goal: float = GOAL
+    iterations: int = 200
+    samples: int = 200
+
+    def __post_init__(self) -> None:
+        check_positive(self, "goal")
+        check_at_least(self, 1, "order", "iterations", "samples")
+
+
+def solve(problem: Problem, guess: Solution, *, options: Options | None = None) -> Solution:
+    """Solve the limit problem by a network on every arc of a given structure.
+
+    Args:
+        problem: the problem.
+        guess: a smoothed solution near it.
+        options: how.
+
+    Raises:
         ConvergenceError: if there is no solution of this structure near the guess.
     """
     began = time.perf_counter()
-    chosen = list(structure or structure_of(problem, guess, singular=False))
+    options = options or Options()
+    goal, iterations = options.goal, options.iterations
+    chosen = list(options.structure or structure_of(problem, guess, singular=False))
     words = [word for _, word in chosen]
-    arcs, features = Arcs(problem, words, order), basis or Chebyshev()
-    network = Network(problem, [flow.functions for flow in arcs.flows], arcs.conditions, features, points)
+    arcs, features = Arcs(problem, words, options.order), options.basis
+    functions = [flow.functions for flow in arcs.flows]
+    network = Network(problem, functions, arcs.conditions, features, options.points)
     edges = np.array([*(begin for begin, _ in chosen), guess.final_time])
     z, extras = _near(network, guess, edges), arcs.modes
     what = f"split PoNN {' '.join(words)} on {problem.name}"
@@ -92,7 +111,7 @@ def solve(
             {"mean": step.residual, "law": broken},
             [step],
         )
-    solution = tabulate(network, root.z, extras, samples)
+    solution = tabulate(network, root.z, extras, options.samples)
     solution.solver = f"split PoNN, {features.name}"
     durations, _ = network.durations(root.z)
     times = np.cumsum(2.0 * durations)[:-1]
