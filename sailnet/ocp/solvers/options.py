@@ -47,4 +47,6 @@ def check_smoothed(options: object) -> None:
 
 def _name(options: object) -> str:
     kind = type(options)
-    return f"{kind.__module__.removesuffix('.solver').rpartition('.')[2]}.{kind.__qualname__}"
+    # A solver that is a folder has its options in a module within.
+    module = kind.__module__.removesuffix(".solver").removesuffix(".options")
+    return f"{module.rpartition('.')[2]}.{kind.__qualname__}"

@@ -224,5 +224,5 @@ def _tabulate(arcs: SwitchTimes, lengths: Array, samples: int) -> Solution:
         },
         switches=switches,
         names=problem.names,
-        message=f"{len(kept)} arcs",
+        message=f"{len(switches)} switches",
     )

@@ -4,7 +4,6 @@ import csv
 import json
 import math
 import re
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -14,26 +13,15 @@ import pytest
 from PIL import Image
 
 from sailnet import cli
-from sailnet.errors import SailnetError
-from sailnet.mission import load_mission
-from sailnet.ocp import ConvergenceError, Exact, Problem, Solution, shooting
+from sailnet.ocp import ConvergenceError, Exact, shooting
 from sailnet.ocp.problems import (
-    asteroid_rendezvous,
-    earth_dionysus,
-    earth_mars,
-    goddard,
     intercept,
-    leo_geo,
     lunar_landing,
-    mars_landing,
-    reorientation,
-    solar_sail,
 )
 from sailnet.papers import command, delta, sail
 from sailnet.papers.parts import Part
-from sailnet.papers.problem_views import VIEWS, view_of
 from sailnet.papers.row import Row, Solved
-from sailnet.papers.solution_charts import expected_hamiltonian, solution_charts
+from sailnet.papers.solution_charts import solution_charts
 from sailnet.papers.trial import Trial
 from sailnet.report.flight_page import LIBRARY
 from tests.browser import told
@@ -191,97 +179,3 @@ def test_every_solution_has_a_picture(made: Made) -> None:
         with Image.open(path) as picture:
             assert min(picture.size) > 1500
             assert sum(count > 0 for count in picture.convert("L").histogram()) > 10
-
-
-PROBLEMS: list[Callable[[], Problem]] = [
-    asteroid_rendezvous.problem, earth_dionysus.problem, earth_mars.problem, goddard.problem,
-    intercept.problem, leo_geo.minimum_fuel, leo_geo.minimum_time, lunar_landing.problem,
-    mars_landing.problem, reorientation.problem, lambda: reorientation.problem(False),
-    lambda: solar_sail.problem(load_mission("earth_mars").problem),
-]  # fmt: skip
-
-
-def test_every_problem_has_a_view_of_all_its_states_and_controls() -> None:
-    posed = [problem() for problem in PROBLEMS]
-    assert {problem.name for problem in posed} == set(VIEWS)
-    for problem in posed:
-        view, names = VIEWS[problem.name], problem.names
-        assert sorted(x for group in view.states for x in group.labels) == sorted(names["states"])
-        assert sorted(u for group in view.controls for u in group.labels) == sorted(names["controls"])
-        assert {name for plane in view.planes for name in (plane.x, plane.y)} <= set(names["states"])
-        assert view.throttle in ("", *(str(control.variable) for control in problem.bounded))
-
-
-def _still(problem: Problem, states: list[list[float]]) -> Solution:
-    """A table of states alone."""
-    empty = np.zeros((len(states), 0))
-    clock = np.linspace(0.0, problem.time_guess, len(states))
-    return Solution(
-        problem.name, "", clock, np.array(states), empty, empty, empty, clock, 0.0, {}, names=problem.names
-    )
-
-
-def test_units_and_paths_are_the_papers() -> None:
-    problem = earth_mars.problem()
-    velocity = VIEWS["earth-mars"].states[1]
-    start = [problem.initial[x] * velocity.scale for x in problem.states if str(x) in velocity.labels]
-    np.testing.assert_allclose(start, earth_mars.START[1])
-    assert problem.time_guess * VIEWS["earth-mars"].time_scale == pytest.approx(earth_mars.FLIGHT_TIME)
-    problem = earth_dionysus.problem()
-    first, last = earth_dionysus.ends()
-    motion = VIEWS["earth-dionysus"].motion
-    assert motion is not None
-    found = motion(_still(problem, [[*first, 1.0], [*last, 0.6]]))
-    for row, end in zip(found, (earth_dionysus.START, earth_dionysus.ARRIVAL), strict=True):
-        np.testing.assert_allclose(row[:3] * earth_dionysus.LENGTH, end[0], rtol=1e-9)
-        np.testing.assert_allclose(row[3:] * earth_dionysus.SPEED, end[1], rtol=1e-9)
-    polar = VIEWS["asteroid-rendezvous"].motion
-    assert polar is not None
-    # A quarter of the way round, outwards at 0.1 and along at 0.9.
-    (row,) = polar(_still(asteroid_rendezvous.problem(), [[1.2, np.pi / 2, 0.1, 0.9, 1.0]]))
-    np.testing.assert_allclose(row, [0.0, 1.2, 0.0, -0.9, 0.1, 0.0], atol=1e-12)
-
-
-def test_what_the_hamiltonian_has_to_be() -> None:
-    for gamma in (1.0, 5.0):
-        problem = intercept.problem(gamma)
-        solved = Solved(problem, shooting.solve(problem, options=shooting.Options(Exact())))
-        assert expected_hamiltonian(solved) == -gamma
-        (deviation,) = (chart for chart in solution_charts(solved) if chart.name.startswith("deviation"))
-        assert deviation.y == f"|H + {gamma:g}|"
-        assert np.max(np.asarray(deviation.columns["deviation"], float)) < 1e-9
-    given = earth_mars.problem()
-    assert expected_hamiltonian(Solved(given, _still(given, [[0.0] * 7, [1.0] * 7]))) is None
-
-
-def test_a_problem_of_ones_own_is_shown_too() -> None:
-    problem = replace(lunar_landing.problem(), name="hopper")
-    solved = Solved(problem, shooting.solve(problem, options=shooting.Options(Exact())))
-    assert view_of(problem).title == "hopper"
-    names = [chart.name for chart in solution_charts(solved)]
-    assert names == [
-        "states", "controls", "switching-function-s", "costates", "hamiltonian",
-        "deviation-of-the-hamiltonian",
-    ]  # fmt: skip
-
-
-def test_nothing_is_solved_where_nothing_can_be_drawn(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    def missing(module: str) -> None:
-        raise SailnetError(f"no pictures here ({module}): pip install 'sailnet[report]'")
-
-    part = Part("900", ("kite",), lambda: pytest.fail("computed"))
-    monkeypatch.setattr(command, "PARTS", (part,))
-    monkeypatch.setattr(command, "report", missing)
-    assert cli.main(["papers", "--output", str(tmp_path)]) == 1
-    assert "pip install" in capsys.readouterr().err
-
-
-def test_a_folder_that_cannot_be_written(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (tmp_path / "file").touch()
-    monkeypatch.setattr(command, "PARTS", (Part("900", ("kite",), list),))
-    assert cli.main(["papers", "--output", str(tmp_path / "file")]) == 1
-    assert "error: cannot write" in capsys.readouterr().err

@@ -1,17 +1,14 @@
-"""The systems of paper 004: closed forms, equations written by hand, two indirect methods, the rows."""
+"""The figures of paper 004: closed forms and two indirect methods."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 from sailnet.dynamics import Array
-from sailnet.ocp.definition.functions import ProblemFunctions
-from sailnet.ocp.problems import asteroid_rendezvous, leo_geo, lunar_landing
-from sailnet.ocp.solvers.delta import Fourier, GaPso
-from sailnet.papers import delta, delta_table
+from sailnet.ocp.problems import asteroid_rendezvous, lunar_landing
+from sailnet.papers import delta
 
 
 def test_landing_is_the_closed_form_and_the_closed_form_lands() -> None:
@@ -53,36 +50,6 @@ def test_rendezvous_has_three_switches_by_two_methods_and_in_the_paper() -> None
     assert math.isclose(asteroid_rendezvous.EXHAUST_VELOCITY, 0.987755, abs_tol=5e-7)
 
 
-def test_transfer_is_equations_45_to_52_put_right() -> None:
-    problem = leo_geo.minimum_fuel()
-    rng = np.random.default_rng(0)
-    p, ex, ey, hx, hy, longitude = rng.uniform(0.2, 0.6, 6)
-    mass, phi, psi, on = 0.8, 0.3, -1.1, 0.7
-    q, s, w = math.sin(phi), math.cos(phi) * math.cos(psi), math.cos(phi) * math.sin(psi)
-    thrust, c = problem.parameters["T_max"] * on, problem.parameters["c"]
-    sin, cos = math.sin(longitude), math.cos(longitude)
-    z = 1.0 + ex * cos + ey * sin
-    a1, a2, x = ex + (1.0 + z) * cos, ey + (1.0 + z) * sin, 1.0 + hx**2 + hy**2
-    push, tilt = thrust / mass * math.sqrt(p) / z, hx * sin - hy * cos
-    expected = [
-        2.0 * thrust / mass * math.sqrt(p**3) * s / z,
-        push * (z * sin * q + a1 * s - ey * tilt * w),
-        push * (-z * cos * q + a2 * s + ex * tilt * w),
-        push * x / 2.0 * cos * w,
-        push * x / 2.0 * sin * w,
-        math.sqrt(1.0 / p**3) * z**2 + push * tilt * w,
-        -thrust / c,
-    ]
-    found = ProblemFunctions(problem).dynamics(0.0, [p, ex, ey, hx, hy, longitude, mass], [q, s, w, on])[0]
-    np.testing.assert_allclose(found, expected, rtol=1e-13)
-    # Eq. (53): a = 10000 km, e = 0.186, i = 25 deg, and a longitude of zero.
-    begin = leo_geo.start()
-    assert begin[0] * leo_geo.LENGTH == pytest.approx(10000.0 * (1.0 - 0.186**2))
-    assert math.hypot(begin[1], begin[2]) == pytest.approx(0.186)
-    assert 2.0 * math.degrees(math.atan(math.hypot(begin[3], begin[4]))) == pytest.approx(25.0)
-    assert begin[5] == pytest.approx(0.0, abs=1e-15)
-
-
 def test_fastest_transfer_by_shooting_and_by_collocation() -> None:
     reference = delta.REFERENCES["leo-geo-time"]
     first, second = reference.solve(), reference.check()
@@ -92,38 +59,6 @@ def test_fastest_transfer_by_shooting_and_by_collocation() -> None:
     # The engine is always on.
     burnt = first.final_time * reference.problem().parameters["T_max"] / reference.problem().parameters["c"]
     assert 1.0 - first["m"][-1] == pytest.approx(burnt, rel=1e-9)
-
-
-def test_the_table_keeps_what_a_search_found(monkeypatch: pytest.MonkeyPatch) -> None:
-    heuristic = GaPso(population=20, flights=2)
-    monkeypatch.setattr(delta_table, "HEURISTICS", [heuristic])
-    monkeypatch.setattr(delta_table, "BASES", [Fourier()])
-    monkeypatch.setattr(delta_table, "RESTARTS", 1)
-    made = list(delta_table.entries(600, 1, problems=["lunar-landing"]))
-    assert [one.method for one in made] == ["alone", "polished", "restarted"]
-    alone, polished, restarted = made
-    assert alone.evaluations == 600 < polished.evaluations
-    assert restarted.evaluations <= 600
-    assert alone.history[-1][1] <= alone.history[0][1]
-    for one in (polished, restarted):
-        assert one.converged
-        assert one.end_error < 2e-6
-        assert abs(one.cost_error) < 1e-5
-        assert one.reference == pytest.approx(1.716681344829, rel=1e-9)
-        assert one.switches == pytest.approx(one.reference_switches, abs=1e-4)
-    again = delta_table.entry("lunar-landing", Fourier(), heuristic, "alone", 600, 0)
-    assert again is not None
-    assert replace(again, cpu_seconds=alone.cpu_seconds) == alone
-    # What is known already is not searched for again.
-    monkeypatch.setattr(delta_table, "entry", None)
-    assert list(delta_table.entries(600, 1, made, ["lunar-landing"])) == made
-    origin = {"machine": "a machine", "date": "today", "revision": "abc"}
-    table = delta_table.markdown([replace(alone, converged=False), *made[1:]], origin)
-    assert "on a machine, today, revision abc; 1 seeds." in table
-    assert "| lunar-landing | GA-PSO | Fourier | 0 of 1, " in table
-    assert table.count("1 of 1, ") == 2
-    assert table.count(", 0 % |") >= 1
-    assert table.rstrip().endswith("| 91.73 |")
 
 
 def test_every_figure_has_two_values_that_agree() -> None:

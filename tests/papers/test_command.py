@@ -1,8 +1,9 @@
-"""The table of the papers' figures: its forms, what makes the command fail, and the README's example."""
+"""``sailnet papers``: its forms, what makes it fail, and what it says before minutes are spent."""
 
-import inspect
 import json
-import re
+import os
+import pickle
+import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -12,10 +13,10 @@ import pytest
 
 from sailnet import cli
 from sailnet.errors import SailnetError
-from sailnet.ocp import ConvergenceError
-from sailnet.papers import bbsr, command, delta, parts, ponn
+from sailnet.ocp import ConvergenceError, Exact, shooting
+from sailnet.papers import command, delta, parts
+from sailnet.papers.parts import Part
 from sailnet.papers.row import Row
-from sailnet.papers.tables import tables
 
 ROW = Row(
     paper="900",
@@ -30,9 +31,10 @@ ROW = Row(
     seconds=0.25,
     paper_seconds=None,
 )
+
+
 OTHER = replace(ROW, paper="901", problem="kite", quantity="J", printed="7", ours=7.0, check=7.0, seconds=1.5,
                 paper_seconds=3.0, verdict="agrees", reason="")  # fmt: skip
-README = Path(__file__).parent.parent / "sailnet/ocp/README.md"
 
 
 def _stalled() -> list[Row]:
@@ -186,27 +188,65 @@ def test_a_readme_is_looked_at_before_minutes_are_spent(stage: Callable[..., Non
         command.run("cart", as_json=True, readme=readme)
 
 
-def test_every_function_that_gives_rows_is_in_the_table() -> None:
-    listed = {part.rows for part in parts.PARTS}
-    inner = {"goddard_rows", "fuel_rows"}
-    for module in (bbsr, delta, ponn):
-        for name, function in inspect.getmembers(module, inspect.isfunction):
-            if function.__annotations__.get("return") == list[Row] and name not in inner:
-                assert name.startswith("_") or function in listed
+def test_nothing_is_solved_where_nothing_can_be_drawn(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def missing(module: str) -> None:
+        raise SailnetError(f"no pictures here ({module}): pip install 'sailnet[report]'")
+
+    part = Part("900", ("kite",), lambda: pytest.fail("computed"))
+    monkeypatch.setattr(command, "PARTS", (part,))
+    monkeypatch.setattr(command, "report", missing)
+    assert cli.main(["papers", "--output", str(tmp_path)]) == 1
+    assert "pip install" in capsys.readouterr().err
 
 
-def test_a_real_row_through_the_table() -> None:
-    rows = bbsr.goddard_rows(2.5)
-    assert all(map(command.agree, rows))
-    assert "2.024430e-01" in tables(rows)
+def test_a_folder_that_cannot_be_written(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").touch()
+    monkeypatch.setattr(command, "PARTS", (Part("900", ("kite",), list),))
+    assert cli.main(["papers", "--output", str(tmp_path / "file")]) == 1
+    assert "error: cannot write" in capsys.readouterr().err
 
 
-def test_the_example_of_the_readme() -> None:
-    found = re.search(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
-    assert found
-    names: dict[str, Any] = {}
-    exec(found[1], names)
-    # By hand: full thrust one way for 1, the other way for 1.
-    for solution in (names["limit"], names["check"]):
-        assert solution.final_time == pytest.approx(2.0, abs=1e-9)
-        assert [switch.time for switch in solution.switches] == pytest.approx([1.0], abs=1e-9)
+def _pid() -> list[Row]:
+    return [replace(ROW, ours=float(os.getpid()), same=False)]
+
+
+def _other_pid() -> list[Row]:
+    time.sleep(0.2)
+    return [replace(OTHER, ours=float(os.getpid()), same=False)]
+
+
+def test_workers_solve_side_by_side_and_keep_the_order(
+    stage: Callable[..., None], capsys: pytest.CaptureFixture[str]
+) -> None:
+    stage(
+        parts.Part("901", ("kite",), _other_pid),
+        parts.Part("900", ("lost",), _stalled),
+        parts.Part("900", ("cart",), _pid),
+    )
+    assert cli.main(["papers", "--json", "--workers", "2"]) == 1
+    said = capsys.readouterr()
+    rows = json.loads(said.out)
+    assert [row["problem"] for row in rows] == ["kite", "cart, gain = 2"]
+    assert os.getpid() not in [row["ours"] for row in rows]
+    assert "error: paper 900, lost: shooting stalled; boundary residual 5.00e-01" in said.err
+    assert cli.main(["papers", "--workers", "0"]) == 1
+    assert "give at least 1" in capsys.readouterr().err
+
+
+def test_solutions_come_back_from_workers_whole() -> None:
+    (row,) = pickle.loads(pickle.dumps(delta._asteroid()))
+    solved = row.solved
+    assert shooting.solve(solved.problem, solved.solution, options=shooting.Options(Exact())).converged
+
+
+@pytest.mark.usefixtures("two_papers")
+def test_a_log_is_told_what_is_done(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["papers", "--json"]) == 0
+    assert capsys.readouterr().err.splitlines() == [
+        "papers: 1 of 2, paper 900, cart, sled",
+        "papers: 2 of 2, paper 901, kite",
+    ]
