@@ -1,40 +1,35 @@
-"""The delta method's table keeps what a search found."""
+"""The delta method's table: medians over seeds, and how many searches arrive."""
 
-from dataclasses import replace
-
-import pytest
-
-from sailnet.ocp.solvers.delta import Fourier, GaPso
 from sailnet.papers import delta_table
+from sailnet.papers.delta_searches import Entry
 
 
-def test_the_table_keeps_what_a_search_found(monkeypatch: pytest.MonkeyPatch) -> None:
-    heuristic = GaPso(population=20, flights=2)
-    monkeypatch.setattr(delta_table, "HEURISTICS", [heuristic])
-    monkeypatch.setattr(delta_table, "BASES", [Fourier()])
-    monkeypatch.setattr(delta_table, "RESTARTS", 1)
-    made = list(delta_table.entries(600, 1, problems=["lunar-landing"]))
-    assert [one.method for one in made] == ["alone", "polished", "restarted"]
-    alone, polished, restarted = made
-    assert alone.evaluations == 600 < polished.evaluations
-    assert restarted.evaluations <= 600
-    assert alone.history[-1][1] <= alone.history[0][1]
-    for one in (polished, restarted):
-        assert one.converged
-        assert one.end_error < 2e-6
-        assert abs(one.cost_error) < 1e-5
-        assert one.reference == pytest.approx(1.716681344829, rel=1e-9)
-        assert one.switches == pytest.approx(one.reference_switches, abs=1e-4)
-    again = delta_table.entry("lunar-landing", Fourier(), heuristic, "alone", 600, 0)
-    assert again is not None
-    assert replace(again, cpu_seconds=alone.cpu_seconds) == alone
-    # What is known already is not searched for again.
-    monkeypatch.setattr(delta_table, "entry", None)
-    assert list(delta_table.entries(600, 1, made, ["lunar-landing"])) == made
+def searched(method: str, seed: int, converged: bool, end_error: float, cost: float) -> Entry:
+    """A search of the landing, whose least cost is 2."""
+    return Entry(
+        "lunar-landing", "Fourier", "GA-PSO", method, seed, 100 + seed, converged, end_error, cost, 2.0,
+        cost, 2.0, [], [], {}, [], [], 1.0 + seed,
+    )  # fmt: skip
+
+
+FOUND = [
+    *(searched("alone", seed, seed == 0, 1e-2 * (1 + seed), 2.2) for seed in range(3)),
+    *(searched("polished", seed, True, 1e-7, cost) for seed, cost in enumerate((2.0, 2.003, 2.02))),
+]
+
+
+def test_a_row_has_medians_over_seeds() -> None:
     origin = {"machine": "a machine", "date": "today", "revision": "abc"}
-    table = delta_table.markdown([replace(alone, converged=False), *made[1:]], origin)
-    assert "on a machine, today, revision abc; 1 seeds." in table
-    assert "| lunar-landing | GA-PSO | Fourier | 0 of 1, " in table
-    assert table.count("1 of 1, ") == 2
-    assert table.count(", 0 % |") >= 1
-    assert table.rstrip().endswith("| 91.73 |")
+    table = delta_table.markdown(FOUND, origin)
+    assert "on a machine, today, revision abc; 3 seeds." in table
+    (row,) = (line for line in table.splitlines() if line.startswith("| lunar"))
+    assert row == (
+        "| lunar-landing | GA-PSO | Fourier | 1 of 3, 2e-02, +10 % | 3 of 3, 1e-07, +0.15 % |  | 101, 101 |"
+        " 2.0, 2.0 | 91.73 |"
+    )
+
+
+def test_searches_that_arrive_are_counted_and_those_near_the_optimum() -> None:
+    table = delta_table.counted(FOUND).splitlines()
+    assert table[2].startswith("| alone | 1 (0) of 3 | 0 (0) of 0 |")
+    assert table[3].startswith("| polished | 3 (2) of 3 |")
