@@ -16,7 +16,7 @@ READY   := $(VENV)/.ready
 
 physics  := $(addprefix sailnet/,dynamics.py pontryagin.py propagation.py extremals.py shooting.py \
     directions.py prisms.py index.py expert.py nominal.py)
-mission  := $(wildcard sailnet/missions/$(MISSION).toml) sailnet/mission.py
+mission  := $(wildcard sailnet/mission/missions/$(MISSION).toml) sailnet/mission/mission.py
 run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
 exported := $(run)/export
@@ -48,7 +48,7 @@ $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/s
 
 # A run that was killed goes on where it was; RESTART=1 throws away what it left.
 dataset: $(learned)
-$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/jumps.py sailnet/approach.py \
+$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/physics/jumps.py sailnet/networks/approach.py \
     $(wildcard sailnet/dataset/*.py data/*.py) | $(READY)
 	$(PYTHON) -m data $@ --mission $(MISSION) --recipe $* $(if $(RESTART),--restart)
 
@@ -58,7 +58,7 @@ coverage: $(BUILD)/domain.h5
 
 # --resume: a run that was killed goes on, and networks that are finished are kept.
 train: $(networks)/trained
-$(networks)/trained: $(learned) sailnet/networks.py $(wildcard training/*.py) | $(READY)
+$(networks)/trained: $(learned) sailnet/networks/guidance_networks.py $(wildcard training/*.py) | $(READY)
 	$(PYTHON) -m training $< $(networks) --resume
 	@touch $@
 

@@ -15,17 +15,18 @@ from collections.abc import Callable
 
 import numpy as np
 
-from sailnet.backends import load_guidance
-from sailnet.disturbances import Disturbance
-from sailnet.dynamics import Array, hold_command
-from sailnet.executors import workers
-from sailnet.flight import fly
-from sailnet.guidance import Guidance
-from sailnet.mission import Mission, load_mission
+from sailnet.artefacts.provenance import software
+from sailnet.flight.closed_loop import fly
+from sailnet.flight.plant import STEER, SideBySide, rules
+from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission, load_mission
 from sailnet.montecarlo import BATCH, fly_campaign, random_starts
-from sailnet.optics import OPTICS
-from sailnet.plant import STEER, SideBySide, rules
-from sailnet.provenance import software
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import hold_command
+from sailnet.physics.optics import OPTICS
+from sailnet.workers.executors import workers
 
 NOTE = (
     "Random starts of the generalisation set, the exported C in double precision, a period of 0.005 TU. The "

@@ -4,10 +4,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.dataset import JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG, Block
-from sailnet.dynamics import Array
-from sailnet.jumps import preprocess
-from sailnet.mission import Transfer
-from sailnet.pontryagin import guidance_law
+from sailnet.physics.arrays import Array
+from sailnet.physics.jumps import preprocess
+from sailnet.physics.pontryagin import guidance_law
+from sailnet.physics.transfer import Transfer
 
 COLUMNS = ("r", "u", "v", "lambda_r", "lambda_u", "lambda_v", "tau", "alpha", "alpha_pre", "beta")
 

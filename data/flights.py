@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.dynamics import Array
-from sailnet.extremals import propagate_extremals
-from sailnet.mission import Transfer
+from sailnet.physics.arrays import Array
+from sailnet.physics.extremals import propagate_extremals
+from sailnet.physics.transfer import Transfer
 
 TOGETHER = 64
 """Extremals propagated at once: as long as the longest of them."""

@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Literal
 from tqdm import tqdm
 
 from sailnet import __version__, tested_range
-from sailnet.disturbances import Disturbance, catalogue, disturbance_from
 from sailnet.errors import SailnetError, SolveError
-from sailnet.mission import Mission, load_mission
-from sailnet.optics import OPTICS
+from sailnet.mission.disturbances import Disturbance, catalogue, disturbance_from
+from sailnet.mission.mission import Mission, load_mission
+from sailnet.physics.optics import OPTICS
 
 if TYPE_CHECKING:
-    from sailnet.expert import Extremal
-    from sailnet.flight import History
+    from sailnet.expert.fastest import Extremal
+    from sailnet.flight.closed_loop import History
 
 Result = dict[str, object]
 
@@ -217,8 +217,8 @@ def _loop_parser() -> argparse.ArgumentParser:
 
 
 def _solve(options: argparse.Namespace) -> Result:
-    from sailnet.expert import solve
-    from sailnet.nominal import solve_nominal
+    from sailnet.expert.fastest import solve
+    from sailnet.expert.nominal import solve_nominal
 
     mission = load_mission(options.mission).with_overrides(
         beta=options.beta,
@@ -255,8 +255,8 @@ def _facts(extremal: "Extremal") -> Result:
 
 
 def _guide(options: argparse.Namespace) -> Result:
-    from sailnet.backends import load_guidance
-    from sailnet.guidance import GuidanceStatus
+    from sailnet.guidance.backends import load_guidance
+    from sailnet.guidance.interface import GuidanceStatus
 
     state = _state(options)
     guidance = load_guidance(
@@ -274,9 +274,9 @@ def _guide(options: argparse.Namespace) -> Result:
 
 
 def _fly(options: argparse.Namespace) -> Result:
-    from sailnet.backends import load_guidance
-    from sailnet.expert import solve
-    from sailnet.flight import Ending, fly
+    from sailnet.expert.fastest import solve
+    from sailnet.flight.closed_loop import Ending, fly
+    from sailnet.guidance.backends import load_guidance
     from sailnet.report import report
 
     mission = load_mission(options.mission)
@@ -313,9 +313,9 @@ def _fly(options: argparse.Namespace) -> Result:
 
 
 def _evaluate(options: argparse.Namespace) -> Result:
-    from sailnet.backends import load_guidance
-    from sailnet.executors import workers
+    from sailnet.guidance.backends import load_guidance
     from sailnet.montecarlo import fly_campaign
+    from sailnet.workers.executors import workers
 
     if options.campaign is not None:
         from sailnet.campaign.command import evaluate_campaign
@@ -353,7 +353,7 @@ def _disturbance(options: argparse.Namespace, mission: Mission) -> Disturbance:
 
 
 def _info(options: argparse.Namespace) -> Result:
-    from sailnet.inspection import inspect_dataset
+    from sailnet.dataset.inspection import inspect_dataset
 
     # Shown where it takes longer than two seconds.
     with tqdm(desc="verify", unit="value", unit_scale=True, delay=2.0, file=sys.stderr, disable=None) as bar:

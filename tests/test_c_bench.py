@@ -20,7 +20,8 @@ from c_runtime.bench.rounds import Candidate, Row, measure
 from c_runtime.bench.subjects import Subjects, agree
 from c_runtime.shared_library import LAYOUTS, CompilerError, find_compiler
 from sailnet.errors import GuidanceError
-from sailnet.networks import GuidanceNetworks, Network
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import Network
 from tests.conftest import Exported
 
 QUICK = ("--batches", "2", "--milliseconds", "0.05")

@@ -9,13 +9,14 @@ from hypothesis import strategies as st
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet import load_mission
-from sailnet.backends import Backend, load_guidance
-from sailnet.dynamics import Array, hold_command
 from sailnet.errors import GuidanceError
-from sailnet.guidance import Commands, Guidance, GuidanceStatus, Precision, Steering
-from sailnet.guidance_c import CGuidance
-from sailnet.guidance_facts import round_down
-from sailnet.steering import ReferenceSteering
+from sailnet.guidance.backends import Backend, load_guidance
+from sailnet.guidance.exported_c import CGuidance
+from sailnet.guidance.facts import round_down
+from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Precision, Steering
+from sailnet.guidance.steering import ReferenceSteering
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import hold_command
 from tests.conftest import Exported
 from tests.random_networks import STATE_MAX, STATE_MIN
 

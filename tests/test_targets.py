@@ -26,9 +26,9 @@ from c_runtime.targets.machines import HOST, TARGETS, Target
 from c_runtime.targets.measure import Bench, compile_plugin, missing_tools
 from c_runtime.targets.reference import ReferenceGuidance
 from c_runtime.targets.table import BEGIN, END, Limit, limits, table, write_table
-from sailnet.flight import History
-from sailnet.guidance import GuidanceStatus, Precision
-from sailnet.networks import load_guidance_networks
+from sailnet.flight.closed_loop import History
+from sailnet.guidance.interface import GuidanceStatus, Precision
+from sailnet.networks.guidance_networks import load_guidance_networks
 
 ROOT = Path(__file__).parent.parent
 SHIPPED = ROOT / "sailnet" / "shipped" / "earth_mars"

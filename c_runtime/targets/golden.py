@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c_runtime.targets.reference import ReferenceGuidance
-from sailnet.disturbances import Disturbance
-from sailnet.dynamics import Array
 from sailnet.errors import GuidanceError
-from sailnet.flight import History, fly
-from sailnet.guidance import GuidanceStatus, Precision
+from sailnet.flight.closed_loop import History, fly
+from sailnet.guidance.interface import GuidanceStatus, Precision
+from sailnet.mission.disturbances import Disturbance
 from sailnet.montecarlo import random_starts
+from sailnet.physics.arrays import Array
 
 SEED = 20261121
 FLIGHTS = 40

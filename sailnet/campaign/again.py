@@ -2,8 +2,8 @@
 
 from sailnet.campaign.store import Results
 from sailnet.errors import CampaignError
-from sailnet.flight import History, fly
-from sailnet.guidance import Guidance
+from sailnet.flight.closed_loop import History, fly
+from sailnet.guidance.interface import Guidance
 
 
 def fly_again(results: Results, guidance: Guidance, row: int) -> History:

@@ -4,15 +4,15 @@ import argparse
 from contextlib import nullcontext
 from pathlib import Path
 
-from sailnet.backends import load_guidance
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import score_lines, score_record, scores_of
-from sailnet.disturbances import catalogue
 from sailnet.errors import SailnetError
-from sailnet.executors import workers
-from sailnet.mission import load_mission
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.disturbances import catalogue
+from sailnet.mission.mission import load_mission
 from sailnet.report import report
+from sailnet.workers.executors import workers
 
 
 def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:

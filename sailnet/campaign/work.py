@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from sailnet.campaign.plan import Plan, Starts
 from sailnet.campaign.tables import KEPT, RECORDS, flight_columns, record_columns
-from sailnet.expert import solve_states
-from sailnet.flight import Flights, History, fly
-from sailnet.guidance import Guidance
-from sailnet.mission import Mission
+from sailnet.expert.fastest import solve_states
+from sailnet.flight.closed_loop import Flights, History, fly
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.mission import Mission
 from sailnet.montecarlo import BATCH
 
 OPTIMA_BATCH = 2500

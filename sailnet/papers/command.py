@@ -10,16 +10,16 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+from sailnet.artefacts.files import fill_block, split_at_block, write_whole
+from sailnet.artefacts.provenance import software
 from sailnet.errors import SailnetError
-from sailnet.executors import processes
-from sailnet.files import fill_block, split_at_block, write_whole
 from sailnet.papers import trial
 from sailnet.papers.parts import PARTS, Entry, Part, chosen, problem_of
 from sailnet.papers.row import Row, record_of
 from sailnet.papers.tables import markdown, origin, tables, trial_table, trials_markdown
 from sailnet.papers.trial import Trial
-from sailnet.provenance import software
 from sailnet.report import report
+from sailnet.workers.executors import processes
 
 AGREEMENT = 1e-6
 """Ours and the check may differ by this, relatively: six digits."""

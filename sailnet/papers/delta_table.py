@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
-from sailnet.files import fill_block, write_whole
+from sailnet.artefacts.files import fill_block, write_whole
+from sailnet.artefacts.provenance import software
 from sailnet.papers.delta_searches import ALONE, BASES, HEURISTICS, POLISHED, RESTARTED, TERMS, Entry, entries
-from sailnet.provenance import software
 
 PRINTED_SECONDS: Mapping[tuple[str, str], float] = {
     ("Fourier", "GA-PSO"): 91.73,

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from scipy.optimize import brentq
 
-from sailnet.files import fill_block
+from sailnet.artefacts.files import fill_block
 from sailnet.ocp import Logistic, Saturation, Schedule, Solution, shooting
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.problems import intercept

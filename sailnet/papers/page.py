@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from sailnet.files import write_whole
+from sailnet.artefacts.files import write_whole
 from sailnet.papers.problem_views import view_of
 from sailnet.papers.row import Row, Solved
 from sailnet.papers.solution_charts import is_smoothed, solution_charts, solution_columns

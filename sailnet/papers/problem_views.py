@@ -5,7 +5,6 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
-from sailnet.dynamics import Array
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.definition.solution import Solution
 from sailnet.ocp.problems import (
@@ -18,6 +17,7 @@ from sailnet.ocp.problems import (
     mars_landing,
 )
 from sailnet.papers.views import NONE, Group, Motion, Plane, View
+from sailnet.physics.arrays import Array
 
 DAY, HOUR = 86400.0, 3600.0
 

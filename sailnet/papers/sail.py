@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 from sailnet.errors import SailnetError
-from sailnet.mission import load_mission
+from sailnet.mission.mission import load_mission
 from sailnet.ocp import (
     Exact,
     Problem,

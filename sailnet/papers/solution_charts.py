@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.definition.functions import ProblemFunctions
 from sailnet.ocp.definition.solution import Solution
 from sailnet.papers.problem_views import view_of
 from sailnet.papers.row import Solved
 from sailnet.papers.solution_paths import paths
 from sailnet.papers.views import Columns, Group, Rows, labelled, slug
+from sailnet.physics.arrays import Array
 from sailnet.report.charts import PALETTE, Chart, Curve
 from sailnet.report.figures import GREY, NETWORK
 

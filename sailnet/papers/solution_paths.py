@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.problems import equinoctial
 from sailnet.papers.row import Solved
 from sailnet.papers.views import Columns, Plane, Rows, View, labelled, slug
+from sailnet.physics.arrays import Array
 from sailnet.report.charts import Chart, Curve
 from sailnet.report.figures import BAD, GREY, NETWORK, OPTIMUM
 

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable, Sequence
 
+from sailnet.artefacts.provenance import software
 from sailnet.papers import trial
 from sailnet.papers.row import Row
 from sailnet.papers.trial import Trial
-from sailnet.provenance import software
 
 Table = Sequence[Sequence[str]]
 

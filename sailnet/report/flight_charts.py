@@ -4,10 +4,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sailnet.dynamics import Array
-from sailnet.expert import sample_many
-from sailnet.flight import History
-from sailnet.mission import Mission
+from sailnet.expert.fastest import sample_many
+from sailnet.flight.closed_loop import History
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
 from sailnet.report.charts import PALETTE, Chart, Curve
 from sailnet.report.figures import BASELINE, GREY, NETWORK, OPTIMUM, Optimum
 

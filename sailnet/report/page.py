@@ -6,7 +6,7 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoescape
 
-from sailnet.files import write_whole
+from sailnet.artefacts.files import write_whole
 
 FOLDER = Path(__file__).parent
 """Where the templates of this package are."""

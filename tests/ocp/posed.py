@@ -5,8 +5,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from sailnet.dynamics import Array
-from sailnet.mission import Transfer
 from sailnet.ocp import (
     Bounded,
     FreeTime,
@@ -22,6 +20,8 @@ from sailnet.ocp.problems import (
     reorientation,
     solar_sail,
 )
+from sailnet.physics.arrays import Array
+from sailnet.physics.transfer import Transfer
 
 PROBLEMS: dict[str, Callable[[], Problem]] = {
     "goddard": goddard.problem,

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from sailnet.dynamics import Array
 from sailnet.ocp.problems import asteroid_rendezvous, lunar_landing
 from sailnet.papers import delta
+from sailnet.physics.arrays import Array
 
 
 def test_landing_is_the_closed_form_and_the_closed_form_lands() -> None:

@@ -7,12 +7,12 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
-from sailnet.dynamics import Array
 from sailnet.ocp import (
     Solution,
 )
 from sailnet.ocp.problems import earth_dionysus, equinoctial
 from sailnet.papers import dionysus
+from sailnet.physics.arrays import Array
 
 
 def test_dionysus_from_random_costates() -> None:

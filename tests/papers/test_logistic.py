@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from scipy.optimize import fsolve, minimize_scalar
 
-from sailnet.dynamics import Array
 from sailnet.ocp import Logistic
 from sailnet.ocp.problems import intercept
 from sailnet.papers import logistic
+from sailnet.physics.arrays import Array
 from tests.ocp.intercepts import bounded_cost
 
 

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from sailnet.mission import load_mission
+from sailnet.mission.mission import load_mission
 from sailnet.ocp import Problem
 from sailnet.ocp.problems import (
     asteroid_rendezvous,

@@ -9,13 +9,14 @@ from collections.abc import Hashable, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array, Expression
 from sailnet.ocp.definition.canonical import Canonical, Form, canonical
 from sailnet.ocp.definition.ends import Ends, ends
 from sailnet.ocp.definition.kernels import Kernels
 from sailnet.ocp.definition.problem import TIME, Problem
 from sailnet.ocp.definition.smoothing import Exact
 from sailnet.ocp.definition.solution import Table
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import Expression
 
 
 class ProblemFunctions:

@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.definition.smoothing import L2Norm, Smoothing
 from sailnet.ocp.definition.solution import ConvergenceError, Solution, Step
@@ -20,6 +19,7 @@ from sailnet.ocp.solvers.newton import solve_equations
 from sailnet.ocp.solvers.options import check_at_least, check_positive
 from sailnet.ocp.solvers.shooting import GOAL, extremal
 from sailnet.ocp.solvers.shooting_equations import Shooting
+from sailnet.physics.arrays import Array
 
 DISTANCES = Schedule(1.0, 0.1, 0.4, 0.8)
 """Shares of the way still to go; the last step goes all of it."""

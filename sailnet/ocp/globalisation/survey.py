@@ -4,7 +4,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.definition.smoothing import L2Norm, Smoothing
 from sailnet.ocp.definition.solution import ConvergenceError, Solution
@@ -12,6 +11,7 @@ from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.options import check_at_least, check_positive
 from sailnet.ocp.solvers.shooting import RandomCostates, extremal
 from sailnet.ocp.solvers.shooting_equations import Shooting
+from sailnet.physics.arrays import Array
 
 
 @dataclass

@@ -13,13 +13,14 @@ from typing import Any
 import heyoka as hy
 import numpy as np
 
-from sailnet.dynamics import Array, Expression
 from sailnet.ocp.definition.canonical import RHO, Canonical, Form, Singular, canonical
 from sailnet.ocp.definition.functions import ExtremalFunctions
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.definition.smoothing import Exact
 from sailnet.ocp.definition.solution import Switch
 from sailnet.ocp.propagation.tangents import MOST_STEPS, LostError, system_of, tangents_of
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import Expression
 
 TOLERANCE = 1e-14
 """Local error of the Taylor integrator."""

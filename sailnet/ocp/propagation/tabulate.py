@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.definition.functions import ProblemFunctions
 from sailnet.ocp.definition.solution import Table
 from sailnet.ocp.propagation.flow import Flow
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)

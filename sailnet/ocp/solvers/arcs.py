@@ -11,7 +11,6 @@ from itertools import pairwise
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.definition.canonical import Singular
 from sailnet.ocp.definition.problem import Problem
@@ -25,6 +24,7 @@ from sailnet.ocp.solvers.newton import solve_equations
 from sailnet.ocp.solvers.options import check_at_least, check_positive
 from sailnet.ocp.solvers.shooting import GOAL
 from sailnet.ocp.solvers.shooting_equations import Shooting
+from sailnet.physics.arrays import Array
 
 LAWFUL = 1e-6
 """Largest relative violation of the control law that counts as rounding."""

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_bvp
 
-from sailnet.dynamics import Array
 from sailnet.ocp.definition.functions import ExtremalFunctions, ProblemFunctions
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.definition.smoothing import L2Norm, Smoothing
@@ -21,6 +20,7 @@ from sailnet.ocp.propagation.switching import zero_crossings
 from sailnet.ocp.propagation.tabulate import largest
 from sailnet.ocp.solvers.continuation import Schedule, follow
 from sailnet.ocp.solvers.options import check_at_least, check_positive, check_smoothed
+from sailnet.physics.arrays import Array
 
 MOST_NODES = 20_000
 """A smoothed switch needs some tens of nodes; a mesh of this size is chasing a discontinuity."""

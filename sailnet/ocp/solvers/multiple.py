@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.definition.functions import ProblemFunctions
 from sailnet.ocp.definition.problem import Problem
@@ -23,6 +22,7 @@ from sailnet.ocp.solvers.continuation import Schedule, follow
 from sailnet.ocp.solvers.newton import solve_equations
 from sailnet.ocp.solvers.options import check_at_least, check_positive, check_smoothed
 from sailnet.ocp.solvers.shooting import GOAL
+from sailnet.physics.arrays import Array
 
 
 class Pieces:

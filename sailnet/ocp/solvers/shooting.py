@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.definition.smoothing import Exact, L2Norm, Smoothing
@@ -19,6 +18,7 @@ from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.continuation import Schedule, follow
 from sailnet.ocp.solvers.options import check_at_least, check_positive
 from sailnet.ocp.solvers.shooting_equations import Shooting
+from sailnet.physics.arrays import Array
 
 GOAL = 1e-10
 """Largest residual of an accepted solution."""

@@ -3,13 +3,13 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.definition.smoothing import Exact, Smoothing
 from sailnet.ocp.definition.solution import Solution
 from sailnet.ocp.propagation.flow import TOLERANCE, Flow, first_modes
 from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.newton import Root, solve_equations
+from sailnet.physics.arrays import Array
 
 
 class Shooting:

@@ -17,7 +17,6 @@ import heyoka as hy
 import numpy as np
 from scipy.optimize import minimize
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.definition.functions import ProblemFunctions
 from sailnet.ocp.definition.problem import TIME, ZERO, Problem
@@ -27,6 +26,7 @@ from sailnet.ocp.propagation.flow import TOLERANCE, Flow
 from sailnet.ocp.propagation.tabulate import Arc, tabulate
 from sailnet.ocp.propagation.tangents import MOST_STEPS, LostError
 from sailnet.ocp.solvers.options import check_at_least, check_positive
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,6 @@ import heyoka as hy
 import numpy as np
 import pytest
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp import (
     Bounded,
@@ -21,6 +20,7 @@ from sailnet.ocp.definition.functions import ExtremalFunctions, ProblemFunctions
 from sailnet.ocp.problems import (
     goddard,
 )
+from sailnet.physics.arrays import Array
 from tests.ocp.posed import PROBLEMS, differences, points
 
 

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from sailnet.dynamics import Array
 from sailnet.ocp import (
     Bounded,
     Direction,
@@ -16,6 +15,7 @@ from sailnet.ocp import (
 from sailnet.ocp.definition.functions import ExtremalFunctions, ProblemFunctions
 from sailnet.ocp.problems import leo_geo
 from sailnet.ocp.propagation.flow import Flow, first_modes
+from sailnet.physics.arrays import Array
 from tests.ocp.posed import PROBLEMS, points
 
 

@@ -4,7 +4,6 @@ import math
 
 import pytest
 
-from sailnet.mission import Transfer
 from sailnet.ocp import (
     L2Norm,
     Saturation,
@@ -13,6 +12,7 @@ from sailnet.ocp import (
     shooting,
 )
 from sailnet.ocp.problems import earth_mars, solar_sail
+from sailnet.physics.transfer import Transfer
 
 
 def test_collocation_is_shooting_at_the_same_smoothing(transfer: Solution) -> None:

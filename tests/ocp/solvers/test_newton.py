@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.solvers.newton import Root, solve_equations
+from sailnet.physics.arrays import Array
 
 
 def counted(

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize, minimize_scalar
 
-from sailnet.dynamics import Array
 from sailnet.ocp import (
     ConvergenceError,
     Exact,
@@ -20,6 +19,7 @@ from sailnet.ocp import (
 )
 from sailnet.ocp.problems import earth_mars, goddard, intercept
 from sailnet.ocp.solvers.shooting_equations import Shooting
+from sailnet.physics.arrays import Array
 from tests.ocp.intercepts import bounded_cost, intercept_cost
 from tests.ocp.posed import differences, manifold
 

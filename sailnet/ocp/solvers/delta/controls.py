@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.definition.canonical import canonical
 from sailnet.ocp.definition.problem import Bounded, Direction, Problem
 from sailnet.ocp.definition.smoothing import Exact
 from sailnet.ocp.solvers.delta.series import Basis
+from sailnet.physics.arrays import Array
 
 REACH = np.pi
 """Coefficients lie between -REACH and REACH, as in the paper."""

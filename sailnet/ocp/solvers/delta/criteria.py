@@ -11,13 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.definition.canonical import canonical
 from sailnet.ocp.definition.functions import ExtremalFunctions
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.definition.smoothing import Exact
 from sailnet.ocp.solvers.delta.controls import Controls
 from sailnet.ocp.solvers.delta.flight import Flights, Flyer
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)

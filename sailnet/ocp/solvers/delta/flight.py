@@ -11,12 +11,13 @@ from dataclasses import dataclass
 import heyoka as hy
 import numpy as np
 
-from sailnet.dynamics import Array, Expression
 from sailnet.errors import SailnetError
 from sailnet.ocp.definition.functions import ProblemFunctions
 from sailnet.ocp.definition.kernels import Kernels, compiled
 from sailnet.ocp.definition.problem import TIME, Problem, dot, symbols
 from sailnet.ocp.solvers.delta.controls import Controls
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import Expression
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ from functools import partial
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.definition.solution import Step
@@ -19,6 +18,7 @@ from sailnet.ocp.solvers.delta.heuristics import Search
 from sailnet.ocp.solvers.delta.options import GOAL, Options, RandomSeries
 from sailnet.ocp.solvers.delta.polish import Polished
 from sailnet.ocp.solvers.delta.sensitivity import linearised
+from sailnet.physics.arrays import Array
 
 NARROWING = 0.5
 """Ratio of the boxes of two stages."""

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.solvers.delta.controls import Controls
 from sailnet.ocp.solvers.delta.flight import Flights, Flyer
 from sailnet.ocp.solvers.delta.series import zeros
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)

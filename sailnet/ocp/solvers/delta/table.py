@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.definition.solution import Solution, Switch, Table
 from sailnet.ocp.solvers.delta.method import Delta
 from sailnet.ocp.solvers.delta.sensitivity import aligned, switches
+from sailnet.physics.arrays import Array
 
 
 def tabulate(delta: Delta, z: Array) -> Solution:

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.definition.functions import ExtremalFunctions
 from sailnet.ocp.definition.problem import TIME, Problem
@@ -14,6 +13,7 @@ from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.ponn.bases import Basis, lobatto
 from sailnet.ocp.solvers.ponn.expressions import Expressions, Maps, curves
 from sailnet.ocp.solvers.ponn.held import held_ends
+from sailnet.physics.arrays import Array
 
 Conditions = Callable[[int, float, Array], tuple[Array, Array]]
 """What must vanish where domain k ends, at a time and at y there, and its derivatives by y."""

@@ -7,7 +7,6 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.definition.functions import ExtremalFunctions
 from sailnet.ocp.definition.problem import Problem
@@ -21,6 +20,7 @@ from sailnet.ocp.solvers.ponn.bases import Basis, Chebyshev
 from sailnet.ocp.solvers.ponn.network import Network
 from sailnet.ocp.solvers.ponn.table import tabulate
 from sailnet.ocp.solvers.ponn.training import iterative_least_squares, levenberg_marquardt
+from sailnet.physics.arrays import Array
 
 Training = Literal["iterative least squares", "levenberg-marquardt"]
 

@@ -12,7 +12,6 @@ from itertools import pairwise
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.definition.solution import ConvergenceError, Solution, Step
 from sailnet.ocp.propagation.switching import structure_of
@@ -23,6 +22,7 @@ from sailnet.ocp.solvers.ponn.bases import Basis, Chebyshev
 from sailnet.ocp.solvers.ponn.network import Network
 from sailnet.ocp.solvers.ponn.table import tabulate
 from sailnet.ocp.solvers.ponn.training import iterative_least_squares, levenberg_marquardt
+from sailnet.physics.arrays import Array
 
 GOAL = 1e-9
 """Mean loss of an accepted solution."""

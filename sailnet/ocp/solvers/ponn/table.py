@@ -4,7 +4,6 @@ from functools import cache, lru_cache
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.definition.functions import ProblemFunctions
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.definition.solution import Solution
@@ -12,6 +11,7 @@ from sailnet.ocp.propagation.switching import zero_crossings
 from sailnet.ocp.propagation.tabulate import joined, largest
 from sailnet.ocp.solvers.ponn.network import Network
 from sailnet.ocp.solvers.ponn.training import mean_loss
+from sailnet.physics.arrays import Array
 
 UNSEEN = 2
 """Gauss points a training point, for the cost and for the losses where nothing was trained."""

@@ -3,7 +3,6 @@
 import heyoka as hy
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp import (
     Bounded,
     FreeTime,
@@ -14,6 +13,7 @@ from sailnet.ocp import (
 from sailnet.ocp.solvers import delta
 from sailnet.ocp.solvers.delta.heuristics import Heuristic
 from sailnet.ocp.solvers.delta.method import Delta
+from sailnet.physics.arrays import Array
 
 BASES = [delta.Fourier(), delta.Chebyshev(), delta.Legendre()]
 

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from sailnet.dynamics import Array
 from sailnet.ocp import (
     Direction,
     Problem,
@@ -11,6 +10,7 @@ from sailnet.ocp import (
 )
 from sailnet.ocp.solvers import delta
 from sailnet.ocp.solvers.delta.controls import Controls
+from sailnet.physics.arrays import Array
 from tests.ocp.posed import differences
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from sailnet.dynamics import Array
 from sailnet.ocp.solvers.delta.heuristics import Heuristic, Search
+from sailnet.physics.arrays import Array
 from tests.ocp.solvers.delta.cases import HEURISTICS
 
 

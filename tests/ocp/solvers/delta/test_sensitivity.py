@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from sailnet.dynamics import Array
 from sailnet.ocp import (
     Problem,
 )
@@ -12,6 +11,7 @@ from sailnet.ocp.solvers import delta
 from sailnet.ocp.solvers.delta.controls import Controls
 from sailnet.ocp.solvers.delta.flight import Flyer
 from sailnet.ocp.solvers.delta.sensitivity import linearised, switches
+from sailnet.physics.arrays import Array
 from tests.ocp.solvers.delta.cases import least_effort
 
 

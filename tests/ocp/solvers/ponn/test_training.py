@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.solvers.ponn.training import iterative_least_squares, levenberg_marquardt, mean_loss
+from sailnet.physics.arrays import Array
 
 
 def test_training_finds_the_least_squares_of_a_plain_fit() -> None:
