@@ -15,7 +15,7 @@ from sailnet.campaign.plan import Plan
 from sailnet.campaign.store import Results, open_results, write_results
 from sailnet.campaign.work import Columns, Job, Unit
 from sailnet.errors import CampaignError, SailnetError
-from sailnet.flight.plant import sources_digest
+from sailnet.flight.plant_library import sources_digest
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.mission import Mission
 from sailnet.workers.executors import Workers

@@ -11,24 +11,25 @@ tolerance and the predicted time no longer falls. The truth is never looked at f
 that would have given is reported beside it, as ``nearest_error``.
 """
 
-import ctypes
 from dataclasses import dataclass, fields
 from enum import IntEnum
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet.errors import SailnetError
-from sailnet.flight.plant import RECORD, STEER, SideBySide, rules
-from sailnet.guidance.exported_c import COMMAND_FIELDS, CSteering
-from sailnet.guidance.interface import Guidance, GuidanceStatus, Steering
+from sailnet.flight.plant import STATE, SideBySide, rules
+from sailnet.guidance.interface import Guidance
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 
 BLOCK = 256
 """Guidance periods flown in one call of the plant; between calls an interruption is noticed."""
+
+
+AS_RECORDED = ("time", "seen", "cone_angle", "attitude", "beta", "beta_estimate", "status")
+"""Attributes of a ``History`` that are members of ``plant_record``."""
 
 
 class Ending(IntEnum):
@@ -123,6 +124,11 @@ class History:
     predicted_time_of_flight: Array
     status: NDArray[np.int32]
 
+    @property
+    def ruv(self) -> Array:
+        """(k, 3) r, u, v at the start of each period: what guidance and navigation deal with."""
+        return self.states[:, [0, 2, 3]]
+
 
 def fly(
     mission: Mission,
@@ -132,7 +138,6 @@ def fly(
     disturbance: Disturbance | None = None,
     period: float | None = None,
     first: int = 0,
-    recorder: list[History] | None = None,
 ) -> Flights:
     """Fly sails until their guidance says that they have arrived.
 
@@ -143,42 +148,56 @@ def fly(
         disturbance: of sail, navigation and actuator; the mission's by default.
         period: guidance period [TU]; the mission's by default.
         first: number of the first flight, for the random streams.
-        recorder: if given, the history of every flight is appended to it.
 
     Raises:
         SailnetError: a start is not finite or not at a positive distance; a period that is not positive.
     """
+    start, under_way = _departing(mission, guidance, starts, disturbance, period, first)
+    while under_way.flying:
+        under_way.fly(BLOCK)
+    return _flights(mission, start, under_way.sails)
+
+
+def fly_recorded(
+    mission: Mission,
+    guidance: Guidance,
+    starts: ArrayLike,
+    *,
+    disturbance: Disturbance | None = None,
+    period: float | None = None,
+    first: int = 0,
+) -> tuple[Flights, list[History]]:
+    """:func:`fly`, and the history of each of the flights, which takes memory for every period."""
+    start, under_way = _departing(mission, guidance, starts, disturbance, period, first)
+    blocks = []
+    while under_way.flying:
+        blocks.append(under_way.fly_recorded(BLOCK))
+    whole = np.concatenate(blocks)
+    histories = [_history(whole[: sail["periods"], i]) for i, sail in enumerate(under_way.sails)]
+    return _flights(mission, start, under_way.sails), histories
+
+
+def _departing(
+    mission: Mission,
+    guidance: Guidance,
+    starts: ArrayLike,
+    disturbance: Disturbance | None,
+    period: float | None,
+    first: int,
+) -> tuple[Array, SideBySide]:
     start = np.atleast_2d(np.asarray(starts, float))
     if start.shape[1:] != (3,) or not np.isfinite(start).all() or not np.all(start[:, 0] > 0.0):
         raise SailnetError(f"a start needs three finite numbers (r, u, v) with r > 0, not {start.tolist()}")
     held = mission.flight.period if period is None else period
-    plant = rules(mission, mission.disturbance if disturbance is None else disturbance, held)
-    steering = guidance.steering(len(start))
-    if isinstance(steering, CSteering):
-        under_way = SideBySide(plant, start, first, *steering.native())
-        callback = None
-    else:
-        callback = _Callback(steering)
-        under_way = SideBySide(plant, start, first, callback.address, None, "float64")
-        callback.flights = under_way
+    given = rules(mission, mission.disturbance if disturbance is None else disturbance, held)
+    return start, SideBySide(given, start, first, guidance.steering(len(start)))
 
-    blocks: list[NDArray[np.void]] = []
-    while under_way.flights.flying:
-        records = None if recorder is None else np.empty((BLOCK, len(start)), RECORD)
-        under_way.fly(BLOCK, records)
-        if callback is not None and callback.error is not None:
-            raise callback.error
-        if records is not None:
-            blocks.append(records)
 
-    sails = under_way.sails
-    ends = np.column_stack([sails[component] for component in "ruv"])
+def _flights(mission: Mission, start: Array, sails: NDArray[np.void]) -> Flights:
+    ends = np.column_stack([sails["state"][component] for component in "ruv"])
     terminal_error = np.abs(ends - np.array(mission.problem.target_state))
     inside = np.all(terminal_error <= mission.flight.arrival_tolerance, axis=1)
     bounded = sails["max_cone_angle"] <= mission.problem.phi_max
-    if recorder is not None:
-        whole = np.concatenate(blocks)
-        recorder.extend(_history(whole[: sail["periods"], i]) for i, sail in enumerate(sails))
     named = {field.name for field in fields(Flights)} & set(sails.dtype.names or ())
     return Flights(
         starts=start,
@@ -186,51 +205,14 @@ def fly(
         time_of_flight=sails["time"].copy(),
         terminal_error=terminal_error,
         arrived=(sails["ending"] == Ending.STOPPED) & inside & bounded,
+        dose=sails["state"]["dose"].copy(),
         **{name: sails[name].copy() for name in named},
     )
 
 
-class _Callback:
-    """Lets the plant be steered from Python; an error there ends the flights and is kept."""
-
-    def __init__(self, steering: Steering) -> None:
-        self._steering = steering
-        self._function = STEER(self._steer)  # lives as long as the plant may call it
-        self.address = int(ctypes.cast(self._function, ctypes.c_void_p).value or 0)
-        self.flights: SideBySide | None = None
-        self.error: BaseException | None = None
-
-    def _steer(
-        self, count: int, _: object, sails: int, states: int, period: float, commands: int, statuses: int
-    ) -> None:
-        try:
-            rows = _array(sails, ctypes.c_uint64, count)
-            shown = _array(states, ctypes.c_double, count, 3)
-            steered = self._steering.steer(shown.copy(), period, rows.astype(np.intp))
-            given = _array(commands, ctypes.c_double, count, len(COMMAND_FIELDS))
-            given[:] = np.column_stack([getattr(steered, name) for name in COMMAND_FIELDS])
-            status = np.where(steered.arrived, GuidanceStatus.ARRIVED, steered.status)
-            _array(statuses, ctypes.c_int32, count)[:] = status
-        except BaseException as error:  # an interruption too: it must not be lost in the C below
-            self.error = error
-            assert self.flights is not None
-            self.flights.flights.interrupted = 1
-
-
-def _array(address: int, kind: type, *shape: int) -> NDArray[np.generic]:
-    pointer: Any = ctypes.cast(address, ctypes.POINTER(kind))
-    return np.ctypeslib.as_array(pointer, shape)
-
-
 def _history(records: NDArray[np.void]) -> History:
     return History(
-        time=records["time"].copy(),
-        states=np.column_stack([records[name] for name in ("r", "theta", "u", "v")]),
-        seen=records["seen"].copy(),
-        cone_angle=records["cone_angle"].copy(),
-        attitude=records["attitude"].copy(),
-        beta=records["beta"].copy(),
-        beta_estimate=records["beta_estimate"].copy(),
+        states=np.column_stack([records[name] for name in STATE]),
         predicted_time_of_flight=records["time_of_flight"].copy(),
-        status=records["status"].astype(np.int32),
+        **{name: records[name].copy() for name in AS_RECORDED},
     )

@@ -1,28 +1,23 @@
 """The plant in C, called by ctypes: sails side by side, from one guidance period to the next.
 
-The C is in ``c_runtime/plant``; it is compiled when the package is installed.
 ``sailnet.flight.closed_loop`` flies with it, whatever computes the guidance: the exported C is called by
 the plant directly, anything else through a callback.
 """
 
 import ctypes
 import math
-from functools import cache
-from pathlib import Path
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sailnet.artefacts.checksums import verify_checksum
-from sailnet.errors import GuidanceError, SailnetError
+from sailnet.errors import SailnetError
+from sailnet.flight.plant_library import STEER, plant
+from sailnet.guidance.interface import NativeSteering, Steering
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
-
-API_VERSION = 1
-
-LIBRARY = Path(__file__).parent / "native" / "plant.so"
 
 RADII = (0.05, 20.0)
 """A sail outside these distances from the Sun [AU] is lost."""
@@ -33,121 +28,15 @@ TOLERANCE = 1e-13
 MOST_PERIODS = 10**8
 """A flight of more guidance periods is refused."""
 
-_TRIPLE = ctypes.c_double * 3
+OPTICS_COEFFICIENTS = ("normal_square", "normal_linear", "tangential")
+"""Names of ``Optics.force``, in its order."""
+
+STATE = ("r", "theta", "u", "v")
+"""Names of a polar state, in the order of its rows or columns."""
 
 
-class Rules(ctypes.Structure):
-    """``plant_rules``: what is the same for all flights."""
-
-    _fields_ = [
-        *((name, ctypes.c_double) for name in ("period", "longest", "least_radius", "largest_radius")),
-        ("tolerance", ctypes.c_double),
-        ("target", _TRIPLE),
-        ("beta", ctypes.c_double),
-        ("optics", _TRIPLE),
-        *((f"beta_{name}", ctypes.c_double) for name in ("bias", "spread", "drift", "noise")),
-        *((name, ctypes.c_double) for name in ("beta_wander", "beta_wander_time")),
-        *((name, ctypes.c_double) for name in ("degradation_loss", "degradation_dose")),
-        *((f"navigation_{name}", _TRIPLE) for name in ("bias", "noise", "wander")),
-        ("navigation_wander_time", ctypes.c_double),
-        *((name, ctypes.c_double) for name in ("rate_limit", "delay", "resolution")),
-        *((name, ctypes.c_double) for name in ("misalignment", "misalignment_spread")),
-        *((name, ctypes.c_double) for name in ("outage_probability", "outage_duration")),
-        ("seed", ctypes.c_uint64),
-    ]
-
-
-SAIL = np.dtype(
-    [
-        *((name, "f8") for name in ("r", "theta", "u", "v", "dose", "time", "attitude", "misalignment")),
-        *((name, "f8") for name in ("beta_error", "beta_wander")),
-        ("navigation_wander", "f8", 3),
-        *((name, "f8") for name in ("step", "beta_estimate", "max_cone_angle", "max_attitude")),
-        *((name, "f8") for name in ("nearest_error", "nearest_time")),
-        ("number", "u8"),
-        *((name, "u4") for name in ("periods", "outside", "outages")),
-        *((name, "i4") for name in ("out", "ending", "unused")),
-    ]
-)
-"""``plant_sail``: one flight."""
-
-RECORD = np.dtype(
-    [
-        *((name, "f8") for name in ("time", "r", "theta", "u", "v")),
-        ("seen", "f8", 3),
-        *((name, "f8") for name in ("cone_angle", "attitude", "beta", "beta_estimate")),
-        *((name, "f8") for name in ("time_of_flight", "status")),
-    ]
-)
-"""``plant_record``: one period of one flight."""
-
-_POINTER = ctypes.c_void_p
-STEER = ctypes.CFUNCTYPE(
-    None, ctypes.c_uint64, _POINTER, _POINTER, _POINTER, ctypes.c_double, _POINTER, _POINTER
-)
-"""``plant_steer_f64``: count, memories, sails, states, period, commands, statuses."""
-
-
-class SteeringFunction(ctypes.Structure):
-    """``plant_steering``: who commands; exactly one of the two functions is set."""
-
-    _fields_ = [("f32", _POINTER), ("f64", _POINTER), ("memories", _POINTER)]
-
-
-class FlightsSideBySide(ctypes.Structure):
-    """``plant_flights``."""
-
-    _fields_ = [
-        ("count", ctypes.c_uint64),
-        ("flying", ctypes.c_uint64),
-        *((name, _POINTER) for name in ("sails", "rows", "queue", "states", "commands", "statuses")),
-        ("interrupted", ctypes.c_int32),
-        ("unused", ctypes.c_int32),
-    ]
-
-
-@cache
-def library() -> ctypes.CDLL:
-    """The compiled plant.
-
-    Raises:
-        GuidanceError: it is missing, damaged, of another version or cannot be loaded here.
-    """
-    verify_checksum(LIBRARY, LIBRARY.parent / "libraries.sha256")
-    try:
-        loaded = ctypes.CDLL(str(LIBRARY))
-        sizes = {"rules": Rules, "flights": FlightsSideBySide}
-        expected = {name: ctypes.sizeof(structure) for name, structure in sizes.items()}
-        expected |= {"sail": SAIL.itemsize, "record": RECORD.itemsize}
-        same = loaded.plant_api_version() == API_VERSION and all(
-            loaded[f"plant_size_of_{name}"]() == size for name, size in expected.items()
-        )
-        number, word = ctypes.c_uint64, ctypes.c_uint32
-        loaded.plant_sources_digest.restype = ctypes.c_char_p
-        loaded.plant_queue_slots.restype = number
-        loaded.plant_queue_slots.argtypes = [_POINTER]
-        loaded.plant_fly.restype = number
-        loaded.plant_fly.argtypes = [_POINTER, _POINTER, _POINTER, number, _POINTER]
-        loaded.plant_hold.argtypes = [_POINTER, *[ctypes.c_double] * 4, _POINTER, _POINTER]
-        loaded.plant_philox.restype = None
-        loaded.plant_philox.argtypes = [_POINTER] * 3
-        for draw in (loaded.plant_uniform, loaded.plant_normal):
-            draw.restype, draw.argtypes = ctypes.c_double, [number, number, word, word]
-    except (OSError, AttributeError) as error:
-        raise GuidanceError(f"cannot load {LIBRARY}: {error}; install sailnet again") from error
-    if not same:
-        raise GuidanceError(f"{LIBRARY} is of another version of sailnet; install sailnet again")
-    return loaded
-
-
-def sources_digest() -> str:
-    """SHA-256 of the C that the plant was compiled from."""
-    digest: bytes = library().plant_sources_digest()
-    return digest.decode("ascii")
-
-
-def rules(mission: Mission, disturbance: Disturbance, period: float) -> Rules:
-    """What the plant has to know.
+def rules(mission: Mission, disturbance: Disturbance, period: float) -> NDArray[np.void]:
+    """What the plant has to know: ``plant_rules``.
 
     Args:
         mission: the sail's beta, the target and the longest flight.
@@ -167,74 +56,121 @@ def rules(mission: Mission, disturbance: Disturbance, period: float) -> Rules:
         raise SailnetError(f"outage_duration must be at least the guidance period, {period:g} TU")
     if disturbance.delay > longest:
         raise SailnetError(f"delay must be at most the longest flight, {longest:g} TU")
-    made = Rules(
-        period=period,
-        longest=longest,
-        least_radius=RADII[0],
-        largest_radius=RADII[1],
-        tolerance=TOLERANCE,
-        target=mission.problem.target_state,
-        beta=mission.sail.beta,
-        optics=disturbance.optics.force,
-    )
+    values = {name: value for name, value in vars(disturbance).items() if name[:2] not in ("r_", "u_", "v_")}
     for kind in ("bias", "noise", "wander"):
-        errors = [getattr(disturbance, f"{component}_{kind}") for component in "ruv"]
-        setattr(made, f"navigation_{kind}", _TRIPLE(*errors))
-    for name in (field[0] for field in Rules._fields_):
-        if name != "optics" and hasattr(disturbance, name):
-            setattr(made, name, getattr(disturbance, name))
-    return made
+        values[f"navigation_{kind}"] = [getattr(disturbance, f"{component}_{kind}") for component in "ruv"]
+    return plant().filled(
+        "plant_rules",
+        values
+        | {
+            "period": period,
+            "longest": longest,
+            "least_radius": RADII[0],
+            "largest_radius": RADII[1],
+            "tolerance": TOLERANCE,
+            "target": mission.problem.target_state,
+            "beta": mission.sail.beta,
+            "optics": _optics(disturbance.optics.force),
+        },
+    )
+
+
+def _optics(force: tuple[float, float, float]) -> NDArray[np.void]:
+    return plant().filled("plant_optics", dict(zip(OPTICS_COEFFICIENTS, force, strict=True)))
 
 
 class SideBySide:
     """Flights under way.
 
     Args:
-        rules: what is the same for all.
+        rules: what is the same for all, from :func:`rules`.
         starts: (n, 3) r, u, v at departure.
         first: number of the first flight.
-        steer: address of a steering function of the precision, ``sailnet_steer_batch`` of a flight library
-            or a ``STEER``.
-        memories: its memories.
-        precision: of its states and commands.
+        steering: of n sails that start; called by the plant directly if it can be.
+
+    Attributes:
+        sails: (n,) ``plant_sail``.
     """
 
-    def __init__(
-        self, rules: Rules, starts: Array, first: int, steer: int, memories: int | None, precision: str
-    ) -> None:
-        count = len(starts)
-        self._library = library()
-        self._rules = rules
-        self.sails = np.zeros(count, SAIL)
+    def __init__(self, rules: NDArray[np.void], starts: Array, first: int, steering: Steering) -> None:
+        count, loaded = len(starts), plant()
+        self._fly, self._rules = loaded.functions.plant_fly, rules
+        self._record = loaded.structures["plant_record"]
+        self.sails = np.zeros(count, loaded.structures["plant_sail"])
         for component, column in zip("ruv", starts.T, strict=True):
-            self.sails[component] = column
+            self.sails["state"][component] = column
         self.sails["number"] = np.arange(first, first + count, dtype=np.uint64)
-        slots = self._library.plant_queue_slots(ctypes.byref(rules))
-        places: dict[str, NDArray[Any]] = {
+        native = steering.native() if isinstance(steering, NativeSteering) else None
+        address, memories, precision = native or (0, 0, "float64")
+        bits = "f64" if precision == "float64" else "f32"
+        slots = loaded.functions.plant_queue_slots(rules.ctypes.data)
+        # All these live as long as the C points to them, the steering for its memories.
+        self._steered_by = steering
+        self._places: dict[str, NDArray[Any]] = {
             "sails": self.sails,
             "rows": np.arange(count, dtype=np.uint64),
             "queue": np.zeros((count, slots)),
             "states": np.empty((count, 3), precision),
-            "commands": np.empty((count, 4), precision),
+            "commands": np.empty(count, loaded.structures[f"plant_command_{bits}"]),
             "statuses": np.empty(count, np.int32),
         }
-        self._places = places  # lives as long as the C points to it
-        addresses = {name: place.ctypes.data for name, place in places.items()}
-        self.flights = FlightsSideBySide(count=count, flying=count, **addresses)
-        bits = "f64" if np.dtype(precision).itemsize == 8 else "f32"
-        self._steering = SteeringFunction(**{bits: steer}, memories=memories)
+        addresses = {name: place.ctypes.data for name, place in self._places.items()}
+        self._flights = loaded.filled(
+            "plant_flights", {"count": count, "flying": count, "interrupted": 0, **addresses}
+        )
+        self._errors: list[BaseException] = []
+        if native is None:
+            steer = _called_back(steering, self._places, self._flights, self._errors)
+            self._callback = STEER(steer)
+            address = ctypes.cast(self._callback, ctypes.c_void_p).value or 0
+        functions = {"f32": 0, "f64": 0} | {bits: address}
+        self._steering = loaded.filled("plant_steering", {**functions, "memories": memories})
 
-    def fly(self, periods: int, records: NDArray[np.void] | None = None) -> int:
-        """Fly on for at most so many periods; returns how many still fly.
+    @property
+    def flying(self) -> int:
+        """How many still fly."""
+        return int(self._flights["flying"])
 
-        Args:
-            periods: guidance periods.
-            records: (periods, n) of ``RECORD``, filled for the periods that are flown.
-        """
-        where = None if records is None else records.ctypes.data
-        structures = (self._rules, self._steering, self.flights)
-        left = self._library.plant_fly(*(ctypes.byref(item) for item in structures), periods, where)
-        return int(left)
+    def fly(self, periods: int) -> None:
+        """Fly on for at most so many guidance periods; what the steering raises comes out."""
+        self._fly_on(periods, None)
+
+    def fly_recorded(self, periods: int) -> NDArray[np.void]:
+        """:meth:`fly`, returning (periods, n) of ``plant_record``, filled for the periods flown."""
+        records = np.empty((periods, len(self.sails)), self._record)
+        self._fly_on(periods, records.ctypes.data)
+        return records
+
+    def _fly_on(self, periods: int, records: int | None) -> None:
+        structures = (self._rules, self._steering, self._flights)
+        self._fly(*(item.ctypes.data for item in structures), periods, records)
+        if self._errors:
+            raise self._errors[0]
+
+
+def _called_back(
+    steering: Steering,
+    places: Mapping[str, NDArray[Any]],
+    flights: NDArray[np.void],
+    errors: list[BaseException],
+) -> Callable[..., None]:
+    """``plant_steer_f64`` for a steering in Python; an error there ends the flights and is kept."""
+    states, rows, commands, statuses = (places[name] for name in ("states", "rows", "commands", "statuses"))
+
+    def steer(
+        count: int, _memories: int, _rows: int, _states: int, period: float, _commands: int, _statuses: int
+    ) -> None:
+        # The addresses are those of the arrays of the flights.
+        try:
+            steered = steering.steer(states[:count].copy(), period, rows[:count].astype(np.intp))
+            for name in commands.dtype.names or ():
+                commands[name][:count] = getattr(steered, name)
+            statuses[:count] = steered.status
+        except BaseException as error:  # an interruption too: it must not be lost in the C below
+            errors.append(error)
+            flights["interrupted"] = 1
+
+    return steer
 
 
 def hold_angle(
@@ -258,16 +194,20 @@ def hold_angle(
     Returns:
         (5, n) states at the end and the dose of sunlight [TU/AU^2]; NaN for a sail that was lost.
     """
-    given = Rules(least_radius=RADII[0], largest_radius=RADII[1], tolerance=TOLERANCE, optics=optics)
+    functions, structures = plant().functions, plant().structures
+    given = np.zeros((), structures["plant_rules"])
+    given["least_radius"], given["largest_radius"] = RADII
+    given["tolerance"], given["optics"] = TOLERANCE, _optics(optics)
     count = states.shape[1]
-    columns = np.vstack([states, np.zeros(count)]).T.copy()
+    held = np.zeros(count, structures["plant_state"])
+    for name, row in zip(STATE, states, strict=True):
+        held[name] = row
     numbers = np.broadcast_arrays(np.empty(count), beta, angle, duration)[1:]
-    for row, *values in zip(columns, *numbers, strict=True):
+    inside = np.empty(count, bool)
+    for i, values in enumerate(zip(*numbers, strict=True)):
         strength, start, time = map(float, values)
         step = ctypes.c_double(0.0)
-        inside = library().plant_hold(
-            ctypes.byref(given), strength, start, rate, time, row.ctypes.data, ctypes.byref(step)
+        inside[i] = functions.plant_hold(
+            given.ctypes.data, strength, start, rate, time, held[i:].ctypes.data, ctypes.byref(step)
         )
-        if not inside:
-            row[:] = np.nan
-    return columns.T.copy()
+    return np.where(inside, [held[name] for name in (*STATE, "dose")], np.nan)

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.artefacts.checksums import verify_checksum
 from sailnet.errors import GuidanceError
-from sailnet.guidance.interface import Commands, GuidanceStatus, Precision, Steered, as_betas, as_states
+from sailnet.guidance.interface import Commands, Precision, Steered, as_betas, as_states
 from sailnet.mission.mission import Mission
 
 API_VERSION = 2
@@ -121,7 +121,7 @@ class CGuidance:
             status.ctypes.data,
         )
         named = dict(zip(COMMAND_FIELDS, commands.T.astype(np.float64), strict=True))
-        return Steered(**named, arrived=status == GuidanceStatus.ARRIVED, status=status)
+        return Steered(**named, status=status)
 
 
 class CSteering:

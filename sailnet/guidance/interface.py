@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Literal, Protocol
+from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -47,7 +47,6 @@ class Steered:
         hold: for how long [TU]: the period, or less where the flight ends.
         time_of_flight: predicted to the target orbit [TU].
         beta: estimate of the normalised characteristic acceleration.
-        arrived: the flight ends after ``hold``.
         status: values of ``GuidanceStatus``: ``ARRIVED`` where the flight ends, else of the command.
     """
 
@@ -55,8 +54,12 @@ class Steered:
     hold: Array
     time_of_flight: Array
     beta: Array
-    arrived: NDArray[np.bool_]
     status: NDArray[np.int32]
+
+    @property
+    def arrived(self) -> NDArray[np.bool_]:
+        """(n,) the flight ends after ``hold``."""
+        return np.asarray(self.status == GuidanceStatus.ARRIVED)
 
 
 class Steering(Protocol):
@@ -73,6 +76,14 @@ class Steering(Protocol):
             period: guidance period [TU].
             sails: (n,) which of the sails these are.
         """
+
+
+@runtime_checkable
+class NativeSteering(Steering, Protocol):
+    """Steering that C can do without Python in between."""
+
+    def native(self) -> tuple[int, int, Precision]:
+        """Address of a ``sailnet_steer_batch``, of its memories, and the precision of both."""
 
 
 class Guidance(Protocol):

@@ -74,7 +74,7 @@ class ReferenceSteering:
         self._periods[kept] += 1
         arrived = last | past
         status = np.where(arrived, np.int32(GuidanceStatus.ARRIVED), status)
-        return Steered(command.cone_angle, hold, tau, self._beta[sails], arrived, status)
+        return Steered(command.cone_angle, hold, tau, self._beta[sails], status)
 
     def _learn(self, state: Array, sails: NDArray[np.intp]) -> None:
         nominal = self._guidance.mission.sail.beta

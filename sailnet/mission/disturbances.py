@@ -24,6 +24,13 @@ def _quantity(unit: str, meaning: str, default: Any = 0.0) -> Any:
     return field(default=default, metadata={"unit": unit, "meaning": meaning})
 
 
+_SHOWN = {"r": "the distance from the Sun", "u": "the radial speed", "v": "the transverse speed"}
+
+
+def _of(error: str, component: str) -> str:
+    return f"{error} of {_SHOWN[component]} that navigation shows"
+
+
 @dataclass(frozen=True)
 class Disturbance:
     """Everything that is not as guidance assumes; 0 is off. Units and meanings: :func:`catalogue`.
@@ -52,30 +59,40 @@ class Disturbance:
     """
 
     beta_bias: float = _quantity("1", "constant relative error of beta")
-    beta_spread: float = _quantity("1", "half-width of another, drawn uniformly for each flight")
+    beta_spread: float = _quantity(
+        "1", "half-width of a constant relative error of beta, drawn uniformly for each flight"
+    )
     beta_drift: float = _quantity("1/TU", "relative change of beta with time")
-    beta_noise: float = _quantity("1", "half-width of an error drawn uniformly every period (paper: 0.15)")
-    beta_wander: float = _quantity("1", "sigma of a Gauss-Markov error of beta")
-    beta_wander_time: float = _quantity("TU", "its correlation time", 1.0)
+    beta_noise: float = _quantity(
+        "1", "half-width of a relative error of beta, drawn uniformly every period (paper: 0.15)"
+    )
+    beta_wander: float = _quantity("1", "sigma of a Gauss-Markov relative error of beta")
+    beta_wander_time: float = _quantity("TU", "correlation time of the Gauss-Markov error of beta", 1.0)
     degradation_loss: float = _quantity("1", "share of beta that sunlight takes in the end")
-    degradation_dose: float = _quantity("TU/AU^2", "dose of sunlight that takes half of it", 2.0 * math.pi)
-    r_bias: float = _quantity("AU", "constant error of the distance navigation shows")
-    u_bias: float = _quantity("AU/TU", "of the radial speed")
-    v_bias: float = _quantity("AU/TU", "of the transverse speed")
-    r_noise: float = _quantity("AU", "sigma of an error drawn every period")
-    u_noise: float = _quantity("AU/TU", "of the radial speed")
-    v_noise: float = _quantity("AU/TU", "of the transverse speed")
-    r_wander: float = _quantity("AU", "sigma of a Gauss-Markov error")
-    u_wander: float = _quantity("AU/TU", "of the radial speed")
-    v_wander: float = _quantity("AU/TU", "of the transverse speed")
-    navigation_wander_time: float = _quantity("TU", "their correlation time", 1.0)
+    degradation_dose: float = _quantity(
+        "TU/AU^2", "dose of sunlight that takes half of degradation_loss", 2.0 * math.pi
+    )
+    r_bias: float = _quantity("AU", _of("constant error", "r"))
+    u_bias: float = _quantity("AU/TU", _of("constant error", "u"))
+    v_bias: float = _quantity("AU/TU", _of("constant error", "v"))
+    r_noise: float = _quantity("AU", _of("sigma of an error, drawn every period,", "r"))
+    u_noise: float = _quantity("AU/TU", _of("sigma of an error, drawn every period,", "u"))
+    v_noise: float = _quantity("AU/TU", _of("sigma of an error, drawn every period,", "v"))
+    r_wander: float = _quantity("AU", _of("sigma of a Gauss-Markov error", "r"))
+    u_wander: float = _quantity("AU/TU", _of("sigma of a Gauss-Markov error", "u"))
+    v_wander: float = _quantity("AU/TU", _of("sigma of a Gauss-Markov error", "v"))
+    navigation_wander_time: float = _quantity(
+        "TU", "correlation time of navigation's Gauss-Markov errors", 1.0
+    )
     rate_limit: float = _quantity(
         "rad/TU", f"largest rate of the cone angle; 1 is {DEGREES_PER_DAY:.4f} deg/day; 0: none"
     )
     delay: float = _quantity("TU", "time from a command to its effect")
     resolution: float = _quantity("rad", "commands are rounded to multiples of this")
     misalignment: float = _quantity("rad", "constant error of the cone angle")
-    misalignment_spread: float = _quantity("rad", "half-width of another, drawn uniformly for each flight")
+    misalignment_spread: float = _quantity(
+        "rad", "half-width of a constant error of the cone angle, drawn uniformly for each flight"
+    )
     outage_probability: float = _quantity("1", "chance that an outage of guidance begins, each period")
     outage_duration: float = _quantity("TU", "mean duration of an outage; at least a period", 0.05)
     optics: Optics = field(

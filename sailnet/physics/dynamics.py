@@ -78,29 +78,3 @@ def runge_kutta_step(states: Array, alpha: ArrayLike, beta: ArrayLike, step: Arr
     inputs = np.empty((7, states.shape[1]))
     inputs[:4], inputs[4], inputs[5], inputs[6] = states, alpha, beta, step
     return np.asarray(_compiled_step()(inputs))
-
-
-LARGEST_STEP = 0.005
-"""Substep of the plant [TU]: keeps a whole flight within 1e-10 of the Taylor integrator."""
-
-
-def hold_command(
-    states: Array, alpha: ArrayLike, beta: ArrayLike, duration: ArrayLike, longest: float | None = None
-) -> Array:
-    """Fly every sail with its cone angle held.
-
-    Args:
-        states: (4, n) rows r, theta, u, v.
-        alpha: (n,) cone angle [rad].
-        beta: (n,) normalised characteristic acceleration in force.
-        duration: (n,) or one time for which the command is held [TU].
-        longest: bound on the durations, from which the number of substeps follows, so that a sail's
-            result does not depend on its company; their largest by default.
-
-    Returns:
-        (4, n) states at the end, by fourth-order Runge-Kutta steps of at most ``LARGEST_STEP``.
-    """
-    substeps = max(1, int(np.ceil((longest or np.max(duration)) / LARGEST_STEP - 1e-9)))
-    for _ in range(substeps):
-        states = runge_kutta_step(states, alpha, beta, np.asarray(duration) / substeps)
-    return states

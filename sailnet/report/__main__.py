@@ -74,7 +74,7 @@ def _pictures(
     cases, noise = section5.three, section5.noise
     samples, jump_time = _example_of_a_jump(data)
     first = cases["Case 1"]
-    inputs = np.column_stack([first.history.states[:, [0, 2, 3]], first.history.predicted_time_of_flight])
+    inputs = np.column_stack([first.history.ruv, first.history.predicted_time_of_flight])
     histories = _histories(networks, folder)
     drawn = [
         (

@@ -66,7 +66,7 @@ def reproduction_record(
     }
     flown = three.history
     rows = _some(len(flown.time))
-    states = flown.states[rows][:, [0, 2, 3]]
+    states = flown.ruv[rows]
     inputs = np.column_stack([states, flown.predicted_time_of_flight[rows]])
     shown = int((two.history.time <= BEYOND * three.extremal.time_of_flight).sum())
     two_rows = _some(shown)

@@ -26,7 +26,7 @@ from sailnet.campaign.work import MOST_RECORDS
 from sailnet.cli import main
 from sailnet.errors import CampaignError, SailnetError
 from sailnet.expert.fastest import solve
-from sailnet.flight.closed_loop import Flights, History, fly
+from sailnet.flight.closed_loop import Flights, fly, fly_recorded
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission, load_mission
@@ -87,12 +87,11 @@ def test_trajectories_of_a_sample_and_of_failures_are_kept(small: Results) -> No
     # At its second period a series leaves failures alone.
     second = set(small.rows(0, 0.05).tolist())
     assert not any(small.flights["arrived"][row] for row in small.kept.tolist() if row in second)
-    recorder: list[History] = []
     number = failed[3]
     start = random_starts(mission, 1, 5, first=number)
     noise = Disturbance(beta_noise=0.15, seed=5)
-    fly(mission, GUIDANCE, start, disturbance=noise, period=0.05, first=number, recorder=recorder)
-    assert_same(small.history(small.kept.tolist().index(rows[0] + number)), recorder[0])
+    _, (again,) = fly_recorded(mission, GUIDANCE, start, disturbance=noise, period=0.05, first=number)
+    assert_same(small.history(small.kept.tolist().index(rows[0] + number)), again)
 
 
 def test_long_trajectories_are_thinned_and_keep_their_ends(tmp_path: Path) -> None:
@@ -141,13 +140,11 @@ def test_flights_of_later_batches_have_their_own_starts_and_numbers(tmp_path: Pa
     found = fly_plan(short(0.3), GUIDANCE, plan, tmp_path / "x.h5")
     expected = np.array(starts)[np.arange(BATCH + 4) % 3]
     np.testing.assert_array_equal(found.as_flights(np.arange(BATCH + 4)).starts, expected)
-    noise, recorder = Disturbance(beta_noise=0.1, seed=5), list[History]()
-    number = BATCH + 2
-    fly(
-        short(0.3), GUIDANCE, expected[number : number + 1],
-        disturbance=noise, period=0.05, first=number, recorder=recorder,
-    )  # fmt: skip
-    assert_same(found.history(found.kept.tolist().index(number)), recorder[0])
+    noise, number = Disturbance(beta_noise=0.1, seed=5), BATCH + 2
+    _, (again,) = fly_recorded(
+        short(0.3), GUIDANCE, expected[[number]], disturbance=noise, period=0.05, first=number
+    )
+    assert_same(found.history(found.kept.tolist().index(number)), again)
 
 
 def test_a_flight_that_never_stopped_counts_at_no_threshold(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from sailnet.errors import SailnetError
 from sailnet.expert.fastest import sample, solve
-from sailnet.flight.closed_loop import Flights, History, fly
+from sailnet.flight.closed_loop import Flights, fly, fly_recorded
 from sailnet.mission.disturbances import Disturbance
 from tests.pilots import MISSION, Constant, Optimum
 
@@ -27,13 +27,11 @@ def test_flying_the_optimal_command_ends_on_the_target_orbit() -> None:
 
 
 def test_a_flight_stops_at_the_first_prediction_below_the_threshold() -> None:
-    recorder: list[History] = []
-    flight = fly(MISSION, Constant(0.5), [(1.0, 0.0, 1.0)], recorder=recorder)
-    history = recorder[0]
+    flight, (history,) = fly_recorded(MISSION, Constant(0.5), [(1.0, 0.0, 1.0)])
     assert flight.stopped.all()
     assert np.all(history.states[:-1, 0] <= 1.2)
     assert history.states[-1, 0] > 1.2
-    assert flight.ends[0].tolist() == history.states[-1, [0, 2, 3]].tolist()
+    assert flight.ends[0].tolist() == history.ruv[-1].tolist()
     assert flight.time_of_flight[0] == history.time[-1]
     np.testing.assert_allclose(np.diff(history.time), MISSION.flight.period)
 
@@ -55,13 +53,21 @@ def test_a_sail_that_falls_into_the_sun_is_lost_not_arrived() -> None:
 def test_a_command_out_of_bounds_is_never_an_arrival() -> None:
     extremal = solve(MISSION.problem, MISSION.departure_state)
     time, columns = sample(MISSION.problem, extremal, 20_001)
-    alpha = columns[:, 6].copy()
-    alpha[0] = alpha[1] = math.radians(60.1)
-    period = extremal.time_of_flight / 4000
-    flight = fly(MISSION, Optimum(time, alpha, period), [MISSION.departure_state], period=period)
-    assert flight.stopped.all()
-    if flight.max_cone_angle[0] > MISSION.problem.phi_max:
-        assert not flight.arrived.any()
+    period = extremal.time_of_flight / 4000.4
+    spoiled = (time >= 2000 * period) & (time < 2001 * period)  # the command is that of its middle
+
+    def flown(angle: float) -> Flights:
+        alpha = np.where(spoiled, angle, columns[:, 6])
+        return fly(MISSION, Optimum(time, alpha, period), [MISSION.departure_state], period=period)
+
+    bound = MISSION.problem.phi_max
+    allowed, refused = flown(bound), flown(np.nextafter(bound, 2.0))
+    for flight, largest in ((allowed, bound), (refused, np.nextafter(bound, 2.0))):
+        assert flight.max_cone_angle[0] == largest
+        assert flight.stopped.all()
+        assert (flight.terminal_error <= MISSION.flight.arrival_tolerance).all()
+    assert allowed.arrived.all()
+    assert not refused.arrived.any()
 
 
 def test_flights_do_not_depend_on_their_company() -> None:

@@ -1,8 +1,6 @@
 """The plant in C: its motion, its random numbers, its closed loop, each against something else."""
 
-import ctypes
 import math
-import shutil
 import subprocess
 from functools import cache
 from itertools import pairwise
@@ -16,19 +14,21 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import solve_ivp
 from scipy.stats import kstest
 
-import sailnet.flight.plant
-from c_runtime.shared_library import plant_digest, plant_sources
-from sailnet.errors import GuidanceError, SailnetError
-from sailnet.flight.closed_loop import Ending, Flights, History, fly
-from sailnet.flight.plant import hold_angle, library
+from c_runtime.shared_library import plant_sources
+from sailnet.errors import SailnetError
+from sailnet.flight.closed_loop import Ending, Flights, fly, fly_recorded
+from sailnet.flight.plant import hold_angle
+from sailnet.flight.plant_library import plant
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.interface import Commands, Guidance, Precision, Steered, Steering
 from sailnet.mission.disturbances import Disturbance
 from sailnet.physics.arrays import Array
-from sailnet.physics.dynamics import hold_command, motion
+from sailnet.physics.dynamics import motion
 from sailnet.physics.optics import OPTICS, Optics
+from tests.held_command import hold_command
 from tests.paths import ROOT
 from tests.pilots import MISSION, Constant, Pilot, Wobble
+from tests.tools import every_compiler
 
 EVERYTHING = Disturbance(
     beta_bias=-0.03,
@@ -176,7 +176,7 @@ def test_a_sail_in_the_sun_or_far_away_is_lost() -> None:
 def _philox(counter: list[int], key: list[int]) -> list[int]:
     given, by = np.array(counter, np.uint32), np.array(key, np.uint32)
     output = np.empty(4, np.uint32)
-    library().plant_philox(given.ctypes.data, by.ctypes.data, output.ctypes.data)
+    plant().functions.plant_philox(given.ctypes.data, by.ctypes.data, output.ctypes.data)
     return [int(x) for x in output]
 
 
@@ -191,7 +191,7 @@ def test_philox_gives_its_authors_vectors() -> None:
 
 @pytest.mark.parametrize(("name", "law"), [("uniform", "uniform"), ("normal", "norm")])
 def test_draws_have_their_law_in_every_direction(name: str, law: str) -> None:
-    draw = getattr(library(), f"plant_{name}")
+    draw = getattr(plant().functions, f"plant_{name}")
     count = 4000
     along = {
         "period": [draw(1, 2, 3, k) for k in range(count)],
@@ -239,11 +239,11 @@ def test_called_directly_or_back_through_python_is_one_flight(
     precision: Precision, disturbance: Disturbance
 ) -> None:
     guidance = load_guidance(MISSION, "c", precision)
-    histories: list[list[History]] = [[], []]
-    flights = [
-        fly(MISSION, pilot, STARTS, disturbance=disturbance, period=0.01, first=9, recorder=recorder)
-        for pilot, recorder in zip((guidance, Indirect(guidance)), histories, strict=True)
+    flown = [
+        fly_recorded(MISSION, pilot, STARTS, disturbance=disturbance, period=0.01, first=9)
+        for pilot in (guidance, Indirect(guidance))
     ]
+    flights, histories = zip(*flown, strict=True)
     same(*flights)
     for one, other in zip(*histories, strict=True):
         for name, values in vars(one).items():
@@ -257,17 +257,16 @@ def test_called_directly_or_back_through_python_is_one_flight(
 def test_a_flight_is_the_one_flown_in_python() -> None:
     """The loop written out, with the plant of expressions: nothing here is the C plant's."""
     guidance = load_guidance(MISSION, "c")
-    recorder: list[History] = []
     period = MISSION.flight.period
     noise = Disturbance(beta_bias=0.05, beta_noise=0.1, seed=3)
-    flight = fly(MISSION, guidance, STARTS[2:3], disturbance=noise, recorder=recorder)
+    flight, (history,) = fly_recorded(MISSION, guidance, STARTS[2:3], disturbance=noise)
     state = np.array([[1.1], [0.0], [0.18], [0.93]])
     steering = guidance.steering(1)
     time = 0.0
     for k in range(20_000):
         steered = steering.steer(state[[0, 2, 3]].T, period, np.array([0]))
-        beta = recorder[0].beta[k]
-        assert abs(recorder[0].cone_angle[k] - steered.cone_angle[0]) < 1e-7
+        beta = history.beta[k]
+        assert abs(history.cone_angle[k] - steered.cone_angle[0]) < 1e-7
         state = hold_command(state, steered.cone_angle, beta, steered.hold)
         time += steered.hold[0]
         if steered.arrived[0]:
@@ -290,11 +289,9 @@ def test_every_disturbance_at_once_is_independent_of_company_and_numbered() -> N
 
 def test_a_recorded_flight_is_continuous_and_ends_where_the_flight_does() -> None:
     """Each recorded period, flown again by the Taylor integrator, leads to the next; across blocks too."""
-    recorder: list[History] = []
     noise = Disturbance(beta_wander=0.1, misalignment=0.03, resolution=0.01, seed=1)
     short = MISSION.model_copy(update={"flight": MISSION.flight.model_copy(update={"longest": 3.0})})
-    flight = fly(short, Wobble(), STARTS[:1], disturbance=noise, recorder=recorder)
-    history = recorder[0]
+    flight, (history,) = fly_recorded(short, Wobble(), STARTS[:1], disturbance=noise)
     assert flight.ending[0] == Ending.TOO_LONG
     assert len(history.time) == flight.periods[0] == 600
     states = [*history.states, None]
@@ -308,10 +305,9 @@ def test_a_recorded_flight_is_continuous_and_ends_where_the_flight_does() -> Non
 
 def test_the_nearest_point_is_noted_but_does_not_count() -> None:
     """A sail that crosses the target orbit at speed and stops beyond it has not arrived."""
-    recorder: list[History] = []
     start = [(1.5, 0.02, MISSION.problem.target_state[2])]
-    flight = fly(MISSION, Constant(0.0, until=1.56), start, recorder=recorder)
-    ruv = np.vstack([recorder[0].states[1:][:, [0, 2, 3]], flight.ends])
+    flight, (history,) = fly_recorded(MISSION, Constant(0.0, until=1.56), start)
+    ruv = np.vstack([history.ruv[1:], flight.ends])
     error = abs(ruv - np.array(MISSION.problem.target_state)).max(axis=1)
     assert flight.nearest_error[0] == error.min()
     assert flight.nearest_error[0] < flight.terminal_error.max() - 0.01
@@ -339,21 +335,6 @@ def test_what_guidance_raises_comes_out_at_once(error: BaseException) -> None:
     assert pilot.calls == 6
 
 
-def test_the_library_is_of_these_sources() -> None:
-    built = library().plant_sources_digest().decode()
-    assert built == plant_digest(), "the plant was changed: run make setup"
-
-
-@pytest.mark.parametrize("damage", [lambda b: b[: len(b) // 2], lambda b: b[:-1] + bytes([b[-1] ^ 1])])
-def test_a_damaged_library_is_refused(damage: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    shutil.copytree(sailnet.flight.plant.LIBRARY.parent, tmp_path / "native")
-    copy = tmp_path / "native" / "plant.so"
-    copy.write_bytes(damage(copy.read_bytes()))
-    monkeypatch.setattr(sailnet.flight.plant, "LIBRARY", copy)
-    with pytest.raises(GuidanceError, match="damaged"):
-        library.__wrapped__()
-
-
 @pytest.mark.parametrize(
     ("disturbance", "period", "says"),
     [
@@ -367,23 +348,15 @@ def test_what_does_not_fit_the_period_is_refused(disturbance: Disturbance, perio
         fly(MISSION, Constant(0.0), [(1.0, 0.0, 1.0)], disturbance=disturbance, period=period)
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@every_compiler
 def test_the_plant_compiles_without_a_warning_and_stands_the_sanitizers(
-    compiler: str, tmp_path: Path
+    compiler: list[str], tmp_path: Path
 ) -> None:
-    if shutil.which(compiler) is None:
-        pytest.skip(f"{compiler} is not installed")
     program = tmp_path / "plant"
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
     checked = ["-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
     folder = ROOT / "c_runtime"
     files = [str(folder / "test" / "test_plant.c"), *map(str, plant_sources())]
-    command = [compiler, *strict, *checked, "-I", str(folder / "plant"), *files, "-lm"]
+    command = [*compiler, *strict, *checked, "-I", str(folder / "plant"), *files, "-lm"]
     subprocess.run([*command, "-o", str(program)], check=True, timeout=120)
     assert subprocess.run([str(program)], check=False, timeout=60).returncode == 0
-
-
-def test_structures_are_those_of_the_header() -> None:
-    loaded = library()
-    assert loaded.plant_size_of_rules() == ctypes.sizeof(sailnet.flight.plant.Rules)
-    assert loaded.plant_size_of_sail() == sailnet.flight.plant.SAIL.itemsize

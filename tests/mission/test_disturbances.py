@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from dataclasses import asdict, fields, replace
 from importlib import resources
 from itertools import groupby
@@ -12,9 +13,10 @@ import pytest
 from numpy.typing import ArrayLike
 from scipy.integrate import cumulative_simpson
 
-from sailnet.cli import _disturbance, _parser
+from sailnet.cli.arguments import disturbance_of
+from sailnet.cli.command_line import parser
 from sailnet.errors import MissionError, SailnetError
-from sailnet.flight.closed_loop import Flights, History, fly
+from sailnet.flight.closed_loop import Flights, History, fly, fly_recorded
 from sailnet.flight.plant import hold_angle
 from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus
 from sailnet.mission.disturbances import (
@@ -49,10 +51,9 @@ def flown(
     rules = MISSION.flight.model_copy(update={"longest": longest})
     mission = MISSION.model_copy(update={"flight": rules})
     pilot = guidance or Constant(0.5, until=9.0)
-    recorder: list[History] = []
-    flights = fly(mission, pilot, [start] * count, disturbance=disturbance, period=period, recorder=recorder)
-    assert {len(history.time) for history in recorder} == {round(longest / period)}
-    return flights, recorder
+    flights, histories = fly_recorded(mission, pilot, [start] * count, disturbance=disturbance, period=period)
+    assert {len(history.time) for history in histories} == {round(longest / period)}
+    return flights, histories
 
 
 def column(histories: list[History], name: str) -> Array:
@@ -68,7 +69,7 @@ def correlation(values: Array, lag: int) -> float:
 def test_without_disturbances_everything_is_as_commanded() -> None:
     flights, (history,) = flown(Disturbance(), Wobble())
     np.testing.assert_array_equal(history.attitude, history.cone_angle)
-    np.testing.assert_array_equal(history.seen, history.states[:, [0, 2, 3]])
+    np.testing.assert_array_equal(history.seen, history.ruv)
     np.testing.assert_array_equal(history.beta, BETA)
     assert flights.beta_error[0] == flights.outages[0] == 0
 
@@ -100,7 +101,7 @@ def test_a_wander_has_its_sigma_from_the_start_and_its_correlation_time(name: st
     else:
         given = Disturbance(**{f"{name}_wander": sigma, "navigation_wander_time": time})  # type: ignore[arg-type]
         histories = flown(given, count=300)[1]
-        errors = column(histories, "seen") - column(histories, "states")[:, :, [0, 2, 3]]
+        errors = column(histories, "seen") - column(histories, "ruv")
         assert all(np.any(errors[:, :, i]) == ("ruv"[i] == name) for i in range(3))
         error = errors[:, :, "ruv".index(name)]
     for part in (error[:, 0], error[:, -1]):  # stationary
@@ -133,7 +134,7 @@ def test_degradation_follows_the_dose_of_sunlight() -> None:
 
 def test_navigation_bias_shifts_what_is_seen_and_nothing_else() -> None:
     biased, (history,) = flown(Disturbance(r_bias=1e-3, u_bias=-2e-3, v_bias=3e-3))
-    error = history.seen - history.states[:, [0, 2, 3]]
+    error = history.seen - history.ruv
     np.testing.assert_allclose(error, np.tile([1e-3, -2e-3, 3e-3], (len(error), 1)), atol=1e-15)
     # This guidance does not look: the flight is the same.
     np.testing.assert_array_equal(biased.ends, flown(Disturbance())[0].ends)
@@ -143,7 +144,7 @@ def test_navigation_noise_is_normal_white_and_separate() -> None:
     sigmas = np.array([1e-3, 2e-3, 5e-4])
     noise = Disturbance(r_noise=sigmas[0], u_noise=sigmas[1], v_noise=sigmas[2])
     histories = flown(noise, count=20)[1]
-    error = (column(histories, "seen") - column(histories, "states")[:, :, [0, 2, 3]]) / sigmas
+    error = (column(histories, "seen") - column(histories, "ruv")) / sigmas
     flat = error.reshape(-1, 3)
     np.testing.assert_allclose(flat.std(axis=0), 1.0, atol=0.03)
     np.testing.assert_allclose(flat.mean(axis=0), 0.0, atol=4 / math.sqrt(len(flat)))
@@ -298,7 +299,7 @@ def test_a_disturbance_leaves_the_draws_of_the_others_alone() -> None:
 
     def drawn(given: Disturbance) -> dict[str, Array]:
         histories = flown(given, Wobble(), count=3, longest=1.0)[1]
-        parts = {"seen": column(histories, "seen") - column(histories, "states")[:, :, [0, 2, 3]]}
+        parts = {"seen": column(histories, "seen") - column(histories, "ruv")}
         parts["offset"] = column(histories, "attitude") - 0.001 * np.round(
             column(histories, "cone_angle") / 0.001
         )
@@ -325,7 +326,7 @@ def test_no_two_disturbances_draw_the_same_numbers() -> None:
         for i, component in enumerate("ruv"):
             given: dict[str, Any] = {f"{component}_{kind}": 1.0, "navigation_wander_time": 1e-4}
             histories = flown(Disturbance(**given), count=10)[1]
-            drawn.append((column(histories, "seen") - column(histories, "states")[:, :, [0, 2, 3]])[:, :, i])
+            drawn.append((column(histories, "seen") - column(histories, "ruv"))[:, :, i])
     for noise in (Disturbance(beta_noise=0.1), Disturbance(beta_wander=0.1, beta_wander_time=1e-4)):
         drawn.append(column(flown(noise, count=10)[1], "beta"))
     among = np.corrcoef([values.ravel() for values in drawn])
@@ -354,7 +355,9 @@ def test_each_disturbance_changes_a_flight() -> None:
 def test_the_catalogue_describes_every_disturbance() -> None:
     described = [quantity.name for quantity in catalogue()]
     assert [*described, "seed"] == [item.name for item in fields(Disturbance)]
-    assert all(quantity.meaning for quantity in catalogue())
+    meanings = [quantity.meaning for quantity in catalogue()]
+    assert len(set(meanings)) == len(meanings)  # each says which quantity it is of
+    assert not [meaning for meaning in meanings if re.match("of |its |their |another", meaning)]
     assert set(described) - set(NAMES) == {"optics"}
 
 
@@ -434,10 +437,10 @@ def test_the_command_line_has_every_disturbance_and_goes_before_the_mission_file
     line = ["evaluate", "--seed", "9", "--optics", "ideal"]
     for name in NAMES:
         line += [f"--{name.replace('_', '-')}", "0.25"]
-    given = _disturbance(_parser().parse_args(line), MISSION)
+    given = disturbance_of(parser().parse_args(line), MISSION)
     assert given == Disturbance(**dict.fromkeys(NAMES, 0.25), seed=9)  # type: ignore[arg-type]
     sails = MISSION.model_copy(update={"disturbance": Disturbance(delay=0.1, rate_limit=3.0, seed=2)})
-    some = _disturbance(_parser().parse_args(["fly", "1", "0", "1", "--delay", "0"]), sails)
+    some = disturbance_of(parser().parse_args(["fly", "1", "0", "1", "--delay", "0"]), sails)
     assert some == Disturbance(rate_limit=3.0, seed=2)
 
 

@@ -25,6 +25,7 @@ from sailnet.papers.solution_charts import solution_charts
 from sailnet.papers.trial import Trial
 from sailnet.report.flight_page import LIBRARY
 from tests.browser import told
+from tests.tools import needs_browser
 
 
 def _stalled() -> list[Row]:
@@ -88,6 +89,7 @@ setTimeout(() => {
 """
 
 
+@needs_browser()
 @pytest.mark.parametrize("width", [1280, 390])
 def test_every_solution_has_its_charts(made: Made, tmp_path: Path, width: int) -> None:
     said = told(made.folder / "index.html", tmp_path, width, LOOK)
@@ -105,6 +107,7 @@ def test_every_solution_has_its_charts(made: Made, tmp_path: Path, width: int) -
     assert said["small"] == 0
 
 
+@needs_browser()
 def test_a_link_of_the_table_opens_its_solution(made: Made, tmp_path: Path) -> None:
     text = (made.folder / "index.html").read_text("utf-8")
     places = re.findall(r'<td data-head="(?:problem|solver)"><a href="#([a-z0-9-]+)">', text)

@@ -1,4 +1,4 @@
-"""Eq. (1) against a copy written by hand, and the plant against conservation laws and DOP853."""
+"""Eq. (1) against a copy written by hand, and its Runge-Kutta steps against conservation laws and DOP853."""
 
 import heyoka as hy
 import numpy as np
@@ -7,7 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from sailnet.physics.dynamics import alpha, beta, hold_command, motion, r, theta, u, v
+from sailnet.physics.dynamics import alpha, beta, motion, r, theta, u, v
+from tests.held_command import hold_command
 from tests.reference import Array, sail_motion
 
 NAMES = ("r", "theta", "u", "v")
