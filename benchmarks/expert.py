@@ -7,7 +7,7 @@ import numpy as np
 from benchmarks import scipy_peer
 from sailnet.expert import RESIDUAL_GOAL, solve, solve_states
 from sailnet.mission import Mission
-from sailnet.montecarlo import random_starts
+from sailnet.starts import random_starts
 
 
 def measure(mission: Mission, states: int, peers: int, seed: int) -> dict[str, float]:

@@ -16,16 +16,17 @@ from collections.abc import Callable
 import numpy as np
 
 from sailnet.backends import load_guidance
+from sailnet.campaign.random_flights import BATCH, fly_random_starts
 from sailnet.disturbances import Disturbance
 from sailnet.dynamics import Array, hold_command
 from sailnet.executors import workers
 from sailnet.flight import fly
 from sailnet.guidance import Guidance
 from sailnet.mission import Mission, load_mission
-from sailnet.montecarlo import BATCH, fly_campaign, random_starts
 from sailnet.optics import OPTICS
 from sailnet.plant import STEER, SideBySide, rules
 from sailnet.provenance import software
+from sailnet.starts import random_starts
 
 NOTE = (
     "Random starts of the generalisation set, the exported C in double precision, a period of 0.005 TU. The "
@@ -141,14 +142,14 @@ def campaign(
 
     before, started = used(), time.perf_counter()
     with workers(os.cpu_count() or 1) as pool:
-        flown = fly_campaign(mission, guidance, flights, disturbance, workers=pool)
+        flown = fly_random_starts(mission, guidance, flights, disturbance, workers=pool)
     wall = time.perf_counter() - started
     return {
         "flights": flights,
-        "arrived": flown.arrived,
+        "arrived": int(flown.arrived.sum()),
         "wall_seconds": wall,
         "cpu_seconds": used() - before,
-        "million_periods": int(flown.flights.periods.sum()) / 1e6,
+        "million_periods": int(flown.periods.sum()) / 1e6,
     }
 
 

@@ -20,8 +20,9 @@ from sailnet.dataset import Dataset, open_dataset
 from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.expert import solve_states
+from sailnet.intervals import wilson_interval
 from sailnet.mission import Mission
-from sailnet.montecarlo import random_starts, wilson_interval
+from sailnet.starts import random_starts
 
 SPACING = 0.02
 """Time between the points looked at [TU]."""

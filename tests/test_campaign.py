@@ -17,9 +17,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.stats import binomtest
 
 from sailnet.backends import load_guidance
 from sailnet.campaign.plan import Plan, load_plan, parse_plan, ready_campaigns
+from sailnet.campaign.random_flights import BATCH, fly_random_starts
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import scores_of
 from sailnet.campaign.store import Results, open_results
@@ -31,7 +33,7 @@ from sailnet.executors import Workers, processes
 from sailnet.expert import solve
 from sailnet.flight import Flights, History, fly
 from sailnet.mission import Mission, load_mission
-from sailnet.montecarlo import BATCH, fly_campaign, random_starts
+from sailnet.starts import random_starts
 
 ROOT = Path(__file__).parent.parent
 MISSION = load_mission("earth_mars")
@@ -158,14 +160,20 @@ def test_a_flight_that_never_stopped_counts_at_no_threshold(tmp_path: Path) -> N
     assert (score.within[1.0].count, score.too_long) == (0, 1)
 
 
-def test_scores_are_those_of_the_campaign_command(small: Results) -> None:
+def test_scores_are_those_of_the_flights(small: Results) -> None:
     score = scores_of(small)[-1]
-    campaign = fly_campaign(small.mission, GUIDANCE, 40, Disturbance(beta_noise=0.15, seed=5), period=0.05)
-    assert score.arrived.count == campaign.arrived == score.within[1e-3].count
-    assert score.arrived.interval == campaign.confidence_interval
-    assert score.within[1e-4].count == round(40 * campaign.share_within(1e-4))
-    assert score.error_quantiles[1.0] == campaign.flights.terminal_error.max()
-    assert score.too_long == int((~campaign.flights.stopped).sum()) > 0
+    noise = Disturbance(beta_noise=0.15, seed=5)
+    flights = fly_random_starts(small.mission, GUIDANCE, 40, noise, period=0.05)
+    arrived = int(flights.arrived.sum())
+    assert score.arrived.count == arrived == score.within[1e-3].count
+    expected = binomtest(arrived, 40).proportion_ci(method="wilson")
+    assert score.arrived.interval == pytest.approx((expected.low, expected.high), abs=1e-12)
+    near = (flights.terminal_error <= 1e-4).all(axis=1)
+    assert score.within[1e-4].count == (flights.arrived & near).sum()
+    assert score.error_quantiles[1.0] == flights.terminal_error.max()
+    assert score.component_quantiles[1.0] == flights.terminal_error.max(axis=0).tolist()
+    assert score.component_quantiles[0.5] == np.median(flights.terminal_error, axis=0).tolist()
+    assert score.too_long == int((~flights.stopped).sum()) > 0
     assert score.nearest.count >= score.arrived.count
     gap = scores_of(small)[0].gap_quantiles
     first = small.rows(0, 0.02)[0]

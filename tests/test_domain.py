@@ -21,7 +21,7 @@ from sailnet.errors import DatasetError
 from sailnet.executors import Workers
 from sailnet.expert import solve_states
 from sailnet.mission import Mission, load_mission
-from sailnet.montecarlo import random_starts
+from sailnet.starts import random_starts
 from tests.small_datasets import Inline, with_recipe
 
 ROOT = Path(__file__).parent.parent

@@ -1,4 +1,4 @@
-"""Campaigns: starts, confidence interval, independence of batches and workers."""
+"""Flights from random starts: the starts, the interval of a share, independence of batches and workers."""
 
 import numpy as np
 import pytest
@@ -7,11 +7,14 @@ from hypothesis import strategies as st
 from scipy.stats import binomtest
 
 from sailnet.backends import load_guidance
+from sailnet.campaign.random_flights import BATCH, fly_random_starts
+from sailnet.campaign.scores import component_quantiles
 from sailnet.disturbances import Disturbance
 from sailnet.errors import SailnetError
 from sailnet.executors import workers
+from sailnet.intervals import wilson_interval
 from sailnet.mission import load_mission
-from sailnet.montecarlo import BATCH, evaluate, random_starts, summarise, wilson_interval
+from sailnet.starts import random_starts
 
 MISSION = load_mission("earth_mars")
 
@@ -35,24 +38,22 @@ def test_starts_fill_the_generalisation_set() -> None:
     np.testing.assert_array_equal(random_starts(MISSION, 5, seed=9, first=7), starts[7:12])
 
 
-def test_a_campaign_is_the_same_for_any_number_of_workers() -> None:
+def test_flights_are_the_same_for_any_number_of_workers() -> None:
     guidance = load_guidance(MISSION, "c", "float64")
     noise = Disturbance(beta_noise=0.15, seed=4)
-    flights = BATCH + 30
-    one = summarise(list(evaluate(MISSION, guidance, flights, noise, period=0.02)))
+    count = BATCH + 30
+    one = fly_random_starts(MISSION, guidance, count, noise, period=0.02)
     with workers(2) as pool:
-        three = summarise(list(evaluate(MISSION, guidance, flights, noise, period=0.02, workers=pool)))
-    assert len(one.flights.arrived) == flights
-    for name, values in vars(one.flights).items():
-        np.testing.assert_array_equal(values, getattr(three.flights, name), err_msg=name)
-    assert one.arrived == int(one.flights.arrived.sum())
-    assert one.confidence_interval[0] <= one.success_share <= one.confidence_interval[1]
-    quantiles = np.array(list(one.error_quantiles().values()))
+        shared = fly_random_starts(MISSION, guidance, count, noise, period=0.02, workers=pool)
+    assert len(one.arrived) == count
+    for name, values in vars(one).items():
+        np.testing.assert_array_equal(values, getattr(shared, name), err_msg=name)
+    quantiles = np.array(list(component_quantiles(one).values()))
     assert np.all(np.diff(quantiles, axis=0) >= 0.0)
-    np.testing.assert_array_equal(quantiles[-1], one.flights.terminal_error.max(axis=0))
+    np.testing.assert_array_equal(quantiles[-1], one.terminal_error.max(axis=0))
 
 
 def test_no_flights_are_refused() -> None:
     guidance = load_guidance(MISSION, "c", "float64")
     with pytest.raises(SailnetError, match="at least 1"):
-        list(evaluate(MISSION, guidance, 0, Disturbance()))
+        fly_random_starts(MISSION, guidance, 0, Disturbance())

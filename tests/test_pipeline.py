@@ -10,9 +10,9 @@ from typing import Any
 
 import pytest
 
-from sailnet.expert import sample, solve
+from sailnet.expert import solve
 from sailnet.mission import load_mission
-from sailnet.report.figures import Optimum
+from sailnet.report.optimum import Optimum
 from sailnet.report.reproduction import reproduction_charts
 from tests.toy_pipeline import python, toy_mission
 
@@ -92,7 +92,7 @@ def test_the_report_leaves_what_the_page_of_the_paper_s_campaign_draws(toy: Path
         epochs = json.loads((toy / "networks" / f"{name}.history.json").read_text())["epochs"]
         assert columns["test"] == pytest.approx([epoch["test"] for epoch in epochs], rel=1e-4)
     mission = load_mission(toy / "toy.toml")
-    optimum = Optimum(*sample(mission.problem, solve(mission.problem, (1.0, 0.0, 1.0))))
+    optimum = Optimum.of(mission.problem, solve(mission.problem, (1.0, 0.0, 1.0)))
     names = [chart.name for chart in reproduction_charts(record, optimum, 60.0)]
     assert names == [
         "fig-7-tau", "fig-7-lambda-v-printed", "fig-7-alpha-pre-eq23", "fig-7-alpha", "fig-8b", "fig-8d",

@@ -15,7 +15,7 @@ from sailnet.dynamics import Array
 from sailnet.errors import GuidanceError
 from sailnet.flight import History, fly
 from sailnet.guidance import GuidanceStatus, Precision
-from sailnet.montecarlo import random_starts
+from sailnet.starts import random_starts
 
 SEED = 20261121
 FLIGHTS = 40

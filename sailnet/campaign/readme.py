@@ -49,7 +49,8 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         prog="python -m sailnet.campaign.readme",
         description=__doc__,
-        epilog="example: python -m sailnet.campaign.readme build/earth_mars/campaigns README.md",
+        epilog="example: python -m sailnet.campaign.readme build/earth_mars/campaigns "
+        "sailnet/campaign/RESULTS.md",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("folder", type=Path, help="where campaigns were flown to")

@@ -1,33 +1,22 @@
-"""Results of a campaign on disk: an HDF5 file that appears whole, and is not read where it is damaged.
-
-Columns are one-dimensional arrays with their unit, meaning and SHA-256, as in a data set: one row a flight
-in ``/flights``, one a guidance period in ``/records`` for the flights that ``/kept`` lists.
+"""Results of a campaign on disk: one row a flight in ``/flights``, one a guidance period in ``/records`` for
+the flights that ``/kept`` lists.
 """
 
-import hashlib
 import json
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.campaign.plan import Plan, parse_plan
-from sailnet.campaign.tables import FLIGHTS, GROUPS, OPTIMUM, SCHEMA, column_type, flights_from, history_from
-from sailnet.campaign.work import Columns, Job, Unit
-from sailnet.dataset.schema import append, content_digest, create_columns, get_text, put_text, text_digest
-from sailnet.errors import CampaignError
-from sailnet.files import write_whole
+from sailnet.campaign.tables import FLIGHTS, LAYOUT, OPTIMUM, flights_from, history_from
+from sailnet.campaign.work import Job, Unit
+from sailnet.column_files import Columns, open_columns, write_columns
 from sailnet.flight import Flights, History
 from sailnet.mission import Mission, parse_mission
-
-TEXTS = ("schema", "mission", "campaign", "networks")
-"""Text attributes that say what was flown."""
-
-CHUNK = dict.fromkeys(GROUPS, 8192)
 
 
 def write_results(
@@ -49,71 +38,53 @@ def write_results(
     Raises:
         CampaignError: the file cannot be written (full disk, no permission).
     """
-
-    def write(beside: Path) -> None:
-        # v110: all metadata carries checksums. In memory first: where a disk is full, HDF5 itself ends the
-        # process instead of raising.
-        with h5py.File(beside.name, "w", libver="v110", driver="core", backing_store=False) as file:
-            columns = create_columns(
-                file, GROUPS, column_type, CHUNK, shuffle=True, compression="gzip", compression_opts=1
-            )
-            for groups in _in_order(job, pieces, file):
-                for key, values in groups.items():
-                    append(columns[key], values)
-            for column in columns.values():
-                put_text(column, sha256=_digest(column[:]))
-            origin = json.dumps(dict(provenance), sort_keys=True)
-            put_text(file, schema=SCHEMA, mission=job.mission.to_json(), campaign=job.plan.to_json())
-            put_text(file, networks=job.guidance.networks_digest, provenance=origin)
-            put_text(file, provenance_sha256=text_digest(origin), sha256=content_digest(file, GROUPS, TEXTS))
-            file.flush()
-            beside.write_bytes(file.id.get_file_image())
-
-    try:
-        write_whole(path, write, scratch)
-    except (OSError, RuntimeError) as error:  # h5py raises either when HDF5 cannot write
-        raise CampaignError(f"cannot write results {path}: {error}") from error
+    texts = {
+        "mission": job.mission.to_json(),
+        "campaign": job.plan.to_json(),
+        "networks": job.guidance.networks_digest,
+    }
+    write_columns(path, LAYOUT, _assembled(job.plan, pieces), texts, provenance, scratch)
 
 
-def _digest(values: NDArray[Any]) -> str:
-    return hashlib.sha256(np.ascontiguousarray(values).data).hexdigest()
-
-
-def _in_order(job: Job, pieces: Iterable[tuple[Unit, Columns]], file: Any) -> Iterator[Columns]:
-    """Rows as they are appended: flights, their kept trajectories up to the plan's limit, and optima."""
+def _assembled(plan: Plan, pieces: Iterable[tuple[Unit, Columns]]) -> Iterator[Columns]:
+    """Trajectories as they come, up to the plan's limit; then the flights, once their optima are known."""
+    flown: list[tuple[Unit, Columns]] = []
     failures: dict[tuple[int, float], int] = {}
-    places: list[tuple[Unit, int]] = []
     total = 0
     for unit, columns in pieces:
         if unit.kind == "optima":
-            _spread(job.plan, unit, columns, places, file)
+            _spread(plan, unit, columns, flown)
             continue
-        rows = {key: values for key, values in columns.items() if key.startswith("flights/")}
-        rows |= {f"flights/{name}": np.full(unit.count, np.nan) for name in OPTIMUM}
         flight, lengths = columns["kept/flight"], columns["kept/records"]
-        left = job.plan.failures - failures.get((unit.series, unit.period), 0)
+        left = plan.failures - failures.get((unit.series, unit.period), 0)
         sampled = flight + unit.first < unit.sampled
         taken = sampled | (np.cumsum(~sampled) <= left)
-        failures[unit.series, unit.period] = job.plan.failures - left + int((taken & ~sampled).sum())
+        failures[unit.series, unit.period] = plan.failures - left + int((taken & ~sampled).sum())
         recorded = np.repeat(taken, lengths)
-        rows |= {key: values[recorded] for key, values in columns.items() if key.startswith("records/")}
-        rows |= {"kept/flight": total + flight[taken], "kept/records": lengths[taken]}
-        places.append((unit, total))
+        yield {
+            "kept/flight": total + flight[taken],
+            "kept/records": lengths[taken],
+            **{key: values[recorded] for key, values in columns.items() if key.startswith("records/")},
+        }
+        rows = {key: values for key, values in columns.items() if key.startswith("flights/")}
+        rows |= {f"flights/{name}": np.full(unit.count, np.nan) for name in OPTIMUM}
+        flown.append((unit, rows))
         total += unit.count
-        yield rows
+    for _, flights in flown:
+        yield flights
 
 
-def _spread(plan: Plan, unit: Unit, columns: Columns, places: list[tuple[Unit, int]], file: Any) -> None:
+def _spread(plan: Plan, unit: Unit, optima: Columns, flown: list[tuple[Unit, Columns]]) -> None:
     """Write optima to every flight of every series and period from the same starts."""
     whole = plan.whole
-    for flown, row in places:
-        series = whole[flown.series]
-        low = max(unit.first, flown.first)
-        high = min(unit.first + unit.count, flown.first + flown.count, series.optima or 0)
+    for flights, rows in flown:
+        series = whole[flights.series]
+        low = max(unit.first, flights.first)
+        high = min(unit.first + unit.count, flights.first + flights.count, series.optima or 0)
         if series.starts == whole[unit.series].starts and low < high:
-            target = slice(row + low - flown.first, row + high - flown.first)
+            target = slice(low - flights.first, high - flights.first)
             for name in OPTIMUM:
-                file[f"flights/{name}"][target] = columns[name][low - unit.first : high - unit.first]
+                rows[f"flights/{name}"][target] = optima[name][low - unit.first : high - unit.first]
 
 
 @dataclass(frozen=True)
@@ -135,7 +106,7 @@ class Results:
     networks: str
     provenance: Mapping[str, Any]
     digest: str
-    flights: Columns
+    flights: dict[str, NDArray[Any]]
     kept: NDArray[np.int64]
     _bounds: NDArray[np.int64]
     _records: Columns
@@ -160,34 +131,29 @@ def open_results(path: Path) -> Results:
 
     Raises:
         CampaignError: missing, truncated, damaged or of another version.
+        MissionError: the mission in it is of another version.
     """
-    try:
-        with h5py.File(path, "r") as file:
-            if (schema := get_text(file, "schema")) != SCHEMA:
-                raise CampaignError(f"{path} has schema {schema!r}, this version reads {SCHEMA!r}")
-            groups = {
-                group: {name: file[group][name][:] for name in names} for group, names in GROUPS.items()
-            }
-            for group, columns in groups.items():
-                for name, values in columns.items():
-                    if _digest(values) != get_text(file[group][name], "sha256"):
-                        raise CampaignError(f"{path} is damaged: {group}/{name} does not match its checksum")
-            provenance, digest = get_text(file, "provenance"), get_text(file, "sha256")
-            header = (content_digest(file, GROUPS, TEXTS), text_digest(provenance))
-            if header != (digest, get_text(file, "provenance_sha256")):
-                raise CampaignError(f"{path} is damaged: its header does not match its checksum")
-            return Results(
-                mission=parse_mission(json.loads(get_text(file, "mission")), str(path)),
-                plan=parse_plan(json.loads(get_text(file, "campaign")), str(path)),
-                networks=get_text(file, "networks"),
-                provenance=json.loads(provenance),
-                digest=digest,
-                flights=groups["flights"],
-                kept=groups["kept"]["flight"],
-                _bounds=np.append(0, np.cumsum(groups["kept"]["records"])),
-                _records=groups["records"],
-            )
-    except CampaignError:
-        raise
-    except Exception as error:  # a flipped bit in the metadata can surface as any of them
-        raise CampaignError(f"cannot read results {path}: {error}; fly the campaign again") from error
+    read: dict[str, list[NDArray[Any]]] = {}
+    with open_columns(path, LAYOUT) as file:
+        file.verify(lambda key, _, values: read.setdefault(key, []).append(values))
+        mission = parse_mission(json.loads(file.text("mission")), str(path))
+        plan = parse_plan(json.loads(file.text("campaign")), str(path))
+        networks, provenance, digest = file.text("networks"), file.provenance, file.digest
+    groups = {
+        group: {
+            name: np.concatenate(read.get(f"{group}/{name}", [np.empty(0, LAYOUT.type_of(name))]))
+            for name in names
+        }
+        for group, names in LAYOUT.groups.items()
+    }
+    return Results(
+        mission=mission,
+        plan=plan,
+        networks=networks,
+        provenance=provenance,
+        digest=digest,
+        flights=groups["flights"],
+        kept=groups["kept"]["flight"],
+        _bounds=np.append(0, np.cumsum(groups["kept"]["records"])),
+        _records=groups["records"],
+    )

@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.campaign.plan import Plan, Starts
+from sailnet.campaign.random_flights import BATCH
 from sailnet.campaign.tables import KEPT, RECORDS, flight_columns, record_columns
 from sailnet.expert import solve_states
 from sailnet.flight import Flights, History, fly
 from sailnet.guidance import Guidance
 from sailnet.mission import Mission
-from sailnet.montecarlo import BATCH
 
 OPTIMA_BATCH = 2500
 """States solved at once."""
@@ -58,8 +58,8 @@ def units_of(plan: Plan, mission: Mission) -> list[Unit]:
     units: list[Unit] = []
     wanted: dict[Starts | None, tuple[int, int]] = {}
     for number, series in enumerate(plan.whole):
-        for place, period in enumerate(plan.periods_of(series, mission)):
-            sampled = plan.sample if place == 0 else 0
+        for period in plan.periods_of(series, mission):
+            sampled = plan.sample if period == plan.sampled_period(series, mission) else 0
             for first in range(0, series.count, BATCH):
                 count = min(BATCH, series.count - first)
                 units.append(Unit("flights", number, period, first, count, sampled, plan.failures))

@@ -20,7 +20,7 @@ from sailnet.guidance import Guidance
 from sailnet.optics import OPTICS
 from sailnet.report.campaign_charts import campaign_charts
 from sailnet.report.charts import Chart, for_page, page_columns, write_csv, write_picture
-from sailnet.report.comparison import Row
+from sailnet.report.comparison import Row, flight_rows
 from sailnet.report.flight_charts import SHOWN, common_columns, flight_templates
 from sailnet.report.flight_page import chart_page, write_flight_picture
 from sailnet.report.opened import (
@@ -33,8 +33,9 @@ from sailnet.report.opened import (
     opened_groups,
 )
 from sailnet.report.packed import TOGETHER, Flight, pack_flights
-from sailnet.report.paper_figures import is_paper, paper_charts, paper_flights, paper_rows
-from sailnet.report.reproduction import shipped_record
+from sailnet.report.paper_figures import paper_charts
+from sailnet.report.reproduction import Reproduction, shipped_record
+from sailnet.report.section5 import has_section5, section5_of
 
 MOST_POINTS = 330_000
 """Of one curve over all flights of a page: where there are many, each has fewer points and coarser levels."""
@@ -51,13 +52,23 @@ PICTURED = 3
 """Flights whose charts are also drawn for print: first those that failed."""
 
 
-def write_report(results: Results, folder: Path, guidance: Guidance | None = None) -> list[Row]:
+def write_report(
+    results: Results,
+    folder: Path,
+    guidance: Guidance | None = None,
+    *,
+    command: str = "",
+    reproduction: Reproduction | None = None,
+) -> list[Row]:
     """Write ``index.html`` and, beside it, every chart as PNG and CSV and every table as CSV and JSON.
 
     Args:
         results: of the campaign.
         folder: where to.
         guidance: what flew; it flies the latest detours again, whose trajectories are not kept.
+        command: that flies the campaign again, for the page.
+        reproduction: of the paper, if that is what was flown; otherwise a campaign of its Section 5 is drawn
+            beside the one that was shipped.
 
     Returns:
         The rows of "paper | here", of the paper's campaign alone.
@@ -66,9 +77,11 @@ def write_report(results: Results, folder: Path, guidance: Guidance | None = Non
     charts = campaign_charts(results, scores)
     rows: list[Row] = []
     figures: list[Chart] = []
-    if is_paper(results):
-        flights = paper_flights(results)
-        rows, figures = paper_rows(flights, results.plan.seed), paper_charts(results.mission, flights)
+    record = shipped_record(results.mission) if reproduction is None else reproduction.record
+    if reproduction is not None or has_section5(results):
+        section5 = section5_of(results)
+        rows = flight_rows(section5) if reproduction is None else list(reproduction.rows)
+        figures = paper_charts(results.mission, section5, record)
     groups = opened_groups(results, scores, guidance is not None)
     opened = [flight for group in groups for flight in group.flights]
     points = max(FEWEST_POINTS, min(SHOWN, MOST_POINTS // max(1, len(opened))))
@@ -94,7 +107,9 @@ def write_report(results: Results, folder: Path, guidance: Guidance | None = Non
         rows=rows,
         charts=charts,
         figures=figures,
-        reproduction=shipped_record(results.mission),
+        record=record,
+        remarks=() if reproduction is None else reproduction.remarks,
+        command=command,
         groups=[_group(results, group, scores) for group in groups],
         unfolded=next((place for place, group in enumerate(groups) if group.count("failed")), 0),
         failed=int((results.flights["arrived"] == 0).sum()),
@@ -130,7 +145,7 @@ def _group(results: Results, group: Group, scores: Sequence[Score]) -> dict[str,
     several = sum(other.series == score.series for other in scores) > 1
     counts = [
         f"{group.count(kind):,} {name}"
-        for kind, name in (("failed", "failed"), ("detour", "gone astray"), ("sample", "of the sample"))
+        for kind, name in (("failed", "failed"), ("detour", "detours"), ("sample", "of the sample"))
         if group.count(kind)
     ]
     return {

@@ -12,8 +12,8 @@ from sailnet.campaign.store import Results
 from sailnet.dynamics import Array
 from sailnet.flight import History
 from sailnet.guidance import Guidance
-from sailnet.report.figures import Optimum
 from sailnet.report.flight_charts import flight_columns, optima_of
+from sailnet.report.optimum import Optimum
 
 DETOURS = 5
 """Flights of each series and period that arrived, but latest, beyond twice the optimum."""

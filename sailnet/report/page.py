@@ -1,22 +1,6 @@
-"""The HTML page: one self-contained file with its pictures inside."""
-
-from collections.abc import Sequence
-from dataclasses import dataclass
-from pathlib import Path
+"""Templates of this package, filled."""
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
-
-from sailnet.files import write_whole
-
-
-@dataclass(frozen=True)
-class Picture:
-    """One figure of the page."""
-
-    name: str
-    title: str
-    caption: str
-    svg: str
 
 
 def render(template: str, **content: object) -> str:
@@ -28,9 +12,3 @@ def render(template: str, **content: object) -> str:
         trim_blocks=False,
     )
     return environment.get_template(template).render(**content)
-
-
-def write_page(path: Path, figures: Sequence[Picture], **content: object) -> None:
-    """Render the report to ``path``; ``content`` fills the template ``page.html.jinja``."""
-    text = render("page.html.jinja", figures=figures, **content)
-    write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))

@@ -9,8 +9,7 @@ from sailnet.dynamics import Array
 from sailnet.ocp.functions import ProblemFunctions
 from sailnet.ocp.papers.row import Solved
 from sailnet.ocp.solution import Solution
-from sailnet.report.charts import PALETTE, Chart, Curve
-from sailnet.report.figures import GREY, NETWORK
+from sailnet.report.charts import GREY, NETWORK, PALETTE, Chart, Curve
 from sailnet.report.problem_views import view_of
 from sailnet.report.solution_paths import paths
 from sailnet.report.views import Columns, Group, Rows, labelled, slug

@@ -7,8 +7,7 @@ import numpy as np
 from sailnet.dynamics import Array
 from sailnet.ocp.papers.row import Solved
 from sailnet.ocp.problems import equinoctial
-from sailnet.report.charts import Chart, Curve
-from sailnet.report.figures import BAD, GREY, NETWORK, OPTIMUM
+from sailnet.report.charts import BAD, GREY, NETWORK, OPTIMUM, Chart, Curve
 from sailnet.report.views import Columns, Plane, Rows, View, labelled, slug
 
 BODIES = {"Sun": "#f2b705", "Earth": "#2e8b57"}
