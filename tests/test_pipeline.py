@@ -1,10 +1,7 @@
 """The whole pipeline at toy size: mission file, data set, networks, C and ONNX, flights, report."""
 
 import json
-import os
 import re
-import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +11,7 @@ from sailnet.expert import solve
 from sailnet.mission import load_mission
 from sailnet.report.optimum import Optimum
 from sailnet.report.reproduction import reproduction_charts
+from tests.browser import told
 from tests.toy_pipeline import python, toy_mission
 
 TOY = {
@@ -125,51 +123,42 @@ def test_a_data_set_of_another_mission_does_not_train(toy: Path) -> None:
     assert not list((toy / "elsewhere").glob("*.safetensors"))
 
 
-def _browser() -> str:
-    for name in ("chromium", "chromium-browser", "google-chrome"):
-        if path := shutil.which(name):
-            return path
-    pytest.skip("no Chromium: apt-get install chromium runs the page in a real browser")
-
-
-def _browse(page: Path, profile: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    quiet = (
-        "--disable-background-networking",
-        "--disable-component-update",
-        "--disable-sync",
-        "--no-first-run",
-    )
-    sandbox = ("--no-sandbox",) if os.geteuid() == 0 else ()
-    return subprocess.run(
-        [
-            _browser(), "--headless", "--disable-gpu", "--disable-quic", *quiet, *sandbox,
-            f"--user-data-dir={profile}", "--enable-logging=stderr", "--v=0", *arguments, page.as_uri(),
-        ],
-        capture_output=True, text=True, timeout=120,
-    )  # fmt: skip
-
-
-def test_the_page_shows_in_a_browser_without_complaint(toy: Path, tmp_path: Path) -> None:
-    page = toy / "report" / "index.html"
-    done = _browse(page, tmp_path / "profile", "--dump-dom")
-    assert "CONSOLE" not in done.stderr
-    for name in ("trajectories", "commands", "predictions", "jump", "training", "campaign"):
-        assert f'id="{name}"' in done.stdout
-    assert done.stdout.count("<svg") == 6
-    assert done.stdout.count("<tr>") > 25
-    # Self-contained: nothing is fetched when it is opened.
-    assert not re.findall(r'(?:src|href)="(?!#)', page.read_text())
+def test_the_page_has_the_whole_table_and_every_figure(toy: Path) -> None:
+    text = (toy / "report" / "index.html").read_text("utf-8")
+    for row in json.loads((toy / "report" / "report.json").read_text())["rows"]:
+        assert f"<td>{row['quantity']}</td>" in text
+    for figure in ("3", "4", "5", "7", "8a", "8b", "8c", "8d", "9", "10", "11", "12", "13", "14"):
+        assert f"Fig. {figure}:" in text
+    assert "learned from data set" in text
+    assert "<code>make paper</code>" in text
 
 
 @pytest.mark.parametrize("width", [1280, 500])
-def test_the_page_fits_desktop_and_phone(toy: Path, tmp_path: Path, width: int) -> None:
-    """At both widths the body is no wider than the window; the page measures itself."""
-    page = tmp_path / "measured.html"
-    script = (
-        "<script>document.title = document.documentElement.scrollWidth + '/' + innerWidth</script></body>"
+def test_the_page_shows_in_a_browser_and_fits(toy: Path, tmp_path: Path, width: int) -> None:
+    script = """setTimeout(() => parent.postMessage(JSON.stringify({
+      charts: document.querySelectorAll("[data-chart]").length, width: document.documentElement.scrollWidth,
+      window: innerWidth}), "*"), 3000)"""
+    said = told(toy / "report" / "index.html", tmp_path, width, script)
+    assert said["charts"] >= 14
+    assert said["width"] <= said["window"] == width
+
+
+def test_flights_of_other_networks_are_replaced_only_when_asked(toy: Path, tmp_path: Path) -> None:
+    output = tmp_path / "report"
+    output.mkdir()
+    for name in ("paper.h5", "paper-two-networks.h5"):
+        (output / name).write_bytes((toy / "report" / name).read_bytes())
+    arguments = (
+        "--mission",
+        toy / "toy.toml",
+        "--build",
+        toy,
+        "--dataset",
+        toy / "box.h5",
+        "--output",
+        output,
     )
-    page.write_text((toy / "report" / "index.html").read_text().replace("</body>", script))
-    done = _browse(page, tmp_path / "profile", "--dump-dom", f"--window-size={width},900")
-    measured = re.search(r"<title>(\d+)/(\d+)</title>", done.stdout)
-    assert measured is not None
-    assert int(measured[1]) <= int(measured[2])
+    done = python("-m", "sailnet.report", *arguments, "--flights", "3", check=False)
+    assert done.returncode == 1
+    assert "is finished, with another campaign" in done.stderr
+    assert "--overwrite" in done.stderr
