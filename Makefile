@@ -13,16 +13,19 @@ PYTHON3 ?= python3
 VENV    ?= .venv
 PYTHON  := $(VENV)/bin/python
 READY   := $(VENV)/.ready
+# Markers of tests that need more than a bare machine has; pyproject.toml says what each is.
+TOOLS   := emulator or browser or analyser or peer or install or mount or cuda
+PYTEST  := $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
-physics  := $(addprefix sailnet/,dynamics.py pontryagin.py propagation.py extremals.py shooting.py \
-    directions.py prisms.py index.py expert.py nominal.py)
-mission  := $(wildcard sailnet/missions/$(MISSION).toml) sailnet/mission.py
+# What a data set depends on.
+physics  := $(wildcard sailnet/physics/*.py sailnet/expert/*.py)
+mission  := $(wildcard sailnet/mission/missions/$(MISSION).toml sailnet/mission/*.py)
 run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
 exported := $(run)/export
 learned  := $(run).h5
 
-.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship test checks lint clean
+.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship test test-tools tools peers checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -48,7 +51,7 @@ $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/s
 
 # A run that was killed goes on where it was; RESTART=1 throws away what it left.
 dataset: $(learned)
-$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/jumps.py sailnet/approach.py \
+$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/networks/approach.py \
     $(wildcard sailnet/dataset/*.py data/*.py) | $(READY)
 	$(PYTHON) -m data $@ --mission $(MISSION) --recipe $* $(if $(RESTART),--restart)
 
@@ -58,7 +61,7 @@ coverage: $(BUILD)/domain.h5
 
 # --resume: a run that was killed goes on, and networks that are finished are kept.
 train: $(networks)/trained
-$(networks)/trained: $(learned) sailnet/networks.py $(wildcard training/*.py) | $(READY)
+$(networks)/trained: $(learned) $(wildcard sailnet/networks/*.py) $(wildcard training/*.py) | $(READY)
 	$(PYTHON) -m training $< $(networks) --resume
 	@touch $@
 
@@ -73,13 +76,14 @@ evaluate: $(exported)/exported
 	$(VENV)/bin/sailnet evaluate --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED) \
 	    --workers 2
 
-# Everything a set of networks has to stand, and the table of it.
-# Flown anew only if the networks or the source that flights depend on have changed: the command knows.
+# Everything a set of networks has to stand, and the table of it. Flown anew only where the networks or the
+# source that flights depend on have changed: the command knows.
 accept: $(exported)/exported
 	$(VENV)/bin/sailnet evaluate --campaign acceptance --mission $(MISSION) --networks $(exported) \
 	    --flights $(FLIGHTS) --seed $(SEED) --workers 2 --output $(run) --overwrite
 
-# Every other campaign with the networks that ship: results, pages, pictures; then the tables of them. One that was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
+# Every other campaign with the networks that ship: results, pages, pictures; then the tables of them. One that
+# was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
 campaigns: | $(READY)
 	for name in $(filter-out acceptance,$(basename $(notdir $(wildcard sailnet/campaigns/*.toml)))); do \
 	    $(VENV)/bin/sailnet evaluate --campaign $$name --overwrite --mission $(MISSION) --output $(BUILD)/campaigns \
@@ -106,9 +110,13 @@ ship: accept $(run)/bench.json $(run)/agreement.json
 	    $(addprefix --paper ,$(wildcard $(BUILD)/box/report/report.json))
 
 # The expert, generation, coverage and training beside their peers; some twenty minutes.
-# torch-levenberg-marquardt takes part if it is installed: pip install -c constraints.txt -e '.[benchmarks]'.
+# torch-levenberg-marquardt takes part if it is installed: make peers.
 benchmarks: | $(READY)
 	$(PYTHON) -m benchmarks --seed $(SEED)
+
+# Packages that ours are compared with.
+peers: | $(READY)
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[benchmarks]'
 
 # Every figure that the four papers on optimal control print, beside ours and a second method's, and a page with
 # every solution drawn; some minutes.
@@ -121,9 +129,21 @@ lint: | $(READY)
 	$(PYTHON) -m ruff check .
 	$(PYTHON) -m ruff format --check .
 	$(PYTHON) -m mypy
+	$(VENV)/bin/lint-imports --no-cache --no-logo
 
+# Every test that needs no more than Python, make and a C compiler.
 test: lint
-	$(PYTHON) -m pytest -n $(JOBS) --dist worksteal
+	$(PYTEST) -m "not ($(TOOLS))"
+
+# The others. A tool that is missing is named with the line that installs it; where CI=true that fails.
+test-tools: | $(READY)
+	$(PYTEST) -m "$(TOOLS)"
+
+# Debian's packages that test-tools and checks call: apt-get install $(make -s tools).
+tools:
+	@echo clang libclang-rt-14-dev g++ libc6-dev-i386 valgrind cppcheck frama-c-base chromium \
+	    gcc-arm-none-eabi qemu-system-arm gcc-sparc64-linux-gnu qemu-system-sparc gcc-riscv64-unknown-elf \
+	    qemu-system-misc gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
 
 # Proof, fuzzing, memcheck, MISRA, coverage and warnings of the C that ships; a tool that is missing is named.
 checks: | $(READY)

@@ -5,9 +5,9 @@ import time
 import numpy as np
 
 from benchmarks import scipy_peer
-from sailnet.expert import RESIDUAL_GOAL, solve, solve_states
-from sailnet.mission import Mission
-from sailnet.starts import random_starts
+from sailnet.expert.fastest import RESIDUAL_GOAL, solve, solve_states
+from sailnet.flight.starts import random_starts
+from sailnet.mission.mission import Mission
 
 
 def measure(mission: Mission, states: int, peers: int, seed: int) -> dict[str, float]:

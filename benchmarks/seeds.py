@@ -11,15 +11,15 @@ from pathlib import Path
 from typing import Any
 
 from export.write import export
-from sailnet.backends import load_guidance
+from sailnet.artefacts.files import write_whole
 from sailnet.campaign.acceptance import CAMPAIGN
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import score_record, scores_of
 from sailnet.dataset import open_dataset
 from sailnet.errors import SailnetError
-from sailnet.executors import Workers, workers
-from sailnet.files import write_whole
+from sailnet.guidance.backends import load_guidance
+from sailnet.workers.executors import Workers, workers
 from training.parallel import train_networks
 from training.targets import TARGETS
 

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
+from sailnet.artefacts.files import write_whole
 from sailnet.errors import SailnetError
-from sailnet.files import write_whole
 
 
 def split_at_block(readme: Path, name: str) -> tuple[str, str]:

@@ -66,6 +66,7 @@ def compile_libraries(sources: Path, target: Path) -> list[Path]:
         CompilerError: there is no compiler, or it refused the source.
     """
     files = [sources / file for file in ("sailnet_guidance.c", "sailnet_batch.c")]
+    files.append(PLANT / "guidance" / "same_interface.c")  # refuses what the plant would misread
     options = {library_name(precision): defines for precision, defines in PRECISIONS.items()}
     return _compile(files, options, target)
 
@@ -106,7 +107,8 @@ def _compile(files: list[Path], options: dict[str, tuple[str, ...]], target: Pat
         lines = []
         for made, own in options.items():
             library = beside / made
-            inputs = ["-I", str(files[0].parent), "-o", str(library), *map(str, files), "-lm"]
+            headers = [f"-I{folder}" for folder in (files[0].parent, PLANT)]
+            inputs = [*headers, "-o", str(library), *map(str, files), "-lm"]
             command = [*compiler, *FLAGS, *SHARED, *own, *inputs]
             run = subprocess.run(command, capture_output=True, text=True, check=False)
             if run.returncode:

@@ -17,12 +17,12 @@ from tqdm import tqdm
 
 from data.flights import sample_evenly
 from sailnet.dataset import Dataset, open_dataset
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.expert import solve_states
-from sailnet.intervals import wilson_interval
-from sailnet.mission import Mission
-from sailnet.starts import random_starts
+from sailnet.expert.fastest import solve_states
+from sailnet.flight.intervals import wilson_interval
+from sailnet.flight.starts import random_starts
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
 
 SPACING = 0.02
 """Time between the points looked at [TU]."""

@@ -7,10 +7,11 @@ import numpy as np
 
 from export.errors import ExportError
 from export.tables import LOG2_E, centred_layers, literal
-from sailnet.dynamics import Array
-from sailnet.guidance_facts import GuidanceFacts
-from sailnet.networks import EXTRAPOLATION, GuidanceNetworks, Network
-from sailnet.trained_domain import KNOTS
+from sailnet.guidance.facts import GuidanceFacts
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import EXTRAPOLATION, Network
+from sailnet.networks.trained_domain import KNOTS
+from sailnet.physics.arrays import Array
 
 LARGEST_EXPONENT = 500.0
 """Octaves that leave the product with s finite in double precision; in single the C saturates."""

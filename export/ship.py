@@ -16,11 +16,11 @@ from export.errors import ExportError
 from export.model_card import TRIO, Facts, accepted_by, made_by, model_card
 from export.write import export
 from sailnet import SailnetError, load_mission
+from sailnet.artefacts.files import fill_block, write_whole
 from sailnet.campaign.acceptance import CAMPAIGN, acceptance_table, headline_table
 from sailnet.campaign.store import open_results
-from sailnet.files import fill_block, write_whole
-from sailnet.mission import Mission
-from sailnet.networks import load_guidance_networks
+from sailnet.mission.mission import Mission
+from sailnet.networks.guidance_networks import load_guidance_networks
 
 REPRODUCTION = "reproduction.json"
 """What the page of the paper's campaign draws of `make paper`; its report leaves it beside its table."""

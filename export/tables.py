@@ -14,10 +14,10 @@ import numpy as np
 from export.centred import centred_biases
 from export.errors import ExportError
 from export.row_orders import RowOrder
-from sailnet.approach import SMALLEST_SCALE
-from sailnet.dynamics import Array
-from sailnet.guidance_facts import GuidanceFacts
-from sailnet.networks import EXTRAPOLATION, Network
+from sailnet.guidance.facts import GuidanceFacts
+from sailnet.networks.approach import SMALLEST_SCALE
+from sailnet.networks.network import EXTRAPOLATION, Network
+from sailnet.physics.arrays import Array
 
 LOG2_E = 1.0 / math.log(2.0)
 SMALLEST, LARGEST = 1e-30, 1e30

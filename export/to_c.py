@@ -10,9 +10,10 @@ import numpy as np
 from export.compact_tables import compact_tables
 from export.domain import domain_tables
 from export.tables import LOG2_E, constants, literal, stage_tables
-from sailnet.guidance_facts import GuidanceFacts, round_down
-from sailnet.networks import GuidanceNetworks, Network
-from sailnet.steering import LARGEST_SURPRISE, LEAST_COSINE2, MEMORY
+from sailnet.guidance.facts import GuidanceFacts, round_down
+from sailnet.guidance.steering import LARGEST_SURPRISE, LEAST_COSINE2, MEMORY
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import Network
 
 C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
 

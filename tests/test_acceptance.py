@@ -3,17 +3,17 @@
 import numpy as np
 import pytest
 
-from sailnet.backends import load_guidance
 from sailnet.campaign.acceptance import CAMPAIGN, acceptance_table, headline_table
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.printed import CASES
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.store import Results
-from sailnet.disturbances import Disturbance
-from sailnet.expert import solve
-from sailnet.flight import fly
-from sailnet.mission import load_mission
-from sailnet.starts import random_starts
+from sailnet.expert.fastest import solve
+from sailnet.flight.closed_loop import fly
+from sailnet.flight.starts import random_starts
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import load_mission
 
 MISSION = load_mission("earth_mars")
 GUIDANCE = load_guidance(MISSION)

@@ -18,7 +18,8 @@ from c_runtime.accuracy.states import Domain
 from c_runtime.bench.exported_c import PRECISIONS, compile_exported
 from c_runtime.bench.subjects import read_facts
 from c_runtime.shared_library import FLAGS, LAYOUTS, find_compiler
-from sailnet.networks import GuidanceNetworks, Network
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import Network
 from tests.conftest import Exported
 
 BOUNDS = {

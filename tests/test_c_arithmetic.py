@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from c_runtime.shared_library import FLAGS, PRECISIONS, SHARED, find_compiler
-from sailnet.approach import SMALLEST_SCALE
+from sailnet.networks.approach import SMALLEST_SCALE
 from tests.conftest import Exported
 
 Reals = NDArray[np.floating]

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from c_runtime.bench.exported_c import instruction_sets
 from c_runtime.shared_library import PRECISIONS, SHARED, find_compiler
 from export.to_c import write_c
-from sailnet.guidance_facts import describe
-from sailnet.mission import Mission
+from sailnet.guidance.facts import describe
+from sailnet.mission.mission import Mission
 from tests.random_networks import STATE_MAX, STATE_MIN, random_guidance
 
 Reals = NDArray[np.floating]

@@ -20,8 +20,8 @@ from c_runtime.bench.subjects import read_facts
 from c_runtime.readme import fill_block, split_at_block
 from c_runtime.shared_library import CompilerError, find_compiler
 from sailnet import SailnetError
-from sailnet.networks import load_guidance_networks
-from sailnet.provenance import software
+from sailnet.artefacts.provenance import software
+from sailnet.networks.guidance_networks import load_guidance_networks
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -22,8 +22,8 @@ from c_runtime.accuracy.states import Domain
 from c_runtime.bench.compiled import Library
 from c_runtime.bench.exported_c import NATIVE, PRECISIONS, compile_exported
 from c_runtime.shared_library import FLAGS, LAYOUTS
-from sailnet.dynamics import Array
-from sailnet.networks import GuidanceNetworks
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.physics.arrays import Array
 
 TARGETS: Mapping[str, tuple[str, ...]] = {NATIVE: ("-march=native",), "portable": ()}
 PAIRS = 1_000

@@ -28,9 +28,9 @@ from c_runtime.bench.subjects import Subjects, draw, read_facts
 from c_runtime.readme import fill_block, split_at_block
 from c_runtime.shared_library import FLAGS, LAYOUTS, CompilerError, find_compiler
 from sailnet import SailnetError
+from sailnet.artefacts.provenance import software
 from sailnet.errors import GuidanceError
-from sailnet.networks import load_guidance_networks
-from sailnet.provenance import software
+from sailnet.networks.guidance_networks import load_guidance_networks
 
 STATES, SEED = 256, 1
 NO_NETWORKS = "left out: emlearn, PyTorch and NumPy, which need the weights: give --networks"

@@ -10,7 +10,7 @@ from c_runtime.bench.compiled import Library, Reals, Shape, Unit
 from c_runtime.bench.rounds import Candidate
 from c_runtime.bench.subjects import Subjects, agree
 from sailnet.errors import GuidanceError
-from sailnet.networks import GuidanceNetworks
+from sailnet.networks.guidance_networks import GuidanceNetworks
 
 NAME = "onnx2c"
 FLAGS = ("-O3", "-march=native")

@@ -1,5 +1,5 @@
 /*
- * The trained domain: the box of trained states and, within it, the tube of sailnet/trained_domain.py.
+ * The trained domain: the box of trained states and, within it, the tube of sailnet/networks/trained_domain.py.
  * Where nothing is out of bounds, nothing overflows: states are clamped to the box before they are used.
  */
 

@@ -13,9 +13,9 @@ from c_runtime.targets.machines import LAYOUTS, TARGETS, Layout, Target
 from c_runtime.targets.measure import Bench, Measured, missing_tools
 from c_runtime.targets.reference import ReferenceGuidance
 from c_runtime.targets.table import limits, table, write_table
+from sailnet.artefacts.files import write_whole
 from sailnet.errors import SailnetError
-from sailnet.files import write_whole
-from sailnet.networks import load_guidance_networks
+from sailnet.networks.guidance_networks import load_guidance_networks
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -10,7 +10,7 @@ from c_runtime.targets.elf import Sizes, deepest_stack, reached, sizes
 from c_runtime.targets.golden import COMMAND_BOUNDS, STEERING_BOUNDS, Bounds, Golden
 from c_runtime.targets.machines import LAYOUTS, PRECISIONS, Layout, Target
 from sailnet.errors import SailnetError
-from sailnet.guidance import Precision
+from sailnet.guidance.interface import Precision
 
 HERE = Path(__file__).parent
 FLIGHT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-fcallgraph-info=su")

@@ -4,7 +4,7 @@ import platform
 from dataclasses import dataclass
 from typing import Literal
 
-from sailnet.guidance import Precision
+from sailnet.guidance.interface import Precision
 
 Layout = Literal["compact", "simd"]
 

@@ -5,16 +5,16 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.guidance import Commands, GuidanceStatus, Steering, as_betas, as_states
-from sailnet.guidance_facts import GuidanceFacts, describe
-from sailnet.mission import Mission
-from sailnet.networks import GuidanceNetworks
-from sailnet.steering import ReferenceSteering
+from sailnet.guidance.facts import GuidanceFacts, describe
+from sailnet.guidance.interface import Commands, GuidanceStatus, Steering, as_betas, as_states
+from sailnet.guidance.steering import ReferenceSteering
+from sailnet.mission.mission import Mission
+from sailnet.networks.guidance_networks import GuidanceNetworks
 
 
 @dataclass(frozen=True)
 class ReferenceGuidance:
-    """A :class:`sailnet.guidance.Guidance` straight from the weights.
+    """A :class:`sailnet.guidance.interface.Guidance` straight from the weights.
 
     Attributes:
         networks: the trio.
@@ -41,7 +41,7 @@ class ReferenceGuidance:
         return self.networks.beta_range
 
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        """See :class:`sailnet.guidance.Guidance`."""
+        """See :class:`sailnet.guidance.interface.Guidance`."""
         state = as_states(states, "float64")
         sail = as_betas(beta, len(state), self.mission.sail.beta, "float64")
         finite = np.isfinite(state).all(axis=1)
@@ -57,5 +57,5 @@ class ReferenceGuidance:
         )
 
     def steering(self, count: int) -> Steering:
-        """See :class:`sailnet.guidance.Guidance`."""
+        """See :class:`sailnet.guidance.interface.Guidance`."""
         return ReferenceSteering(self, count)

@@ -7,7 +7,7 @@ from pathlib import Path
 from c_runtime.targets.build import TargetError
 from c_runtime.targets.golden import COMMANDS
 from c_runtime.targets.measure import Measured, compiler_version
-from sailnet.files import write_whole
+from sailnet.artefacts.files import write_whole
 
 BEGIN, END = "<!-- targets:begin -->", "<!-- targets:end -->"
 MEGAHERTZ = 100.0

@@ -7,12 +7,14 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import AfterValidator, Field, ValidationError, model_validator
 
-from sailnet.disturbances import Disturbance, disturbance_from
-from sailnet.dynamics import Array
 from sailnet.errors import CampaignError, SailnetError
-from sailnet.mission import Count, Mission, Positive, Section, explain
-from sailnet.starts import random_starts
-from sailnet.toml_files import read_table, shipped_names
+from sailnet.flight.starts import random_starts
+from sailnet.mission.disturbances import Disturbance, disturbance_from
+from sailnet.mission.explanation import explain
+from sailnet.mission.mission import Mission
+from sailnet.mission.sections import Count, Positive, Section
+from sailnet.mission.toml_files import read_table, shipped_names
+from sailnet.physics.arrays import Array
 
 State = Annotated[tuple[Positive, float, float], Field(strict=False)]
 Starts = Literal["generalisation"] | Annotated[tuple[State, ...], Field(strict=False, min_length=1)]

@@ -5,13 +5,13 @@ from functools import partial
 
 from tqdm import tqdm
 
-from sailnet.disturbances import Disturbance
 from sailnet.errors import SailnetError
-from sailnet.executors import Workers
-from sailnet.flight import Flights, fly
-from sailnet.guidance import Guidance
-from sailnet.mission import Mission
-from sailnet.starts import random_starts
+from sailnet.flight.closed_loop import Flights, fly
+from sailnet.flight.starts import random_starts
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission
+from sailnet.workers.executors import Workers
 
 BATCH = 500
 """Flights flown side by side; part of nothing that is reported."""

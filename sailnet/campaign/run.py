@@ -8,19 +8,19 @@ from threading import Event
 
 from tqdm import tqdm
 
+from sailnet.artefacts.provenance import environment_of, software
+from sailnet.artefacts.resumable import Columns, Parts, claim, resumed
 from sailnet.campaign.plan import Plan
 from sailnet.campaign.store import Results, open_results, write_results
 from sailnet.campaign.work import Job, Unit
 from sailnet.errors import CampaignError, SailnetError
-from sailnet.executors import Workers
-from sailnet.guidance import Guidance
-from sailnet.interruption import asked_to_stop
-from sailnet.mission import Mission
-from sailnet.parts import Columns, Parts, claim, resumed
-from sailnet.plant import sources_digest
-from sailnet.provenance import environment_of, software
+from sailnet.flight.plant_library import sources_digest
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.mission import Mission
+from sailnet.workers.executors import Workers
+from sailnet.workers.interruption import asked_to_stop
 
-MODULES = ("sailnet.backends", "sailnet.campaign.work")
+MODULES = ("sailnet.guidance.backends", "sailnet.campaign.work")
 """Whose source, and what it imports, flights depend on."""
 
 

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.campaign.store import Results
-from sailnet.dynamics import Array
-from sailnet.flight import Ending, Flights
-from sailnet.intervals import wilson_interval
+from sailnet.flight.closed_loop import Ending, Flights
+from sailnet.flight.intervals import wilson_interval
+from sailnet.physics.arrays import Array
 
 QUANTILES = (0.5, 0.9, 0.99, 1.0)
 

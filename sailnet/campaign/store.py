@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.artefacts.column_files import Columns, open_columns, write_columns
 from sailnet.campaign.plan import Plan, parse_plan
 from sailnet.campaign.tables import FLIGHTS, LAYOUT, OPTIMUM, flights_from, history_from
 from sailnet.campaign.work import Job, Unit
-from sailnet.column_files import Columns, open_columns, write_columns
-from sailnet.flight import Flights, History
-from sailnet.mission import Mission, parse_mission
+from sailnet.flight.closed_loop import Flights, History
+from sailnet.mission.mission import Mission, parse_mission
 
 
 def write_results(

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.column_files import Layout
+from sailnet.artefacts.column_files import Layout
 from sailnet.errors import CampaignError
-from sailnet.flight import Flights, History
+from sailnet.flight.closed_loop import Flights, History
 
 SCHEMA = "sailnet-campaign/1"
 

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.column_files import ColumnFile, open_columns
+from sailnet.artefacts.column_files import ColumnFile, open_columns
 from sailnet.dataset.schema import LAYOUT
-from sailnet.dynamics import Array
 from sailnet.errors import DatasetError
-from sailnet.mission import Mission, parse_mission
+from sailnet.mission.mission import Mission, parse_mission
+from sailnet.physics.arrays import Array
 
 
 class Dataset:

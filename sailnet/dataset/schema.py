@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from sailnet.column_files import Layout
+from sailnet.artefacts.column_files import Layout
 from sailnet.errors import DatasetError
 
 SCHEMA = "sailnet-dataset/2"

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.column_files import write_columns
+from sailnet.artefacts.column_files import write_columns
 from sailnet.dataset.block import Block
 from sailnet.dataset.schema import LAYOUT
-from sailnet.mission import Mission
+from sailnet.mission.mission import Mission
 
 
 def write_dataset(

@@ -7,16 +7,16 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from sailnet.backends import load_guidance
+from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.provenance import software
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.dataset import open_dataset
 from sailnet.errors import SailnetError
-from sailnet.files import write_whole
-from sailnet.guidance_onnx import OnnxGuidance
-from sailnet.mission import load_mission
-from sailnet.networks import load_network
-from sailnet.provenance import software
+from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.onnx_graphs import OnnxGuidance
+from sailnet.mission.mission import load_mission
+from sailnet.networks.network import load_network
 from sailnet.report import comparison, need_pictures
 from sailnet.report.campaign_page import write_report
 from sailnet.report.reproduction import FILE, Reproduction, reproduction_record

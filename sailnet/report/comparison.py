@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from sailnet.campaign import printed
 from sailnet.campaign.scores import Share
 from sailnet.dataset import Dataset
-from sailnet.networks import Network
+from sailnet.networks.network import Network
 from sailnet.report.section5 import Flown, Section5
 
 

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.integrate import cumulative_simpson
 
-from sailnet.dynamics import Array
-from sailnet.expert import Extremal, sample
-from sailnet.mission import Transfer
+from sailnet.expert.fastest import Extremal, sample
+from sailnet.physics.arrays import Array
+from sailnet.physics.transfer import Transfer
 
 
 @dataclass(frozen=True)

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from sailnet.dynamics import Array
-from sailnet.expert import sample
-from sailnet.flight import History
-from sailnet.jumps import preprocess
-from sailnet.mission import Mission
-from sailnet.nominal import solve_nominal
+from sailnet.expert.fastest import sample
+from sailnet.expert.nominal import solve_nominal
+from sailnet.flight.closed_loop import History
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+from sailnet.physics.jumps import preprocess
 from sailnet.report.charts import BAD, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve
 from sailnet.report.flight_charts import common_columns, flight_columns, flight_templates
 from sailnet.report.reproduction import reproduction_charts

@@ -9,10 +9,10 @@ from sailnet.campaign.again import fly_again
 from sailnet.campaign.plan import Plan
 from sailnet.campaign.printed import CASES, GENERALISATION_FLIGHTS
 from sailnet.campaign.store import Results
-from sailnet.dynamics import Array
-from sailnet.expert import Extremal, solve
-from sailnet.flight import Flights, History
-from sailnet.guidance import Guidance
+from sailnet.expert.fastest import Extremal, solve
+from sailnet.flight.closed_loop import Flights, History
+from sailnet.guidance.interface import Guidance
+from sailnet.physics.arrays import Array
 from sailnet.report.optimum import Optimum
 
 NOISE, RANDOM = "β noise ±15 %", "random starts"
