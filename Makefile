@@ -85,11 +85,11 @@ accept: $(exported)/exported
 # Every other campaign with the networks that ship: results, pages, pictures; then the tables of them. One that
 # was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
 campaigns: | $(READY)
-	for name in $(filter-out acceptance,$(basename $(notdir $(wildcard sailnet/campaigns/*.toml)))); do \
+	for name in $(filter-out acceptance,$(basename $(notdir $(wildcard sailnet/campaign/campaigns/*.toml)))); do \
 	    $(VENV)/bin/sailnet evaluate --campaign $$name --overwrite --mission $(MISSION) --output $(BUILD)/campaigns \
 	        --workers 2 $(addprefix --flights ,$(CAMPAIGN_FLIGHTS)) || exit 1; \
 	done
-	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.readme $(BUILD)/campaigns sailnet/campaign/RESULTS.md)
+	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.score_tables $(BUILD)/campaigns sailnet/campaign/RESULTS.md)
 
 bench: $(run)/bench.json
 $(run)/bench.json: $(exported)/exported $(wildcard c_runtime/bench/*) | $(READY)

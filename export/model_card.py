@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from sailnet.campaign.acceptance import acceptance_table
-from sailnet.campaign.store import Results
+from sailnet.campaign.results import Results
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import Network
 

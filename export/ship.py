@@ -18,7 +18,7 @@ from export.write import export
 from sailnet import SailnetError, load_mission
 from sailnet.artefacts.files import fill_block, write_whole
 from sailnet.campaign.acceptance import CAMPAIGN, acceptance_table, headline_table
-from sailnet.campaign.store import open_results
+from sailnet.campaign.results import open_results
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_networks import load_guidance_networks
 
@@ -55,7 +55,7 @@ def ship(
         build: folder with networks/, acceptance.h5, bench.json and agreement.json.
         package: where the networks, what is exported from them and their model card go.
         mission: whose rules of flight are built in.
-        readme: file whose block ``results`` is written anew: a few rows.
+        readme: file whose block ``summary`` is written anew: a few rows.
         results: file whose blocks ``acceptance`` and, with ``paper``, ``paper`` are written anew.
         paper: report.json of a reproduction of the paper; reproduction.json beside it is shipped too.
 
@@ -76,7 +76,7 @@ def ship(
     write_whole(package / "MODEL_CARD.md", lambda beside: beside.write_text(card, encoding="utf-8"))
     origin = accepted_by(accepted)
     if readme is not None:
-        fill_block(readme, "results", "\n".join([origin, "", *headline_table(accepted)]))
+        fill_block(readme, "summary", "\n".join([origin, "", *headline_table(accepted)]))
     if results is not None:
         fill_block(results, "acceptance", "\n".join([origin, "", *acceptance_table(accepted)]))
     if paper is not None:

@@ -1,7 +1,7 @@
 """The acceptance campaign as tables: what a set of networks stands."""
 
+from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, scores_of
-from sailnet.campaign.store import Results
 
 CAMPAIGN = "acceptance"
 

@@ -177,9 +177,13 @@ class Plan(Section):
         return json.dumps(self.model_dump(by_alias=True, mode="json", exclude_none=True), sort_keys=True)
 
 
+FOLDER = "campaign/campaigns"
+"""Of the package, where the campaigns that come with it are."""
+
+
 def ready_campaigns() -> list[str]:
     """Names of the campaigns that come with the package."""
-    return shipped_names("campaigns")
+    return shipped_names(FOLDER)
 
 
 def load_plan(name_or_path: str | Path) -> Plan:
@@ -188,7 +192,7 @@ def load_plan(name_or_path: str | Path) -> Plan:
     Raises:
         CampaignError: no such campaign, not TOML, an unknown or missing key, a value out of range.
     """
-    return parse_plan(read_table(name_or_path, "campaign", "campaigns", CampaignError), str(name_or_path))
+    return parse_plan(read_table(name_or_path, "campaign", FOLDER, CampaignError), str(name_or_path))
 
 
 def parse_plan(content: dict[str, Any], source: str) -> Plan:

@@ -10,9 +10,9 @@ from tqdm import tqdm
 
 from sailnet.artefacts.provenance import environment_of, software
 from sailnet.artefacts.resumable import Columns, Parts, claim, resumed
+from sailnet.campaign.batches import Batch, Job
 from sailnet.campaign.plan import Plan
-from sailnet.campaign.store import Results, open_results, write_results
-from sailnet.campaign.work import Job, Unit
+from sailnet.campaign.results import Results, open_results, write_results
 from sailnet.errors import CampaignError, SailnetError
 from sailnet.flight.plant_library import sources_digest
 from sailnet.guidance.interface import Guidance
@@ -20,7 +20,7 @@ from sailnet.mission.mission import Mission
 from sailnet.workers.executors import Workers
 from sailnet.workers.interruption import asked_to_stop
 
-MODULES = ("sailnet.guidance.backends", "sailnet.campaign.work")
+MODULES = ("sailnet.guidance.backends", "sailnet.campaign.batches")
 """Whose source, and what it imports, flights depend on."""
 
 
@@ -69,9 +69,9 @@ def fly_plan(
         if not overwrite:
             _refuse_another(output, asked_for, flown)
     with claim(output, run, restart, "results") as parts, _telling(parts), asked_to_stop() as asked:
-        pieces = resumed(job.carry_out, range(len(job.units)), parts, workers)
+        outcomes = resumed(job.carry_out, range(len(job.batches)), parts, workers)
         origin = {"run": run, **software()}
-        write_results(output, job, _watched(job, pieces, asked), origin, parts.folder)
+        write_results(output, job, _watched(job, outcomes, asked), origin, parts.folder)
     return open_results(output)
 
 
@@ -102,16 +102,16 @@ def _telling(parts: Parts) -> Iterator[None]:
         raise
 
 
-def _watched(job: Job, pieces: Iterable[Columns], asked: Event) -> Iterator[tuple[Unit, Columns]]:
-    total = sum(unit.count for unit in job.units if unit.kind == "flights")
+def _watched(job: Job, outcomes: Iterable[Columns], asked: Event) -> Iterator[tuple[Batch, Columns]]:
+    total = sum(batch.count for batch in job.batches if batch.kind == "flights")
     with tqdm(total=total, unit="flight", desc=job.plan.name, file=sys.stderr, disable=None) as bar:
-        for unit, columns in zip(job.units, pieces, strict=True):
+        for batch, columns in zip(job.batches, outcomes, strict=True):
             if asked.is_set():
                 raise KeyboardInterrupt
-            yield unit, columns
-            if unit.kind == "flights":
-                bar.set_postfix_str(job.plan.whole[unit.series].name, refresh=False)
-                bar.update(unit.count)
+            yield batch, columns
+            if batch.kind == "flights":
+                bar.set_postfix_str(job.plan.whole[batch.series].name, refresh=False)
+                bar.update(batch.count)
             else:
                 bar.set_postfix_str("optima")
         if asked.is_set():

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.campaign.store import Results
+from sailnet.campaign.results import Results
 from sailnet.flight.closed_loop import Ending, Flights
 from sailnet.flight.intervals import wilson_interval
 from sailnet.physics.arrays import Array

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, Share, largest_error, optimality_gap
-from sailnet.campaign.store import Results
 from sailnet.physics.arrays import Array
 from sailnet.report.charts import BAD, GREY, PALETTE, Chart, Curve
 

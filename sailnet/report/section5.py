@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.campaign.again import fly_again
 from sailnet.campaign.plan import Plan
 from sailnet.campaign.printed import CASES, GENERALISATION_FLIGHTS
-from sailnet.campaign.store import Results
+from sailnet.campaign.replay import replay
+from sailnet.campaign.results import Results
 from sailnet.expert.fastest import Extremal, solve
 from sailnet.flight.closed_loop import Flights, History
 from sailnet.guidance.interface import Guidance
@@ -120,7 +120,7 @@ def _flown(results: Results, name: str, guidance: Guidance | None = None) -> Flo
     if guidance is None:
         history = results.history(results.kept.tolist().index(row))
     else:
-        history = fly_again(results, guidance, row)
+        history = replay(results, guidance, row)
     transfer = results.mission.problem
     extremal = solve(transfer, flights.starts[0])
     return Flown(flights, history, extremal, Optimum.of(transfer, extremal))

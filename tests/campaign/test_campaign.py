@@ -22,13 +22,13 @@ from scipy.stats import binomtest
 from sailnet import report
 from sailnet.artefacts import provenance
 from sailnet.campaign import run
+from sailnet.campaign.batches import MOST_RECORDS
 from sailnet.campaign.plan import Plan, load_plan, parse_plan, ready_campaigns
 from sailnet.campaign.printed import CASES
 from sailnet.campaign.random_flights import BATCH, fly_random_starts
+from sailnet.campaign.results import Results, open_results
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import scores_of
-from sailnet.campaign.store import Results, open_results
-from sailnet.campaign.work import MOST_RECORDS
 from sailnet.cli import main
 from sailnet.errors import CampaignError, SailnetError
 from sailnet.expert.fastest import solve

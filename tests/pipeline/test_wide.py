@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from sailnet.campaign.results import open_results
 from sailnet.campaign.scores import scores_of
-from sailnet.campaign.store import open_results
 from sailnet.mission.mission import load_mission
 from sailnet.networks.guidance_networks import load_guidance_networks
 from tests.toy_pipeline import python, toy_mission
@@ -101,7 +101,7 @@ def test_no_networks_no_acceptance(toy: Path, tmp_path: Path) -> None:
 
 def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(toy: Path, tmp_path: Path) -> None:
     readme, results, paper = tmp_path / "README.md", tmp_path / "RESULTS.md", tmp_path / "report.json"
-    readme.write_text("before\n<!-- results -->\nstale figures\n<!-- /results -->\nafter\n")
+    readme.write_text("before\n<!-- summary -->\nstale figures\n<!-- /summary -->\nafter\n")
     results.write_text(
         "<!-- acceptance -->\nstale figures\n<!-- /acceptance -->\n<!-- paper -->\n<!-- /paper -->\n"
     )

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from sailnet.campaign.plan import load_plan
+from sailnet.campaign.results import Results
 from sailnet.campaign.run import fly_plan
-from sailnet.campaign.store import Results
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.mission import load_mission

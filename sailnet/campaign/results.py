@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.artefacts.column_files import Columns, open_columns, write_columns
+from sailnet.campaign.batches import Batch, Job
+from sailnet.campaign.columns import FLIGHTS, LAYOUT, OPTIMUM, flights_from, history_from
 from sailnet.campaign.plan import Plan, parse_plan
-from sailnet.campaign.tables import FLIGHTS, LAYOUT, OPTIMUM, flights_from, history_from
-from sailnet.campaign.work import Job, Unit
 from sailnet.flight.closed_loop import Flights, History
 from sailnet.mission.mission import Mission, parse_mission
 
@@ -22,16 +22,16 @@ from sailnet.mission.mission import Mission, parse_mission
 def write_results(
     path: Path,
     job: Job,
-    pieces: Iterable[tuple[Unit, Columns]],
+    outcomes: Iterable[tuple[Batch, Columns]],
     provenance: Mapping[str, object],
     scratch: Path,
 ) -> None:
-    """Write what the units of a campaign gave, in their order, into a new file.
+    """Write what the batches of a campaign gave, in their order, into a new file.
 
     Args:
         path: where to; an existing file is replaced once the new one is complete.
         job: the campaign.
-        pieces: every unit and what it gave.
+        outcomes: every batch and what it gave.
         provenance: whatever tells where the results come from.
         scratch: folder of the same file system for the unfinished file.
 
@@ -43,23 +43,23 @@ def write_results(
         "campaign": job.plan.to_json(),
         "networks": job.guidance.networks_digest,
     }
-    write_columns(path, LAYOUT, _assembled(job.plan, pieces), texts, provenance, scratch)
+    write_columns(path, LAYOUT, _assembled(job.plan, outcomes), texts, provenance, scratch)
 
 
-def _assembled(plan: Plan, pieces: Iterable[tuple[Unit, Columns]]) -> Iterator[Columns]:
+def _assembled(plan: Plan, outcomes: Iterable[tuple[Batch, Columns]]) -> Iterator[Columns]:
     """Trajectories as they come, up to the plan's limit; then the flights, once their optima are known."""
-    flown: list[tuple[Unit, Columns]] = []
+    flown: list[tuple[Batch, Columns]] = []
     failures: dict[tuple[int, float], int] = {}
     total = 0
-    for unit, columns in pieces:
-        if unit.kind == "optima":
-            _spread(plan, unit, columns, flown)
+    for batch, columns in outcomes:
+        if batch.kind == "optima":
+            _spread(plan, batch, columns, flown)
             continue
         flight, lengths = columns["kept/flight"], columns["kept/records"]
-        left = plan.failures - failures.get((unit.series, unit.period), 0)
-        sampled = flight + unit.first < unit.sampled
+        left = plan.failures - failures.get((batch.series, batch.period), 0)
+        sampled = flight + batch.first < batch.sampled
         taken = sampled | (np.cumsum(~sampled) <= left)
-        failures[unit.series, unit.period] = plan.failures - left + int((taken & ~sampled).sum())
+        failures[batch.series, batch.period] = plan.failures - left + int((taken & ~sampled).sum())
         recorded = np.repeat(taken, lengths)
         yield {
             "kept/flight": total + flight[taken],
@@ -67,24 +67,24 @@ def _assembled(plan: Plan, pieces: Iterable[tuple[Unit, Columns]]) -> Iterator[C
             **{key: values[recorded] for key, values in columns.items() if key.startswith("records/")},
         }
         rows = {key: values for key, values in columns.items() if key.startswith("flights/")}
-        rows |= {f"flights/{name}": np.full(unit.count, np.nan) for name in OPTIMUM}
-        flown.append((unit, rows))
-        total += unit.count
+        rows |= {f"flights/{name}": np.full(batch.count, np.nan) for name in OPTIMUM}
+        flown.append((batch, rows))
+        total += batch.count
     for _, flights in flown:
         yield flights
 
 
-def _spread(plan: Plan, unit: Unit, optima: Columns, flown: list[tuple[Unit, Columns]]) -> None:
+def _spread(plan: Plan, batch: Batch, optima: Columns, flown: list[tuple[Batch, Columns]]) -> None:
     """Write optima to every flight of every series and period from the same starts."""
     whole = plan.whole
     for flights, rows in flown:
         series = whole[flights.series]
-        low = max(unit.first, flights.first)
-        high = min(unit.first + unit.count, flights.first + flights.count, series.optima or 0)
-        if series.starts == whole[unit.series].starts and low < high:
+        low = max(batch.first, flights.first)
+        high = min(batch.first + batch.count, flights.first + flights.count, series.optima or 0)
+        if series.starts == whole[batch.series].starts and low < high:
             target = slice(low - flights.first, high - flights.first)
             for name in OPTIMUM:
-                rows[f"flights/{name}"][target] = optima[name][low - unit.first : high - unit.first]
+                rows[f"flights/{name}"][target] = optima[name][low - batch.first : high - batch.first]
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ import pytest
 from sailnet.campaign.acceptance import CAMPAIGN, acceptance_table, headline_table
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.printed import CASES
+from sailnet.campaign.results import Results
 from sailnet.campaign.run import fly_plan
-from sailnet.campaign.store import Results
 from sailnet.expert.fastest import solve
 from sailnet.flight.closed_loop import fly
 from sailnet.flight.starts import random_starts
