@@ -17,9 +17,9 @@ READY   := $(VENV)/.ready
 TOOLS   := emulator or browser or analyser or peer or install or mount or cuda
 PYTEST  := $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
-physics  := $(addprefix sailnet/,dynamics.py pontryagin.py propagation.py extremals.py shooting.py \
-    directions.py prisms.py index.py expert.py nominal.py)
-mission  := $(wildcard sailnet/mission/missions/$(MISSION).toml) sailnet/mission/mission.py
+# What a data set depends on.
+physics  := $(wildcard sailnet/physics/*.py sailnet/expert/*.py)
+mission  := $(wildcard sailnet/mission/missions/$(MISSION).toml sailnet/mission/*.py)
 run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
 exported := $(run)/export
@@ -76,20 +76,20 @@ evaluate: $(exported)/exported
 	$(VENV)/bin/sailnet evaluate --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED) \
 	    --workers 2
 
-# Everything a set of networks has to stand, and the table of it.
-accept: $(run)/acceptance.json
-$(run)/acceptance.json: $(exported)/exported $(wildcard sailnet/*.py) | $(READY)
-	$(PYTHON) -m sailnet.acceptance --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED) \
-	    --output $@
+# Everything a set of networks has to stand, and the table of it. Flown anew only where the networks or the
+# source that flights depend on have changed: the command knows.
+accept: $(exported)/exported
+	$(VENV)/bin/sailnet evaluate --campaign acceptance --mission $(MISSION) --networks $(exported) \
+	    --flights $(FLIGHTS) --seed $(SEED) --workers 2 --output $(run) --overwrite
 
-# Every ready campaign with the networks that ship: results, pages, pictures; then the README's tables of
-# them. One that was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
+# Every other campaign with the networks that ship: results, pages, pictures; then the tables of them. One that
+# was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
 campaigns: | $(READY)
-	for name in $(basename $(notdir $(wildcard sailnet/campaigns/*.toml))); do \
-	    $(VENV)/bin/sailnet evaluate --campaign $$name --mission $(MISSION) --output $(BUILD)/campaigns \
+	for name in $(filter-out acceptance,$(basename $(notdir $(wildcard sailnet/campaign/campaigns/*.toml)))); do \
+	    $(VENV)/bin/sailnet evaluate --campaign $$name --overwrite --mission $(MISSION) --output $(BUILD)/campaigns \
 	        --workers 2 $(addprefix --flights ,$(CAMPAIGN_FLIGHTS)) || exit 1; \
 	done
-	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.readme $(BUILD)/campaigns README.md)
+	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.score_tables $(BUILD)/campaigns sailnet/campaign/RESULTS.md)
 
 bench: $(run)/bench.json
 $(run)/bench.json: $(exported)/exported $(wildcard c_runtime/bench/*) | $(READY)
@@ -98,16 +98,15 @@ $(run)/bench.json: $(exported)/exported $(wildcard c_runtime/bench/*) | $(READY)
 $(run)/agreement.json: $(exported)/exported | $(READY)
 	$(PYTHON) -m export.agreement $(networks) $(exported) --dataset $(learned) > $@
 
-# Of the paper's form only: RECIPE=box.
-report: $(run)/report/index.html
-$(run)/report/index.html: $(run)/bench.json $(run)/agreement.json $(wildcard sailnet/*.py sailnet/report/*) | $(READY)
+# Of the paper's form only: RECIPE=box. What is flown already is only drawn anew.
+report: $(run)/bench.json $(run)/agreement.json
 	$(PYTHON) -m sailnet.report --mission $(MISSION) --build $(run) --dataset $(learned) --output $(run)/report \
-	    --seed $(SEED)
+	    --seed $(SEED) --overwrite
 
 # Make the networks of the last run the ones that come with the package; their figures go into the model
-# card and, with those of the last `make paper`, into the README.
-ship: $(run)/acceptance.json $(run)/bench.json $(run)/agreement.json
-	$(PYTHON) -m export.ship $(run) sailnet/shipped/$(MISSION) --mission $(MISSION) --readme README.md \
+# card and, with those of the last `make paper`, into RESULTS.md; a few into the README.
+ship: accept $(run)/bench.json $(run)/agreement.json
+	$(PYTHON) -m export.ship $(run) sailnet/shipped/$(MISSION) --mission $(MISSION) --readme README.md --results RESULTS.md \
 	    $(addprefix --paper ,$(wildcard $(BUILD)/box/report/report.json))
 
 # The expert, generation, coverage and training beside their peers; some twenty minutes.

@@ -12,8 +12,7 @@ from sailnet.papers.row import Solved
 from sailnet.papers.solution_paths import paths
 from sailnet.papers.views import Columns, Group, Rows, labelled, slug
 from sailnet.physics.arrays import Array
-from sailnet.report.charts import PALETTE, Chart, Curve
-from sailnet.report.figures import GREY, NETWORK
+from sailnet.report.charts import GREY, NETWORK, PALETTE, Chart, Curve
 
 SHOWN = 500
 """Points of a curve in a page."""

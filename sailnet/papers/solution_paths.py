@@ -8,8 +8,7 @@ from sailnet.ocp.problems import equinoctial
 from sailnet.papers.row import Solved
 from sailnet.papers.views import Columns, Plane, Rows, View, labelled, slug
 from sailnet.physics.arrays import Array
-from sailnet.report.charts import Chart, Curve
-from sailnet.report.figures import BAD, GREY, NETWORK, OPTIMUM
+from sailnet.report.charts import BAD, GREY, NETWORK, OPTIMUM, Chart, Curve
 
 BODIES = {"Sun": "#f2b705", "Earth": "#2e8b57"}
 

@@ -16,7 +16,7 @@ Rows = NDArray[np.intp]
 """Points of a solution that are drawn."""
 
 NONE = "–"
-"""Unit of what has no dimension."""
+"""Batch of what has no dimension."""
 
 
 @dataclass(frozen=True)

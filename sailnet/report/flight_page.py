@@ -7,13 +7,13 @@ from typing import Any
 
 from sailnet.artefacts.files import write_whole
 from sailnet.errors import SailnetError
-from sailnet.expert.fastest import Extremal, sample
+from sailnet.expert.fastest import Extremal
 from sailnet.flight.closed_loop import History
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.report.charts import for_page, write_picture
-from sailnet.report.figures import Optimum
 from sailnet.report.flight_charts import flight_charts, flight_columns
+from sailnet.report.optimum import Optimum
 from sailnet.report.page import FOLDER, render
 
 LIBRARY = FOLDER / "vendored" / "plotly-basic.min.js"
@@ -76,9 +76,7 @@ def plot_flight(
     Raises:
         SailnetError: the file cannot be written.
     """
-    optimum = None
-    if extremal is not None:
-        optimum = Optimum(*sample(mission.problem, extremal))
+    optimum = None if extremal is None else Optimum.of(mission.problem, extremal)
     columns = flight_columns(mission, history, optimum)
     try:
         if path.suffix == ".png":

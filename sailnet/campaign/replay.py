@@ -1,12 +1,12 @@
 """A flight of a campaign once more, to the last bit: from its number and the seed."""
 
-from sailnet.campaign.store import Results
+from sailnet.campaign.results import Results
 from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import History, fly_recorded
 from sailnet.guidance.interface import Guidance
 
 
-def fly_again(results: Results, guidance: Guidance, row: int) -> History:
+def replay(results: Results, guidance: Guidance, row: int) -> History:
     """The whole trajectory of any flight of the results.
 
     Args:

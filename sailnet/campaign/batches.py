@@ -1,4 +1,4 @@
-"""The work of a campaign in pieces: each depends on the plan and its own number alone."""
+"""The work of a campaign in batches: each depends on the plan and its own number alone."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -7,13 +7,13 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.campaign.columns import KEPT, RECORDS, flight_columns, record_columns
 from sailnet.campaign.plan import Plan, Starts
-from sailnet.campaign.tables import KEPT, RECORDS, flight_columns, record_columns
+from sailnet.campaign.random_flights import BATCH
 from sailnet.expert.fastest import solve_states
 from sailnet.flight.closed_loop import fly, fly_recorded
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.mission import Mission
-from sailnet.montecarlo import BATCH
 
 OPTIMA_BATCH = 2500
 """States solved at once."""
@@ -31,8 +31,8 @@ Columns = dict[str, NDArray[Any]]
 
 
 @dataclass(frozen=True)
-class Unit:
-    """One piece of work.
+class Batch:
+    """One piece of the work.
 
     Attributes:
         kind: fly, or ask the expert.
@@ -53,23 +53,23 @@ class Unit:
     failures: int
 
 
-def units_of(plan: Plan, mission: Mission) -> list[Unit]:
-    """The pieces of a campaign: flights in order of series, period and number, then optima."""
-    units: list[Unit] = []
+def batches_of(plan: Plan, mission: Mission) -> list[Batch]:
+    """The batches of a campaign: flights in order of series, period and number, then optima."""
+    batches: list[Batch] = []
     wanted: dict[Starts | None, tuple[int, int]] = {}
     for number, series in enumerate(plan.whole):
-        for place, period in enumerate(plan.periods_of(series, mission)):
-            sampled = plan.sample if place == 0 else 0
+        for period in plan.periods_of(series, mission):
+            sampled = plan.sample if period == plan.sampled_period(series, mission) else 0
             for first in range(0, series.count, BATCH):
                 count = min(BATCH, series.count - first)
-                units.append(Unit("flights", number, period, first, count, sampled, plan.failures))
+                batches.append(Batch("flights", number, period, first, count, sampled, plan.failures))
         if optima := min(series.optima or 0, series.count):
             shown_by, most = wanted.get(series.starts, (number, 0))
             wanted[series.starts] = (shown_by, max(most, optima))
     for number, count in wanted.values():
         for first in range(0, count, OPTIMA_BATCH):
-            units.append(Unit("optima", number, 0.0, first, min(OPTIMA_BATCH, count - first), 0, 0))
-    return units
+            batches.append(Batch("optima", number, 0.0, first, min(OPTIMA_BATCH, count - first), 0, 0))
+    return batches
 
 
 @dataclass(frozen=True)
@@ -87,38 +87,38 @@ class Job:
     plan: Plan
 
     @cached_property
-    def units(self) -> list[Unit]:
-        """The pieces, by number."""
-        return units_of(self.plan, self.mission)
+    def batches(self) -> list[Batch]:
+        """The batches, by number."""
+        return batches_of(self.plan, self.mission)
 
     def carry_out(self, number: int) -> Columns:
-        """One piece: columns of ``FLIGHTS`` (``flights/...``), ``KEPT`` and ``RECORDS``, or optima."""
-        unit = self.units[number]
-        return self._optima(unit) if unit.kind == "optima" else self._fly(unit)
+        """One batch: columns of ``FLIGHTS`` (``flights/...``), ``KEPT`` and ``RECORDS``, or optima."""
+        batch = self.batches[number]
+        return self._optima(batch) if batch.kind == "optima" else self._fly(batch)
 
-    def _fly(self, unit: Unit) -> Columns:
-        series = self.plan.whole[unit.series]
-        starts = series.states(self.mission, self.plan.seed, unit.first, unit.count)
-        mission, guidance, period = self.mission, self.guidance, unit.period
+    def _fly(self, batch: Batch) -> Columns:
+        series = self.plan.whole[batch.series]
+        starts = series.states(self.mission, self.plan.seed, batch.first, batch.count)
+        mission, guidance, period = self.mission, self.guidance, batch.period
         disturbance = series.disturbances(mission, self.plan.seed)
-        flights = fly(mission, guidance, starts, disturbance=disturbance, period=period, first=unit.first)
-        numbers = np.arange(unit.first, unit.first + unit.count)
-        failed = np.flatnonzero(~flights.arrived & (numbers >= unit.sampled))[: unit.failures]
-        kept = np.concatenate([np.flatnonzero(numbers < unit.sampled), failed])
+        flights = fly(mission, guidance, starts, disturbance=disturbance, period=period, first=batch.first)
+        numbers = np.arange(batch.first, batch.first + batch.count)
+        failed = np.flatnonzero(~flights.arrived & (numbers >= batch.sampled))[: batch.failures]
+        kept = np.concatenate([np.flatnonzero(numbers < batch.sampled), failed])
         # Memory for the histories of all flights would be too much; flown again, a flight is the same.
         histories = []
         for row in kept.tolist():
-            first = unit.first + row
+            first = batch.first + row
             histories += fly_recorded(
                 mission, guidance, starts[[row]], disturbance=disturbance, period=period, first=first
             )[1]
         columns = {f"flights/{name}": values for name, values in flight_columns(flights).items()}
-        columns["flights/series"] = np.full(unit.count, unit.series)
-        columns["flights/period"] = np.full(unit.count, unit.period)
+        columns["flights/series"] = np.full(batch.count, batch.series)
+        columns["flights/period"] = np.full(batch.count, batch.period)
         columns["flights/number"] = numbers
         columns["kept/flight"] = kept
         records = [
-            _thinned(record_columns(history), MOST_RECORDS if number < unit.sampled else MOST_OF_FAILURES)
+            _thinned(record_columns(history), MOST_RECORDS if number < batch.sampled else MOST_OF_FAILURES)
             for number, history in zip(numbers[kept].tolist(), histories, strict=True)
         ]
         columns["kept/records"] = np.array([len(record["time"]) for record in records], np.int64)
@@ -128,9 +128,9 @@ class Job:
         assert {f"kept/{name}" for name in KEPT} <= columns.keys()
         return columns
 
-    def _optima(self, unit: Unit) -> Columns:
-        series = self.plan.whole[unit.series]
-        states = series.states(self.mission, self.plan.seed, unit.first, unit.count)
+    def _optima(self, batch: Batch) -> Columns:
+        series = self.plan.whole[batch.series]
+        states = series.states(self.mission, self.plan.seed, batch.first, batch.count)
         region = None
         if series.starts == "generalisation" and (series.optima or 0) > FEW:
             region = self.mission.generalisation.corners

@@ -29,7 +29,7 @@ Flight = tuple[Mapping[str, Any], Mapping[str, Array]]
 """What a page says of a flight, as JSON, and the columns that it draws."""
 
 
-def pack_flights(flights: Iterable[Flight], levels: int) -> Iterator[str]:
+def compress_flights(flights: Iterable[Flight], levels: int) -> Iterator[str]:
     """Texts of up to ``TOGETHER`` flights each.
 
     A text is base64 of a deflated block: the length of the header as a little-endian 32-bit number, the

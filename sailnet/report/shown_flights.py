@@ -6,14 +6,14 @@ from typing import Literal
 
 import numpy as np
 
-from sailnet.campaign.again import fly_again
+from sailnet.campaign.replay import replay
+from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, detours
-from sailnet.campaign.store import Results
 from sailnet.flight.closed_loop import History
 from sailnet.guidance.interface import Guidance
 from sailnet.physics.arrays import Array
-from sailnet.report.figures import Optimum
 from sailnet.report.flight_charts import flight_columns, optima_of
+from sailnet.report.optimum import Optimum
 
 DETOURS = 5
 """Flights of each series and period that arrived, but latest, beyond twice the optimum."""
@@ -26,7 +26,7 @@ BATCH = 256
 
 
 @dataclass(frozen=True)
-class Opened:
+class ShownFlight:
     """One flight of the page.
 
     Attributes:
@@ -45,14 +45,14 @@ class Group:
     """The flights of a series at a period, in the order in which they are listed."""
 
     score: Score
-    flights: Sequence[Opened]
+    flights: Sequence[ShownFlight]
 
     def count(self, kind: str) -> int:
         """Flights of a kind."""
         return sum(flight.kind == kind for flight in self.flights)
 
 
-def opened_groups(results: Results, scores: Sequence[Score], again: bool) -> list[Group]:
+def shown_groups(results: Results, scores: Sequence[Score], again: bool) -> list[Group]:
     """What the page opens, by series and period.
 
     Args:
@@ -69,16 +69,16 @@ def opened_groups(results: Results, scores: Sequence[Score], again: bool) -> lis
         rows = results.rows(score.series, score.period)
         sample = rows[np.isin(rows, results.kept) & (results.flights["arrived"][rows] == 1)].tolist()
         late = detours(results, rows)[:DETOURS].tolist()
-        chosen = [Opened(row, "failed", places[row]) for row in np.intersect1d(rows, missed).tolist()]
-        chosen += [Opened(row, "detour", places.get(row)) for row in late if again or row in places]
-        chosen += [Opened(row, "sample", places[row]) for row in sample if row not in late]
+        chosen = [ShownFlight(row, "failed", places[row]) for row in np.intersect1d(rows, missed).tolist()]
+        chosen += [ShownFlight(row, "detour", places.get(row)) for row in late if again or row in places]
+        chosen += [ShownFlight(row, "sample", places[row]) for row in sample if row not in late]
         if chosen:
             groups.append(Group(score, chosen))
     return groups
 
 
 def columns_of(
-    results: Results, flights: Sequence[Opened], guidance: Guidance | None, points: int
+    results: Results, flights: Sequence[ShownFlight], guidance: Guidance | None, points: int
 ) -> Iterator[Mapping[str, Array]]:
     """What the charts of each flight show, beside the optimum where the expert was asked for it.
 
@@ -94,14 +94,14 @@ def columns_of(
             yield flight_columns(results.mission, _history(results, flight, guidance), optimum, points)
 
 
-def _history(results: Results, flight: Opened, guidance: Guidance | None) -> History:
+def _history(results: Results, flight: ShownFlight, guidance: Guidance | None) -> History:
     if flight.place is not None:
         return results.history(flight.place)
     assert guidance is not None
-    return fly_again(results, guidance, flight.row)
+    return replay(results, guidance, flight.row)
 
 
-def _optima(results: Results, flights: Sequence[Opened]) -> list[Optimum | None]:
+def _optima(results: Results, flights: Sequence[ShownFlight]) -> list[Optimum | None]:
     rows = np.array([flight.row for flight in flights])
     times = results.flights["optimal_time"][rows]
     costates = np.column_stack([results.flights[f"optimal_lambda_{name}"][rows] for name in "ruv"])

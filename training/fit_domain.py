@@ -1,4 +1,4 @@
-"""``python -m training.hull``: describe the states networks were trained on, and store it with them.
+"""``python -m training.fit_domain``: describe the states networks were trained on, and store it with them.
 
 The bounds of :class:`sailnet.networks.trained_domain.TrainedDomain` around the samples of the training
 trajectories: for each quantity the lowest continuous piecewise linear function above all samples, a small
@@ -189,9 +189,10 @@ def add_domain(dataset: Path, folder: Path, *, quiet: bool = False) -> Network:
 def main() -> int:
     """Run the command; returns the exit status."""
     parser = argparse.ArgumentParser(
-        prog="python -m training.hull",
+        prog="python -m training.fit_domain",
         description=__doc__,
-        epilog="example: python -m training.hull build/earth_mars/wide.h5 build/earth_mars/wide/networks",
+        epilog="example: python -m training.fit_domain build/earth_mars/wide.h5 "
+        "build/earth_mars/wide/networks",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("dataset", type=Path, help="the HDF5 file the networks were trained on")

@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.artefacts.column_files import Layout
+from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import Flights, History
 
 SCHEMA = "sailnet-campaign/1"
@@ -62,22 +64,27 @@ RECORDS: Mapping[str, tuple[str, str]] = {
     "predicted_time_of_flight": ("TU", "by the guidance; NaN in an outage"),
     "status": ("1", "of the guidance: 0 fine, 1 arrived, 2 outside the domain, 3 invalid input"),
 }
-GROUPS = {"flights": FLIGHTS, "kept": KEPT, "records": RECORDS}
 INTEGER = {
     **dict.fromkeys(("series", "number", "flight", "records"), "<i8"),
     **dict.fromkeys(("periods", "outside", "outages"), "<u4"),
     **dict.fromkeys(("ending", "arrived", "status"), "<u1"),
 }
+LAYOUT = Layout(
+    schema=SCHEMA,
+    kind="results",
+    remedy="fly the campaign again",
+    error=CampaignError,
+    groups={"flights": FLIGHTS, "kept": KEPT, "records": RECORDS},
+    integers=INTEGER,
+    chunks={"flights": 8192, "kept": 8192, "records": 8192},
+    texts=("mission", "campaign", "networks"),
+    small=True,
+)
 OPTIMUM = ("optimal_time", "optimal_lambda_r", "optimal_lambda_u", "optimal_lambda_v")
 """Columns of ``FLIGHTS`` that the expert fills."""
 
 _TRIPLES = {"starts": "start", "ends": "end", "terminal_error": "error"}
 _STATE = {"states": ("r", "theta", "u", "v"), "seen": ("seen_r", "seen_u", "seen_v")}
-
-
-def column_type(name: str) -> np.dtype[Any]:
-    """How a column is stored."""
-    return np.dtype(INTEGER.get(name, "<f8"))
 
 
 def flight_columns(flights: Flights) -> dict[str, NDArray[Any]]:

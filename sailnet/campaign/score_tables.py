@@ -1,4 +1,4 @@
-"""``python -m sailnet.campaign.readme``: the scores of campaigns as tables of a text, between two marks."""
+"""``python -m sailnet.campaign.score_tables``: scores of campaigns as tables of a text, between two marks."""
 
 import argparse
 import json
@@ -47,9 +47,10 @@ def read_records(folder: Path) -> list[dict[str, Any]]:
 def main() -> int:
     """Run the command; returns the exit status."""
     parser = argparse.ArgumentParser(
-        prog="python -m sailnet.campaign.readme",
+        prog="python -m sailnet.campaign.score_tables",
         description=__doc__,
-        epilog="example: python -m sailnet.campaign.readme build/earth_mars/campaigns README.md",
+        epilog="example: python -m sailnet.campaign.score_tables build/earth_mars/campaigns "
+        "sailnet/campaign/RESULTS.md",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("folder", type=Path, help="where campaigns were flown to")
