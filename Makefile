@@ -107,6 +107,7 @@ report: $(run)/bench.json $(run)/agreement.json
 # card and, with those of the last `make paper`, into RESULTS.md; a few into the README.
 ship: accept $(run)/bench.json $(run)/agreement.json
 	$(PYTHON) -m export.ship $(run) sailnet/shipped/$(MISSION) --mission $(MISSION) --readme README.md --results RESULTS.md \
+	    --picture docs/flight.png \
 	    $(addprefix --paper ,$(wildcard $(BUILD)/box/report/report.json))
 
 # The expert, generation, coverage and training beside their peers; some twenty minutes.

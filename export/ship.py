@@ -14,6 +14,7 @@ from typing import Any
 
 from export.errors import ExportError
 from export.model_card import TRIO, Facts, accepted_by, made_by, model_card
+from export.picture import draw_departure
 from export.write import export
 from sailnet import SailnetError, load_mission
 from sailnet.artefacts.files import fill_block, write_whole
@@ -48,6 +49,7 @@ def ship(
     readme: Path | None = None,
     results: Path | None = None,
     paper: Path | None = None,
+    picture: Path | None = None,
 ) -> None:
     """Fill ``package`` from the run in ``build``, and the tables of two texts if they are given.
 
@@ -58,6 +60,7 @@ def ship(
         readme: file whose block ``summary`` is written anew: a few rows.
         results: file whose blocks ``acceptance`` and, with ``paper``, ``paper`` are written anew.
         paper: report.json of a reproduction of the paper; reproduction.json beside it is shipped too.
+        picture: PNG of the flight from the mission's departure orbit.
 
     Raises:
         SailnetError: the run is incomplete, or not this mission's.
@@ -87,6 +90,8 @@ def ship(
         curves = paper.parent / REPRODUCTION
         if curves.exists():
             write_whole(package / curves.name, partial(shutil.copyfile, curves))
+    if picture is not None:
+        draw_departure(picture, mission, package)
 
 
 def main() -> int:
@@ -103,10 +108,14 @@ def main() -> int:
     parser.add_argument("--readme", type=Path, help="also write a few rows of results into this file")
     parser.add_argument("--results", type=Path, help="and the whole tables into this one")
     parser.add_argument("--paper", type=Path, help="and those of this report.json, of `make paper`")
+    parser.add_argument("--picture", type=Path, help="also draw the flight from the departure orbit: a PNG")
     options = parser.parse_args()
     try:
         mission = load_mission(options.mission)
-        ship(options.build, options.package, mission, options.readme, options.results, options.paper)
+        ship(
+            options.build, options.package, mission,
+            options.readme, options.results, options.paper, options.picture,
+        )  # fmt: skip
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
