@@ -15,7 +15,8 @@ PYTHON  := $(VENV)/bin/python
 READY   := $(VENV)/.ready
 # Markers of tests that need more than a bare machine has; pyproject.toml says what each is.
 TOOLS   := emulator or browser or analyser or peer or install or mount or cuda
-PYTEST  := $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
+# Threads of BLAS beside the processes would only wait for each other.
+PYTEST  := OMP_NUM_THREADS=1 $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
 # What a data set depends on, and what is compiled when the package is installed.
 physics  := $(wildcard sailnet/physics/*.py sailnet/expert/*.py)
