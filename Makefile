@@ -80,7 +80,7 @@ evaluate: $(exported)/exported
 # source that flights depend on have changed: the command knows.
 accept: $(exported)/exported
 	$(VENV)/bin/sailnet evaluate --campaign acceptance --mission $(MISSION) --networks $(exported) \
-	    --flights $(FLIGHTS) --seed $(SEED) --workers 2 --output $(run) --overwrite
+	    --flights $(FLIGHTS) --seed $(SEED) --workers 2 --output $(run) --overwrite $(if $(RESTART),--restart)
 
 # Every other campaign with the networks that ship: results, pages, pictures; then the tables of them. One that
 # was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
@@ -101,7 +101,7 @@ $(run)/agreement.json: $(exported)/exported | $(READY)
 # Of the paper's form only: RECIPE=box. What is flown already is only drawn anew.
 report: $(run)/bench.json $(run)/agreement.json
 	$(PYTHON) -m sailnet.report --mission $(MISSION) --build $(run) --dataset $(learned) --output $(run)/report \
-	    --seed $(SEED) --overwrite
+	    --seed $(SEED) --overwrite $(if $(RESTART),--restart)
 
 # Make the networks of the last run the ones that come with the package; their figures go into the model
 # card and, with those of the last `make paper`, into RESULTS.md; a few into the README.
