@@ -17,8 +17,9 @@ READY   := $(VENV)/.ready
 TOOLS   := emulator or browser or analyser or peer or install or mount or cuda
 PYTEST  := $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
-# What a data set depends on.
+# What a data set depends on, and what is compiled when the package is installed.
 physics  := $(wildcard sailnet/physics/*.py sailnet/expert/*.py)
+plant    := $(wildcard c_runtime/plant/*)
 mission  := $(wildcard sailnet/mission/missions/$(MISSION).toml sailnet/mission/*.py)
 run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
@@ -41,7 +42,7 @@ paper:
 setup: $(READY)
 
 $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance.c) \
-    c_runtime/shared_library.py $(wildcard c_runtime/plant/*)
+    c_runtime/shared_library.py $(plant)
 	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }
 	@$(PYTHON) --version >/dev/null 2>&1 || $(PYTHON3) -m venv $(VENV) || \
@@ -51,8 +52,8 @@ $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/s
 
 # A run that was killed goes on where it was; RESTART=1 throws away what it left.
 dataset: $(learned)
-$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/physics/jumps.py sailnet/networks/approach.py \
-    $(wildcard sailnet/dataset/*.py data/*.py) | $(READY)
+$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) \
+    sailnet/networks/approach.py $(wildcard sailnet/dataset/*.py data/*.py) | $(READY)
 	$(PYTHON) -m data $@ --mission $(MISSION) --recipe $* $(if $(RESTART),--restart)
 
 # Share of optimal trajectories from fresh random starts that lie near samples.
@@ -61,7 +62,7 @@ coverage: $(BUILD)/domain.h5
 
 # --resume: a run that was killed goes on, and networks that are finished are kept.
 train: $(networks)/trained
-$(networks)/trained: $(learned) sailnet/networks/guidance_networks.py $(wildcard training/*.py) | $(READY)
+$(networks)/trained: $(learned) $(wildcard sailnet/networks/*.py training/*.py) | $(READY)
 	$(PYTHON) -m training $< $(networks) --resume
 	@touch $@
 
