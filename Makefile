@@ -38,7 +38,7 @@ paper:
 setup: $(READY)
 
 $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance.c) \
-    c_runtime/shared_library.py $(wildcard c_runtime/plant/*)
+    c_runtime/shared_library.py $(wildcard c_runtime/simulation/plant/*)
 	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }
 	@$(PYTHON) --version >/dev/null 2>&1 || $(PYTHON3) -m venv $(VENV) || \
@@ -64,7 +64,7 @@ $(networks)/trained: $(learned) sailnet/networks.py $(wildcard training/*.py) | 
 
 # The paper compares with guidance by two networks: it needs the one for the signed cone angle.
 export: $(exported)/exported
-$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/include/* c_runtime/source/* c_runtime/source/*/*) | $(READY)
+$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/flight/* c_runtime/simulation/* c_runtime/simulation/host/*) | $(READY)
 	$(PYTHON) -m export $(networks) $(exported) --mission $(MISSION) \
 	    $(if $(filter wide,$(RECIPE)),,--baseline $(networks)/alpha.safetensors)
 	@touch $@
@@ -89,8 +89,8 @@ campaigns: | $(READY)
 	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.readme $(BUILD)/campaigns README.md)
 
 bench: $(run)/bench.json
-$(run)/bench.json: $(exported)/exported $(wildcard c_runtime/bench/*) | $(READY)
-	$(PYTHON) -m c_runtime.bench $(exported) --networks $(networks) --json > $@
+$(run)/bench.json: $(exported)/exported $(wildcard c_runtime/verification/bench/*) | $(READY)
+	$(PYTHON) -m c_runtime.verification.bench $(exported) --networks $(networks) --json > $@
 
 $(run)/agreement.json: $(exported)/exported | $(READY)
 	$(PYTHON) -m export.agreement $(networks) $(exported) --dataset $(learned) > $@

@@ -70,7 +70,7 @@ def compile_libraries(sources: Path, target: Path) -> list[Path]:
     return _compile(files, options, target)
 
 
-PLANT = Path(__file__).parent / "plant"
+PLANT = Path(__file__).parent / "simulation" / "plant"
 PLANT_LIBRARY = "plant.so"
 
 

@@ -1,4 +1,4 @@
-"""The compact layout's tables: flat, each in the order in which ``c_runtime/source/compact`` reads it."""
+"""The compact layout's tables: flat, each in the order in which ``c_runtime/flight`` reads it."""
 
 import math
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""The trained domain as C tables, which ``c_runtime/source/domain.c`` evaluates."""
+"""The trained domain as C tables, which ``c_runtime/simulation/host/domain.inc`` evaluates."""
 
 import numpy as np
 

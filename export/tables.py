@@ -1,7 +1,7 @@
 """The weights as C tables, for the layout of hosts.
 
-A stage is one or more networks evaluated in step: by ``c_runtime/source/stage.c.in``, each in vectors of its
-own, or by ``side_by_side.c.in`` in wide vectors that they share. Which of them is chosen when the C is
+A stage is one or more networks evaluated in step: by ``simulation/host/stage.inc``, each in vectors of
+its own, or by ``side_by_side.inc`` in wide vectors that they share. Which of them is chosen when the C is
 compiled, and so is the order of a row's numbers, by a macro that all rows go through. Rows shorter than the
 array they initialise leave zeros behind, as C defines.
 """

@@ -25,12 +25,12 @@ def write_c(networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path) -> N
     """
     (folder / "sailnet_guidance.h").write_text(_header(facts, networks.approach))
     (folder / "sailnet_guidance.c").write_text(_source(networks, facts))
-    for part in ("include/sailnet_batch.h", "source/sailnet_batch.c"):
+    for part in ("simulation/sailnet_batch.h", "simulation/sailnet_batch.c"):
         (folder / Path(part).name).write_text(_read(part))
 
 
 def _header(facts: GuidanceFacts, reads_beta: bool) -> str:
-    text = _read("include/sailnet_guidance.h.in")
+    text = _read("flight/sailnet_guidance.h.in")
     r, u, v = facts.target_state
     for key, value in {
         "PROVENANCE": _provenance(facts),
@@ -65,38 +65,42 @@ def _source(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
     if networks.approach:
         # tau comes as a power of 2.
         stages = [
-            *_on_vectors_or_not("exp2", "first_lane"),
+            *_on_vectors_or_not("simulation/host/exp2", "simulation/host/first_lane"),
             _stage("approach", trio, (LOG2_E, 1.0, 1.0), (4, 3, 2, 1, 0)),
-            _read("source/command_approach.c"),
+            _read("simulation/host/networks_approach.inc"),
         ]
-        compact = ["network", "exp2", "law", "cosine_sine"]
+        compact = ["network", "power_of_two", "law", "cosine_sine"]
     else:
-        stages = [_stage("tau", trio[:1]), _stage("command", trio[1:]), _read("source/command_paper.c")]
+        stages = [
+            _stage("tau", trio[:1]),
+            _stage("command", trio[1:]),
+            _read("simulation/host/networks_paper.inc"),
+        ]
         compact = ["network", "law", "cosine_sine"]
     edge_on = math.cos(facts.phi_max) ** 2 < LEAST_COSINE2
     return "\n".join(
         [
-            opening + _read("source/arithmetic.c"),
+            opening + _read("flight/arithmetic.inc"),
             "#ifdef SAILNET_VECTORS",
-            _read("source/vectors.c"),
+            _read("simulation/host/vectors.inc"),
             "#endif",
-            *_on_vectors_or_not("sigmoid"),
+            *_on_vectors_or_not("flight/sigmoid"),
             "#ifdef SAILNET_COMPACT",
             compact_tables(networks, facts),
             "#endif",
-            _read("source/limits.c"),
+            _read("flight/bounds.inc"),
             "#ifdef SAILNET_COMPACT",
-            *(_read(f"source/compact/{part}.c") for part in compact),
+            *(_read(f"flight/{part}.inc") for part in compact),
             "#else",
-            _read("source/lanes.c"),
+            _read("simulation/host/lanes.inc"),
             constants(facts, networks.approach),
-            _read("source/deviation.c"),
+            _read("simulation/host/deviation.inc"),
             *stages,
             domain_tables(facts),
-            *(_read(f"source/{part}.c") for part in ("domain", "guidance", "law", "cosine_sine")),
+            *(_read(f"simulation/host/{part}.inc") for part in ("domain", "guidance", "law", "cosine_sine")),
             "#endif\n",
             f"#define SAILNET_MAY_BE_EDGE_ON {int(edge_on)}",
-            _read("source/steering.c"),
+            _read("flight/steering.inc"),
         ]
     )
 
@@ -109,9 +113,9 @@ def _stage(
 ) -> str:
     forms = (
         f"#if {name.upper()}_SIDE_BY_SIDE",
-        _instance(_read("source/side_by_side.c.in"), name),
+        _instance(_read("simulation/host/side_by_side.inc"), name),
         "#else",
-        _instance(_read("source/stage.c.in"), name),
+        _instance(_read("simulation/host/stage.inc"), name),
         "#endif\n",
     )
     return "\n".join([stage_tables(name, networks, units, order), *forms])
@@ -124,8 +128,8 @@ def _instance(template: str, stage: str) -> str:
 
 def _on_vectors_or_not(part: str, *of_vectors: str) -> list[str]:
     """A part that computes on vectors where there are any, and what is built on that."""
-    source = _read(f"source/{part}.c")
-    on_vectors = [_over_lanes(source), *(_read(f"source/{name}.c") for name in of_vectors)]
+    source = _read(f"{part}.inc")
+    on_vectors = [_over_lanes(source), *(_read(f"{name}.inc") for name in of_vectors)]
     return ["#ifdef SAILNET_VECTORS", *on_vectors, "#else", source, "#endif"]
 
 

@@ -1,8 +1,8 @@
 """The plant in C, called by ctypes: sails side by side, from one guidance period to the next.
 
-The C is in ``c_runtime/plant``; it is compiled when the package is installed. ``sailnet.flight`` flies with
-it, whatever computes the guidance: the exported C is called by the plant directly, anything else through
-a callback.
+The C is in ``c_runtime/simulation/plant``; it is compiled when the package is installed. ``sailnet.flight``
+flies with it, whatever computes the guidance: the exported C is called by the plant directly, anything else
+through a callback.
 """
 
 import ctypes

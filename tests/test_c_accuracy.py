@@ -10,14 +10,14 @@ import mpmath
 import numpy as np
 import pytest
 
-from c_runtime.accuracy.__main__ import main
-from c_runtime.accuracy.errors import QUANTITIES, compare, refine
-from c_runtime.accuracy.judge import FLIGHTS, UNIFORM
-from c_runtime.accuracy.reference import extended, reference
-from c_runtime.accuracy.states import Domain
-from c_runtime.bench.exported_c import PRECISIONS, compile_exported
-from c_runtime.bench.subjects import read_facts
 from c_runtime.shared_library import FLAGS, LAYOUTS, find_compiler
+from c_runtime.verification.accuracy.__main__ import main
+from c_runtime.verification.accuracy.errors import QUANTITIES, compare, refine
+from c_runtime.verification.accuracy.judge import FLIGHTS, UNIFORM
+from c_runtime.verification.accuracy.reference import extended, reference
+from c_runtime.verification.accuracy.states import Domain
+from c_runtime.verification.bench.exported_c import PRECISIONS, compile_exported
+from c_runtime.verification.bench.subjects import read_facts
 from sailnet.networks import GuidanceNetworks, Network
 from tests.conftest import Exported
 

@@ -10,15 +10,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from c_runtime.bench import report
-from c_runtime.bench.__main__ import NO_NETWORKS, main
-from c_runtime.bench.compiled import Library, Shape, Unit
-from c_runtime.bench.emlearn_c import ABSENT
-from c_runtime.bench.exported_c import NATIVE, PRECISIONS, instruction_sets
-from c_runtime.bench.onnx2c import Entry, onnx2c
-from c_runtime.bench.rounds import Candidate, Row, measure
-from c_runtime.bench.subjects import Subjects, agree
 from c_runtime.shared_library import LAYOUTS, CompilerError, find_compiler
+from c_runtime.verification.bench import report
+from c_runtime.verification.bench.__main__ import NO_NETWORKS, main
+from c_runtime.verification.bench.compiled import Library, Shape, Unit
+from c_runtime.verification.bench.emlearn_c import ABSENT
+from c_runtime.verification.bench.exported_c import NATIVE, PRECISIONS, instruction_sets
+from c_runtime.verification.bench.onnx2c import Entry, onnx2c
+from c_runtime.verification.bench.rounds import Candidate, Row, measure
+from c_runtime.verification.bench.subjects import Subjects, agree
 from sailnet.errors import GuidanceError
 from sailnet.networks import GuidanceNetworks, Network
 from tests.conftest import Exported
@@ -29,7 +29,9 @@ QUICK = ("--batches", "2", "--milliseconds", "0.05")
 @pytest.fixture
 def native_only(monkeypatch: pytest.MonkeyPatch) -> None:
     """One set of instructions: a quarter of the compiling."""
-    monkeypatch.setattr("c_runtime.bench.__main__.instruction_sets", lambda: {NATIVE: ("-march=native",)})
+    monkeypatch.setattr(
+        "c_runtime.verification.bench.__main__.instruction_sets", lambda: {NATIVE: ("-march=native",)}
+    )
 
 
 def _run(exported: Exported, *more: object) -> int:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from c_runtime.checks import coverage, misra
-from c_runtime.checks.flight_file import defines, places, tags
+from c_runtime.verification.checks import coverage, misra
+from c_runtime.verification.checks.flight_file import defines, places, tags
 from tests.conftest import Exported
 
 C_RUNTIME = Path(__file__).parent.parent / "c_runtime"

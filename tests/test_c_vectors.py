@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from c_runtime.bench.exported_c import instruction_sets
 from c_runtime.shared_library import PRECISIONS, SHARED, find_compiler
+from c_runtime.verification.bench.exported_c import instruction_sets
 from export.to_c import write_c
 from sailnet.guidance_facts import describe
 from sailnet.mission import Mission

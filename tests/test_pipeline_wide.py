@@ -36,7 +36,9 @@ def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     python("-m", "export", build / "networks", build / "export", "--mission", mission)
     flown = ("--mission", mission, "--networks", build / "export", "--flights", "6")
     python("-m", "sailnet.acceptance", *flown, "--output", build / "acceptance.json")
-    timed = python("-m", "c_runtime.bench", build / "export", "--networks", build / "networks", "--json")
+    timed = python(
+        "-m", "c_runtime.verification.bench", build / "export", "--networks", build / "networks", "--json"
+    )
     (build / "bench.json").write_text(timed.stdout)
     data = ("--dataset", build / "wide.h5", "--states", "500")
     compared = python("-m", "export.agreement", build / "networks", build / "export", *data)

@@ -376,8 +376,8 @@ def test_the_plant_compiles_without_a_warning_and_stands_the_sanitizers(
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
     checked = ["-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
     folder = ROOT / "c_runtime"
-    files = [str(folder / "test" / "test_plant.c"), *map(str, plant_sources())]
-    command = [compiler, *strict, *checked, "-I", str(folder / "plant"), *files, "-lm"]
+    files = [str(folder / "verification" / "test" / "test_plant.c"), *map(str, plant_sources())]
+    command = [compiler, *strict, *checked, "-I", str(folder / "simulation" / "plant"), *files, "-lm"]
     subprocess.run([*command, "-o", str(program)], check=True, timeout=120)
     assert subprocess.run([str(program)], check=False, timeout=60).returncode == 0
 

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from c_runtime.proof.__main__ import main
-from c_runtime.proof.eva import FRAMA_C, ProofError, analyse
-from c_runtime.proof.lemmas import check_lemmas
-from c_runtime.proof.mutants import MUTANTS, Mutant, caught, mutate
 from c_runtime.shared_library import PRECISIONS, PROVED_BUILDS
+from c_runtime.verification.proof.__main__ import main
+from c_runtime.verification.proof.eva import FRAMA_C, ProofError, analyse
+from c_runtime.verification.proof.lemmas import check_lemmas
+from c_runtime.verification.proof.mutants import MUTANTS, Mutant, caught, mutate
 from tests.conftest import Exported
 
 with_frama_c = pytest.mark.skipif(not shutil.which(FRAMA_C), reason="no frama-c (apt install frama-c-base)")

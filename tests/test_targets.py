@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from c_runtime.targets import __main__ as command
-from c_runtime.targets import measure, run
-from c_runtime.targets.build import TargetError, link
-from c_runtime.targets.elf import address, deepest_stack, reached, sizes
-from c_runtime.targets.golden import (
+from c_runtime.verification.targets import __main__ as command
+from c_runtime.verification.targets import measure, run
+from c_runtime.verification.targets.build import TargetError, link
+from c_runtime.verification.targets.elf import address, deepest_stack, reached, sizes
+from c_runtime.verification.targets.golden import (
     COMMANDS,
     PERIODS,
     SEQUENCES,
@@ -22,10 +22,10 @@ from c_runtime.targets.golden import (
     golden_flights,
     golden_steering,
 )
-from c_runtime.targets.machines import HOST, TARGETS, Target
-from c_runtime.targets.measure import Bench, compile_plugin, missing_tools
-from c_runtime.targets.reference import ReferenceGuidance
-from c_runtime.targets.table import BEGIN, END, Limit, limits, table, write_table
+from c_runtime.verification.targets.machines import HOST, TARGETS, Target
+from c_runtime.verification.targets.measure import Bench, compile_plugin, missing_tools
+from c_runtime.verification.targets.reference import ReferenceGuidance
+from c_runtime.verification.targets.table import BEGIN, END, Limit, limits, table, write_table
 from sailnet.flight import History
 from sailnet.guidance import GuidanceStatus, Precision
 from sailnet.networks import load_guidance_networks
