@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from export.tables import literal
+from export.numbers import literal
 from sailnet.dynamics import Array
 from sailnet.guidance_facts import GuidanceFacts
 from sailnet.trained_domain import AXES, KNOTS, SMALLEST_SQUARE

@@ -13,6 +13,9 @@ from sailnet.mission import Mission
 
 Precision = Literal["float32", "float64"]
 
+Layout = Literal["flight", "host"]
+"""Of the exported C: the file that goes on board, or the same on vectors, for simulation."""
+
 
 class GuidanceStatus(IntEnum):
     """What the guidance says about its command, as in ``sailnet_guidance.h``."""

@@ -20,6 +20,10 @@ LEAST_COSINE2 = 0.05
 """cos^2(alpha) below which a period says nothing about beta: the sail is edge-on."""
 
 
+LARGEST_PERIOD = 0.5 * MEMORY
+"""Longest guidance period [TU], some 29 days: one measurement of beta then counts for at most half."""
+
+
 class ReferenceSteering:
     """Steers by a guidance that has no memory of its own.
 
@@ -53,7 +57,7 @@ class ReferenceSteering:
         """See :class:`sailnet.guidance.Steering`."""
         state = np.asarray(states, float)
         mission = self._guidance.mission
-        if not (np.isfinite(period) and period > 0.0):
+        if not 0.0 < period <= LARGEST_PERIOD:
             state, period = np.full_like(state, np.nan), 0.0
         self._learn(state, sails)
         command = self._guidance.command(state, self._beta[sails])
@@ -94,5 +98,5 @@ class ReferenceSteering:
             distance = 0.5 * (before[0] + state[at, 0])
             measured = surprise * distance**2 / (held * cosine**2)
             measured = np.where(np.isfinite(measured), np.clip(measured, -bound, bound), 0.0)
-        share = np.maximum(1.0 / (periods[at] + 1.0), np.minimum(held / MEMORY, 0.5))
+        share = np.maximum(1.0 / (periods[at] + 1.0), held / MEMORY)
         self._beta[rows] = np.clip(self._beta[rows] + share * measured, *self._guidance.beta_range)

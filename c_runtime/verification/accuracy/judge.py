@@ -8,7 +8,9 @@ from pathlib import Path
 import numpy as np
 from tqdm import tqdm
 
-from c_runtime.shared_library import FLAGS, LAYOUTS
+from c_runtime import builds as exported_builds
+from c_runtime.builds import PRECISIONS
+from c_runtime.shared_library import FLAGS
 from c_runtime.verification.accuracy.errors import (
     QUANTITIES,
     Tally,
@@ -21,7 +23,7 @@ from c_runtime.verification.accuracy.errors import (
 from c_runtime.verification.accuracy.reference import extended, reference
 from c_runtime.verification.accuracy.states import Domain
 from c_runtime.verification.bench.compiled import Library
-from c_runtime.verification.bench.exported_c import NATIVE, PRECISIONS, compile_exported
+from c_runtime.verification.bench.exported_c import NATIVE, compile_exported
 from sailnet.dynamics import Array
 from sailnet.networks import GuidanceNetworks
 
@@ -57,14 +59,11 @@ def compile_builds(compiler: Sequence[str], exported: Path, folder: Path) -> lis
         CompilerError: the compiler refused.
     """
     builds: list[Build] = []
-    for precision in PRECISIONS:
-        for layout in LAYOUTS:
-            for target, instructions in TARGETS.items():
-                place, flags = folder / f"build{len(builds)}", (*FLAGS, *instructions)
-                library = compile_exported(
-                    compiler, exported, place, layout=layout, precision=precision, flags=flags
-                )
-                builds.append(Build(layout, precision, target, library))
+    for build in exported_builds.BUILDS.values():
+        for target, instructions in TARGETS.items():
+            place, flags = folder / f"build{len(builds)}", (*FLAGS, *instructions)
+            library = compile_exported(compiler, exported, place, build=build, flags=flags)
+            builds.append(Build(build.layout, build.precision, target, library))
     return builds
 
 

@@ -16,12 +16,13 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+from c_runtime.builds import BUILDS, Build
 from c_runtime.readme import fill_block, split_at_block
-from c_runtime.shared_library import FLAGS, LAYOUTS, CompilerError, find_compiler
+from c_runtime.shared_library import FLAGS, CompilerError, find_compiler
 from c_runtime.verification.bench import report
 from c_runtime.verification.bench.compiled import Library
 from c_runtime.verification.bench.emlearn_c import emlearn_c
-from c_runtime.verification.bench.exported_c import NATIVE, PRECISIONS, compile_exported, instruction_sets
+from c_runtime.verification.bench.exported_c import NATIVE, compile_exported, instruction_sets
 from c_runtime.verification.bench.onnx2c import onnx2c
 from c_runtime.verification.bench.onnxruntime_c import onnxruntime_c
 from c_runtime.verification.bench.python_peers import numpy_reference, onnxruntime_python, pytorch
@@ -102,25 +103,23 @@ def _exported(
 ) -> tuple[list[Candidate], Subjects]:
     builds: list[tuple[Library, Candidate]] = []
     kinds = [
-        (instructions, layout, precision, steers)
+        (instructions, build, steers)
         for instructions in instruction_sets()
-        for layout in LAYOUTS
-        for precision in PRECISIONS
+        for build in BUILDS.values()
         for steers in (False, True)
     ]
-    for instructions, layout, precision, steers in tqdm(kinds, "compile", file=sys.stderr, disable=None):
+    for instructions, build, steers in tqdm(kinds, "compile", file=sys.stderr, disable=None):
         library = compile_exported(
             compiler,
             options.exported.resolve(),
             folder / f"exported{len(builds)}",
-            layout=layout,
-            precision=precision,
+            build=build,
             flags=(*shlex.split(options.flags), *instruction_sets()[instructions]),
             steers=steers,
         )
-        what = report.EXPORTED + (", compact" if layout == "compact" else "")
+        what = report.EXPORTED + (", on vectors" if build.layout == "host" else "")
         what += (", steering" if steers else "") + ("" if instructions == NATIVE else f", {instructions}")
-        one = Candidate(what, precision, library.in_a_chain, library.back_to_back)
+        one = Candidate(what, build.precision, library.in_a_chain, library.back_to_back)
         builds.append((library, one))
     subjects = draw(read_facts(options.exported), builds[0][0], STATES, SEED)
     for library, _ in builds:
@@ -140,8 +139,7 @@ def _peers(
             compiler,
             options.exported.resolve(),
             folder / "right",
-            layout="simd",
-            precision="float64",
+            build=Build("float64", "flight"),
             flags=FLAGS,
         ),
         subjects.inputs,

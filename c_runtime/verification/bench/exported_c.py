@@ -1,16 +1,12 @@
 """The exported C in every layout, precision and set of instructions of this host."""
 
 import platform
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
-from c_runtime import shared_library
-from c_runtime.shared_library import LAYOUTS
+from c_runtime.builds import Build
 from c_runtime.verification.bench.compiled import HERE, Library, Shape, Unit
 
-PRECISIONS: Mapping[str, tuple[str, ...]] = {
-    f"float{name[1:]}": defines for name, defines in shared_library.PRECISIONS.items()
-}
 NATIVE = "native"
 AVX2, SSE2 = "AVX2", "SSE2"
 
@@ -35,8 +31,7 @@ def compile_exported(
     exported: Path,
     folder: Path,
     *,
-    layout: str,
-    precision: str,
+    build: Build,
     flags: Sequence[str],
     steers: bool = False,
 ) -> Library:
@@ -47,12 +42,12 @@ def compile_exported(
     Raises:
         CompilerError: the compiler refused.
     """
-    defines = (*LAYOUTS[layout], *PRECISIONS[precision], f"-I{exported}")
+    defines = (*build.defines, f"-I{exported}")
     if steers:
         defines = (*defines, "-DCANDIDATE_STEERS")
     units = [
         Unit(HERE / "candidate_sailnet.c", defines),
-        Unit(exported / "sailnet_guidance.c", (*defines, *flags)),
+        Unit(exported / build.source, (*defines, *build.optimisation, *flags)),
     ]
     # The status is no number that a next state could depend on.
-    return Library(compiler, units, Shape(precision, 4, len(COMMAND_OUTPUTS), 3), folder)
+    return Library(compiler, units, Shape(build.precision, 4, len(COMMAND_OUTPUTS), 3), folder)

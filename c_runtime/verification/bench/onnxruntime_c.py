@@ -6,8 +6,8 @@ from pathlib import Path
 
 import onnxruntime
 
+from c_runtime.builds import PRECISIONS
 from c_runtime.verification.bench.compiled import HERE, Library, Reals, Shape, Unit
-from c_runtime.verification.bench.exported_c import PRECISIONS
 from c_runtime.verification.bench.python_peers import graph_file
 from c_runtime.verification.bench.rounds import Candidate
 from c_runtime.verification.bench.subjects import Subjects, agree

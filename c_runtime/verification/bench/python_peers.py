@@ -5,7 +5,7 @@ from pathlib import Path
 
 import onnxruntime
 
-from c_runtime.verification.bench.exported_c import PRECISIONS
+from c_runtime.builds import PRECISIONS
 from c_runtime.verification.bench.rounds import Candidate, in_python
 from c_runtime.verification.bench.subjects import Subjects
 from sailnet.networks import GuidanceNetworks
@@ -15,7 +15,7 @@ ONNXRUNTIME = "onnxruntime, Python"
 
 def graph_file(exported: Path, precision: str) -> Path:
     """The merged graph of a precision."""
-    return exported / f"guidance_f{precision[-2:]}.onnx"
+    return exported / f"guidance_{PRECISIONS[precision]}.onnx"
 
 
 def onnxruntime_python(exported: Path, subjects: Subjects) -> list[Candidate]:

@@ -2,8 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 
+from c_runtime.builds import PRECISIONS
 from c_runtime.verification.bench.emlearn_c import EMLEARN
-from c_runtime.verification.bench.exported_c import PRECISIONS, SSE2
+from c_runtime.verification.bench.exported_c import SSE2
 from c_runtime.verification.bench.onnxruntime_c import ONNXRUNTIME_C
 from c_runtime.verification.bench.python_peers import ONNXRUNTIME
 from c_runtime.verification.bench.rounds import Row

@@ -12,10 +12,11 @@ CLANG ?= clang
 GCC ?= gcc
 
 CHECKS := $(BUILD)/checks
-FLIGHT = $(EXPORTED)/sailnet_guidance.c
 HARNESS = verification/checks/fuzz_guidance.c
 DRIVER = verification/checks/drive.c $(HARNESS)
-defines = $(if $(findstring f64,$(1)),-DSAILNET_FLOAT64) $(if $(findstring compact,$(1)),-DSAILNET_COMPACT)
+# $(call source,build): its C file. What flies is checked in every way; the form for hosts is no flight software: it
+# is not held to MISRA.
+source = $(EXPORTED)/$(SOURCE_$(1))
 
 .PHONY: check fuzz valgrind misra coverage-c warnings record-fuzz clean-checks
 check: warnings misra fuzz valgrind coverage-c
@@ -46,7 +47,7 @@ fuzz/%: $(CHECKS)/fuzz-%
 	@$< -runs=$(FUZZ_RUNS) $(FUZZ_OPTIONS) -artifact_prefix=$(CHECKS)/$*- >$<.txt 2>&1 || { cat $<.txt; false; }
 	@echo "fuzz $*: $(FUZZ_RUNS) executions, no finding"
 $(CHECKS)/fuzz-%: $(HARNESS) $(SOURCES) verification/checks/checks.mk | $(CHECKS)
-	@$(CLANG) -std=c99 $(WARNINGS) $(SANITIZE) $(call defines,$*) -I$(EXPORTED) -o $@ $(HARNESS) $(FLIGHT) -lm
+	@$(CLANG) -std=c99 $(WARNINGS) $(SANITIZE) $(DEFINES_$*) -I$(EXPORTED) -o $@ $(HARNESS) $(call source,$*) -lm
 
 # The long run: make record-fuzz FUZZ_RUNS=10000000 writes what it found into verification/checks/RESULTS.md.
 record-fuzz: $(if $(FUZZER),$(BUILDS:%=$(CHECKS)/fuzz-%),left-out/fuzz)
@@ -62,20 +63,20 @@ valgrind/%: $(CHECKS)/memcheck-test-% $(CHECKS)/memcheck-drive-%
 	@$(MEMCHECK) $(CHECKS)/memcheck-test-$* >$(CHECKS)/memcheck-test-$*.txt || { cat $(CHECKS)/memcheck-test-$*.txt; false; }
 	@$(MEMCHECK) $(CHECKS)/memcheck-drive-$* $(MEMCHECK_RUNS) >/dev/null
 	@echo "valgrind $*: no error in the unit tests and the inputs"
-$(CHECKS)/memcheck-test-%: verification/test/test_guidance.c $(SOURCES) $(BATCH) verification/checks/checks.mk | $(CHECKS)
-	@$(COMPILE) -g -O1 -DCASES=$(MEMCHECK_CASES) $(call defines,$*) -o $@ verification/test/test_guidance.c $(BATCH) -lm
+$(CHECKS)/memcheck-test-%: $(UNIT_TESTS) $(SOURCES) $(BATCH) verification/checks/checks.mk | $(CHECKS)
+	@$(COMPILE) -g -O1 -DCASES=$(MEMCHECK_CASES) $(TESTED_$*) -o $@ $< $(BATCH) -lm
 $(CHECKS)/memcheck-drive-%: $(DRIVER) $(SOURCES) verification/checks/checks.mk | $(CHECKS)
-	@$(COMPILE) -g -O1 -DSAILNET_MEMCHECK $(call defines,$*) -o $@ $(DRIVER) $(FLIGHT) -lm
+	@$(COMPILE) -g -O1 -DSAILNET_MEMCHECK $(DEFINES_$*) -o $@ $(DRIVER) $(call source,$*) -lm
 
-# --- misra: cppcheck, and its MISRA C:2012 add-on against the deviations listed in MISRA.md. ---
+# --- misra: cppcheck, and its MISRA C:2012 add-on against the deviations listed in MISRA.md, of what flies. ---
 PACKAGES_misra = cppcheck
 DEVIATIONS ?= MISRA.md
 
-misra: $(if $(call present,cppcheck),misra/all,left-out/misra)
+misra: $(if $(filter $(FLYING),$(BUILDS)),$(if $(call present,cppcheck),misra/all,left-out/misra))
 misra/all: $(SOURCES)
-	@cd .. && $(PYTHON) -m c_runtime.verification.checks.misra $(abspath $(FLIGHT)) $(abspath $(DEVIATIONS)) $(BUILDS)
+	@cd .. && $(PYTHON) -m c_runtime.verification.checks.misra $(abspath $(EXPORTED)) $(abspath $(DEVIATIONS)) $(filter $(FLYING),$(BUILDS))
 
-# --- coverage-c: every line and branch of the flight file, by the unit tests and the fuzz harness. ---
+# --- coverage-c: every line and branch, by the unit tests and the fuzz harness. ---
 PACKAGES_coverage-c = gcc
 # Parts that would be inlined stay functions: else each call has branches of its own, decided by constants.
 COVERAGE = $(GCC) -std=c99 $(WARNINGS) -Wno-attributes -O0 --coverage -Dalways_inline=noinline -I$(EXPORTED)
@@ -83,14 +84,14 @@ GAPS ?= verification/checks/coverage_gaps.toml
 
 coverage-c: $(if $(call present,gcov),coverage/all,left-out/coverage-c)
 coverage/all: $(BUILDS:%=coverage/%)
-	@cd .. && $(PYTHON) -m c_runtime.verification.checks.coverage $(abspath $(FLIGHT)) $(abspath $(GAPS)) \
+	@cd .. && $(PYTHON) -m c_runtime.verification.checks.coverage $(abspath $(EXPORTED)) $(abspath $(GAPS)) \
 	    $(foreach b,$(BUILDS),$(b)=$(abspath $(CHECKS)/coverage-$(b)))
-coverage/%: verification/test/test_guidance.c $(DRIVER) $(SOURCES) $(BATCH) | $(CHECKS)
+coverage/%: $(UNIT_TESTS) $(DRIVER) $(SOURCES) $(BATCH) | $(CHECKS)
 	@rm -rf $(CHECKS)/coverage-$* && mkdir $(CHECKS)/coverage-$*
-	@$(COVERAGE) $(call defines,$*) -DCASES=$(COVERAGE_CASES) -c -o $(CHECKS)/coverage-$*/test.o verification/test/test_guidance.c
-	@$(COVERAGE) $(call defines,$*) -c -o $(CHECKS)/coverage-$*/flight.o $(FLIGHT)
-	@$(COMPILE) -O1 $(call defines,$*) -o $(CHECKS)/coverage-$*/test $(CHECKS)/coverage-$*/test.o $(BATCH) -lm -lgcov
-	@$(COMPILE) -O1 $(call defines,$*) -o $(CHECKS)/coverage-$*/drive $(CHECKS)/coverage-$*/flight.o $(DRIVER) -lm -lgcov
+	@$(COVERAGE) $(TESTED_$*) -DCASES=$(COVERAGE_CASES) -c -o $(CHECKS)/coverage-$*/test.o $<
+	@$(COVERAGE) $(DEFINES_$*) -c -o $(CHECKS)/coverage-$*/guidance.o $(call source,$*)
+	@$(COMPILE) -O1 $(DEFINES_$*) -o $(CHECKS)/coverage-$*/test $(CHECKS)/coverage-$*/test.o $(BATCH) -lm -lgcov
+	@$(COMPILE) -O1 $(DEFINES_$*) -o $(CHECKS)/coverage-$*/drive $(CHECKS)/coverage-$*/guidance.o $(DRIVER) -lm -lgcov
 	@$(CHECKS)/coverage-$*/test >$(CHECKS)/coverage-$*/test.txt || { cat $(CHECKS)/coverage-$*/test.txt; false; }
 	@$(CHECKS)/coverage-$*/drive $(COVERAGE_RUNS) >$(CHECKS)/coverage-$*/drive.txt
 
@@ -101,11 +102,11 @@ PACKAGES_warnings-m32 = libc6-dev-i386
 PACKAGES_warnings-gcc = gcc
 # Not -Wfloat-equal: comparing a number with itself is how a NaN is told without libm.
 STRICT = $(WARNINGS) -Wshadow -Wdouble-promotion -Wundef -Wcast-qual -Wcast-align -Wwrite-strings -ffreestanding -O2 \
-    -I$(EXPORTED) -o /dev/null -c $(FLIGHT)
+    -I$(EXPORTED) -o /dev/null
 AS_C = -std=c99 -Wstrict-prototypes -Wmissing-prototypes
 X87_FREE = -m32 -msse2 -mfpmath=sse
 on_x86 = $(filter x86_64,$(shell uname -m))
-each_build = @set -e; $(foreach b,$(BUILDS),$(1) $(call defines,$(b)) $(STRICT);) echo "$@: none"
+each_build = @set -e; $(foreach b,$(BUILDS),$(1) $(DEFINES_$(b)) $(STRICT) -c $(call source,$(b));) echo "$@: none"
 
 warnings: $(if $(call present,$(GCC)),warnings-gcc,left-out/warnings-gcc) \
     $(if $(call present,$(CLANG)),warnings-clang,left-out/warnings-clang) \

@@ -1,4 +1,4 @@
-"""Line and branch coverage of the flight file from gcov, against the gaps that have a reason.
+"""Line and branch coverage of the exported guidance from gcov, against the gaps that have a reason.
 
 Fails on a line or branch that nothing reaches and that is not listed, and on a listed one that is reached. A
 condition that compiles to no branch has no counts: it is a gap too.
@@ -13,6 +13,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from c_runtime.builds import BUILDS
 from c_runtime.verification.checks.flight_file import tags
 
 _CONDITION = re.compile(r"\bif \(| \? |&&|\|\|")
@@ -111,17 +112,16 @@ def judge(found: list[Gap], listed: list[tuple[Gap, frozenset[str]]], build: fro
 
 
 def main(arguments: list[str]) -> int:
-    """Arguments: flight file, gaps with reasons, ``build=folder`` for each build. Returns the exit status."""
-    flight_file, gaps, *runs = arguments
-    path = Path(flight_file)
-    source = path.read_text().splitlines()
+    """Arguments: exported folder, gaps with reasons, ``build=folder`` for each. Returns the exit status."""
+    exported, gaps, *runs = arguments
     listed = explained(Path(gaps).read_text())
     failed = False
     for run in runs:
         build, folder = run.split("=", 1)
+        path = Path(exported) / BUILDS[build].source
         coverage = measured(Path(folder), path.name)
-        found = coverage.gaps(source)
-        complaints = judge(found, listed, tags(build, path))
+        found = coverage.gaps(path.read_text().splitlines())
+        complaints = judge(found, listed, tags(build, path.parent))
         failed = failed or bool(complaints)
         for complaint in complaints:
             print(f"coverage {build}: {complaint}")

@@ -1,31 +1,18 @@
-"""What a build of the flight file is, and where in it a line lies."""
+"""What a build of the exported guidance is, by tags, and where in a C file a line lies."""
 
 import re
 from pathlib import Path
 
+from c_runtime.builds import BUILDS
+
 _FUNCTION = re.compile(r"^\w[\w \*]*?\b(\w+)\((?!\()")
-_READS_BETA = re.compile(r"^#define SAILNET_READS_BETA (\d)$", re.MULTILINE)
 
 
-def tags(build: str, flight_file: Path) -> frozenset[str]:
-    """Precision and layout of a build such as ``f32_compact``, and the form of the networks in the file."""
-    header = flight_file.with_suffix(".h")
-    found = _READS_BETA.search(header.read_text())
-    if found is None:
-        raise ValueError(f"{header} does not define SAILNET_READS_BETA: export it anew")
-    layout = "compact" if build.endswith("_compact") else "simd"
-    return frozenset((build.split("_")[0], layout, "approach" if found[1] == "1" else "paper"))
-
-
-def defines(build: str) -> list[str]:
-    """Options for an analyser of a build such as ``f64_compact``: the layout for hosts on single numbers."""
-    compact = build.endswith("_compact")
-    chosen = {
-        "SAILNET_FLOAT64": build.startswith("f64"),
-        "SAILNET_COMPACT": compact,
-        "SAILNET_PLAIN": not compact,
-    }
-    return [f"-{'D' if given else 'U'}{name}" for name, given in chosen.items()]
+def tags(build: str, exported: Path) -> frozenset[str]:
+    """Precision, layout and form of the networks of a build such as ``f32_host``."""
+    chosen = BUILDS[build]
+    form = "approach" if chosen.reads_beta(exported) else "paper"
+    return frozenset((chosen.suffix, chosen.layout, form))
 
 
 def places(source: str) -> list[str]:

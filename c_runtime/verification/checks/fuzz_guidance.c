@@ -23,9 +23,6 @@ enum { MOST_CALLS = 6 };
 /* Ten thousand years: nothing that is meant to fly for longer. */
 #define LONGEST_SANE_TIME (SAILNET_REAL(1e3) * SAILNET_LARGEST_TIME_OF_FLIGHT)
 
-/* A longer period [TU] counts as this one. */
-#define LONGEST_PERIOD SAILNET_REAL(1e30)
-
 #define PROMISED(condition)                                                                   \
     do {                                                                                      \
         if (!(condition)) {                                                                   \
@@ -214,8 +211,7 @@ static void check_against_the_law(const sailnet_command *command, sailnet_status
 
 static void check_steer(sailnet_memory *memory, const sailnet_state *state, sailnet_real period, int twice)
 {
-    const int timed = isfinite(period) && period > SAILNET_REAL(0.0);
-    const sailnet_real counted = period < LONGEST_PERIOD ? period : LONGEST_PERIOD;
+    const int timed = period > SAILNET_REAL(0.0) && period <= SAILNET_LARGEST_PERIOD;
     const int valid = timed && state != NULL && is_state_finite(state);
     sailnet_memory before;
     sailnet_memory other;
@@ -229,10 +225,10 @@ static void check_steer(sailnet_memory *memory, const sailnet_state *state, sail
     PROMISED((status == SAILNET_INVALID_INPUT) == !valid);
     PROMISED(memory->beta == command.beta);
     if (valid) {
-        check_against_the_law(&command, status, state, counted);
+        check_against_the_law(&command, status, state, period);
         PROMISED(memory->periods - before.periods == (before.periods == UINT32_MAX ? 0u : 1u));
     } else {
-        PROMISED(command.hold == (timed ? counted : SAILNET_REAL(0.0)));
+        PROMISED(command.hold == (timed ? period : SAILNET_REAL(0.0)));
         PROMISED(memory->periods == before.periods);
         PROMISED(isnan(before.beta) || command.beta == used_beta(before.beta));
     }

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from c_runtime.verification.checks.flight_file import defines, places, tags
+from c_runtime.builds import BUILDS, HEADER
+from c_runtime.verification.checks.flight_file import places, tags
 
 # The flight file is a library: nothing here calls it. Headers of the system are not read.
 OPTIONS = (
@@ -84,24 +85,25 @@ def read_deviations(text: str) -> list[Deviation]:
     return deviations
 
 
-def findings(flight_file: Path, build: str) -> list[Finding]:
-    """What cppcheck finds in one build.
+def findings(exported: Path, build: str) -> list[Finding]:
+    """What cppcheck finds in one build of what is in a folder.
 
     Raises:
         RuntimeError: cppcheck, or its add-on, did not run through.
     """
     with tempfile.TemporaryDirectory() as folder:
         # A copy: the add-on works on files that it writes beside the source.
-        for file in (flight_file, flight_file.with_suffix(".h")):
-            shutil.copy(file, folder)
-        command = ["cppcheck", *OPTIONS, *defines(build), flight_file.name]
+        for name in (BUILDS[build].source, HEADER):
+            shutil.copy(exported / name, folder)
+        undefined = [] if BUILDS[build].defines else ["-USAILNET_FLOAT64"]
+        command = ["cppcheck", *OPTIONS, *BUILDS[build].defines, *undefined, BUILDS[build].source]
         run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     found = []
     for line in (run.stdout + run.stderr).splitlines():
         name, number, what, message = (*line.split("|", 3), "", "", "")[:4]
         if not number or what == "internalError":
             raise RuntimeError(f"cppcheck did not run through: {line}")
-        place = places((flight_file.parent / name).read_text())[int(number) - 1]
+        place = places((exported / name).read_text())[int(number) - 1]
         found.append(Finding(name, int(number), what, "" if what.startswith(MISRA) else message, place))
     if run.returncode != 0:
         raise RuntimeError(f"cppcheck ended with {run.returncode}: {run.stderr}")
@@ -136,9 +138,9 @@ def judge(
 
 
 def main(arguments: list[str]) -> int:
-    """Arguments: flight file, MISRA.md, builds. Returns the exit status."""
-    flight_file, listed, *builds = arguments
-    path = Path(flight_file)
+    """Arguments: exported folder, MISRA.md, builds. Returns the exit status."""
+    folder, listed, *builds = arguments
+    path = Path(folder)
     deviations = read_deviations(Path(listed).read_text())
     with ThreadPoolExecutor(2) as pool:
         found = dict(zip(builds, pool.map(lambda build: findings(path, build), builds), strict=True))

@@ -9,7 +9,8 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from c_runtime.shared_library import PROVED_BUILDS, CompilerError
+from c_runtime.builds import BUILDS
+from c_runtime.shared_library import CompilerError
 from c_runtime.verification.proof.eva import FRAMA_C, ProofError, analyse
 from c_runtime.verification.proof.lemmas import check_lemmas
 from c_runtime.verification.proof.mutants import MUTANTS, caught, mutate
@@ -44,11 +45,11 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _prove(exported: Path) -> int:
     failed = 0
-    for build, defines in PROVED_BUILDS.items():
-        print(f"lemmas {build}: {check_lemmas(exported, defines)}")
-    for build, defines in tqdm(PROVED_BUILDS.items(), desc="proof", disable=None):
-        problems = analyse(exported, defines)
-        print(f"{build}: {'proved' if not problems else 'NOT PROVED'}", *problems, sep="\n  ")
+    for build in BUILDS.values():
+        print(f"lemmas {build.name}: {check_lemmas(exported, build)}")
+    for build in tqdm(BUILDS.values(), desc="proof", disable=None):
+        problems = analyse(exported, build)
+        print(f"{build.name}: {'proved' if not problems else 'NOT PROVED'}", *problems, sep="\n  ")
         failed += bool(problems)
     return failed
 
@@ -56,7 +57,7 @@ def _prove(exported: Path) -> int:
 def _survivors(exported: Path) -> int:
     survivors = 0
     for mutant in tqdm(MUTANTS, desc="mutants", disable=None):
-        for build, defines in PROVED_BUILDS.items():
+        for build in BUILDS.values():
             if not mutant.concerns(build):
                 continue
             with tempfile.TemporaryDirectory() as name:
@@ -64,8 +65,8 @@ def _survivors(exported: Path) -> int:
                 if not mutate(exported, mutant, folder):
                     print(f"mutant {mutant.name}: not in networks of this form")
                     break
-                survived = not caught(folder, defines)
-                print(f"mutant {mutant.name}, {build}: {'SURVIVED' if survived else 'caught'}")
+                survived = not caught(folder, build)
+                print(f"mutant {mutant.name}, {build.name}: {'SURVIVED' if survived else 'caught'}")
                 survivors += survived
     return survivors
 

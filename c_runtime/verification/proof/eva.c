@@ -29,7 +29,7 @@ static sailnet_real sailnet_sigmoid(sailnet_real octaves);
     assigns \result \from value, lower, upper;
     ensures \is_finite(\result) && \result <= upper && (lower <= \result || upper <= \result); */
 static sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper);
-#ifdef SAILNET_COMPACT
+#ifndef TESTED_HOST
 /*@ assigns \result \from *value;
     ensures \is_finite(\result) && 0.99e-12 <= \result <= 1.01e12; */
 static sailnet_real sailnet_per_root(const sailnet_real *value);
@@ -44,7 +44,7 @@ static sailnet_real sailnet_size(sailnet_real value);
 static sailnet_real sailnet_inverse_fourth_root(sailnet_real value);
 #endif
 
-#include "sailnet_guidance.c"
+#include "../tested.h"
 
 /* Any bits, any pointer that is null or valid. */
 typedef union {

@@ -2,16 +2,17 @@
 
 import re
 import subprocess
-from collections.abc import Sequence
 from pathlib import Path
+
+from c_runtime.builds import Build
 
 FRAMA_C = "frama-c"
 DRIVER = Path(__file__).parent / "eva.c"
 ENTRIES = ("prove_guidance", "prove_steering", "prove_null_pointers")
 CONTRACTS = ("sailnet_fraction", "sailnet_power", "sailnet_sigmoid", "sailnet_clamped")
 OF_LAYOUTS = {
-    "compact": ("sailnet_per_root", "sailnet_size"),
-    "simd": ("sailnet_inverse_fourth_root",),
+    "flight": ("sailnet_per_root", "sailnet_size"),
+    "host": ("sailnet_inverse_fourth_root",),
 }
 """With a contract, too, where networks need them."""
 # Every loop is unrolled, so that each weight is seen with the interval of its own input.
@@ -22,8 +23,8 @@ class ProofError(Exception):
     """The analysis did not run."""
 
 
-def analyse(exported: Path, defines: Sequence[str], timeout: float = 300.0) -> list[str]:
-    """What Eva could not prove of the build with these definitions: one line each, none if all is proved.
+def analyse(exported: Path, build: Build, timeout: float = 300.0) -> list[str]:
+    """What Eva could not prove of a build: one line each, none if all is proved.
 
     NaN and infinity are values like others (``-warn-special-float none``): that none reaches a command
     is asserted in the driver.
@@ -31,10 +32,10 @@ def analyse(exported: Path, defines: Sequence[str], timeout: float = 300.0) -> l
     Raises:
         ProofError: Eva failed to analyse the file.
     """
-    source = (exported / "sailnet_guidance.c").read_text(encoding="utf-8")
-    own = OF_LAYOUTS["compact" if "-DSAILNET_COMPACT" in defines else "simd"]
+    source = (exported / build.source).read_text(encoding="utf-8")
+    own = OF_LAYOUTS[build.layout]
     contracts = ",".join([*CONTRACTS, *(name for name in own if f"{name}(" in source)])
-    flags = " ".join((f"-I{exported}", "-D__FLT_EVAL_METHOD__=0", *defines))
+    flags = " ".join((f"-I{exported}", "-D__FLT_EVAL_METHOD__=0", *build.analysed))
     problems: list[str] = []
     for entry in ENTRIES:
         command = [FRAMA_C, "-eva", *PRECISION, "-eva-no-show-progress", "-machdep", "x86_64"]

@@ -3,16 +3,16 @@
 import shlex
 import subprocess
 import tempfile
-from collections.abc import Sequence
 from pathlib import Path
 
+from c_runtime.builds import Build
 from c_runtime.shared_library import FLAGS, find_compiler
 from c_runtime.verification.proof.eva import ProofError
 
 SOURCE = Path(__file__).parent / "lemmas.c"
 
 
-def check_lemmas(exported: Path, defines: Sequence[str]) -> str:
+def check_lemmas(exported: Path, build: Build) -> str:
     """Compile and run ``lemmas.c``; returns its last line.
 
     Raises:
@@ -21,7 +21,16 @@ def check_lemmas(exported: Path, defines: Sequence[str]) -> str:
     """
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "lemmas"
-        command = [*find_compiler(), *FLAGS, *defines, f"-I{exported}", "-o", str(program), str(SOURCE)]
+        command = [
+            *find_compiler(),
+            *FLAGS,
+            *build.optimisation,
+            *build.analysed,
+            f"-I{exported}",
+            "-o",
+            str(program),
+            str(SOURCE),
+        ]
         for step in (command, [str(program)]):
             run = subprocess.run(step, capture_output=True, text=True, check=False)
             if run.returncode:

@@ -8,8 +8,9 @@ import sys
 from datetime import UTC, datetime
 from pathlib import Path
 
+from c_runtime.builds import LAYOUTS
 from c_runtime.verification.targets.build import TargetError
-from c_runtime.verification.targets.machines import LAYOUTS, TARGETS, Layout, Target
+from c_runtime.verification.targets.machines import TARGETS, Target
 from c_runtime.verification.targets.measure import Bench, Measured, missing_tools
 from c_runtime.verification.targets.reference import ReferenceGuidance
 from c_runtime.verification.targets.table import limits, table, write_table
@@ -28,7 +29,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument(
         "--targets", nargs="+", choices=names, default=names, metavar="NAME", help=", ".join(names)
     )
-    parser.add_argument("--layouts", nargs="+", choices=list(LAYOUTS), default=["compact"], metavar="LAYOUT")
+    parser.add_argument("--layouts", nargs="+", choices=list(LAYOUTS), default=["flight"], metavar="LAYOUT")
     parser.add_argument("--table", type=Path, help="a README whose table is to be rewritten")
     parser.add_argument(
         "--require",
@@ -76,7 +77,7 @@ def main(arguments: list[str] | None = None) -> int:
     return int(failed or missed or (options.require and bool(left_out)))
 
 
-def _measure(bench: Bench, targets: list[Target], layouts: list[Layout]) -> tuple[list[Measured], bool]:
+def _measure(bench: Bench, targets: list[Target], layouts: list[str]) -> tuple[list[Measured], bool]:
     """Every build of every target, and whether any of them failed."""
     measured, failed = [], False
     builds = [

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
+from c_runtime.builds import Build
 from c_runtime.verification.targets.elf import Sizes, deepest_stack, reached, sizes
 from c_runtime.verification.targets.golden import COMMAND_BOUNDS, STEERING_BOUNDS, Bounds, Golden
-from c_runtime.verification.targets.machines import LAYOUTS, PRECISIONS, Layout, Target
+from c_runtime.verification.targets.machines import Target
 from sailnet.errors import SailnetError
 from sailnet.guidance import Precision
 
@@ -94,7 +95,7 @@ def _bounds(name: str, bounds: Bounds) -> list[str]:
     return [f"static const sailnet_real {name}[4] = {{{', '.join(map(repr, bounds))}}};"]
 
 
-def flight_flags(target: Target, precision: Precision, layout: Layout, contract: bool) -> tuple[str, ...]:
+def flight_flags(target: Target, chosen: Build, contract: bool) -> tuple[str, ...]:
     """Options of the compiler that make a difference to the code."""
     contraction = f"-ffp-contract={'fast' if contract else 'off'}"
     freestanding = () if target.hosted else FREESTANDING
@@ -103,17 +104,19 @@ def flight_flags(target: Target, precision: Precision, layout: Layout, contract:
         *target.optimisation,
         *freestanding,
         contraction,
-        *PRECISIONS[precision],
-        *LAYOUTS[layout],
+        *chosen.defines,
     )
 
 
-def build(target: Target, exported: Path, golden: Path, flags: tuple[str, ...], folder: Path) -> Program:
+def build(
+    target: Target, exported: Path, chosen: Build, golden: Path, flags: tuple[str, ...], folder: Path
+) -> Program:
     """Compile and link in ``folder``.
 
     Args:
         target: the processor.
-        exported: folder with ``sailnet_guidance.c``.
+        exported: folder written by ``python -m export``.
+        chosen: the build of it.
         golden: ``golden.h`` with golden vectors of the same precision.
         flags: for the flight file, from ``flight_flags``.
         folder: for what is compiled; made if need be.
@@ -124,7 +127,7 @@ def build(target: Target, exported: Path, golden: Path, flags: tuple[str, ...], 
     folder.mkdir(parents=True, exist_ok=True)
     common = [*_common(target), f"-I{exported}"]
     flight = folder / "sailnet_guidance.o"
-    _run([*common, *FLIGHT, *flags, "-c", str(exported / "sailnet_guidance.c"), "-o", str(flight)])
+    _run([*common, *FLIGHT, *flags, "-c", str(exported / chosen.source), "-o", str(flight)])
     defines = [flag for flag in flags if flag.startswith("-D")]
     program = folder / "program"
     link(

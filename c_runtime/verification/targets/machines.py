@@ -2,14 +2,8 @@
 
 import platform
 from dataclasses import dataclass
-from typing import Literal
 
 from sailnet.guidance import Precision
-
-Layout = Literal["compact", "simd"]
-
-LAYOUTS: dict[Layout, tuple[str, ...]] = {"compact": ("-DSAILNET_COMPACT",), "simd": ()}
-PRECISIONS: dict[Precision, tuple[str, ...]] = {"float32": (), "float64": ("-DSAILNET_FLOAT64",)}
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,11 @@ import shutil
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 
+from c_runtime.builds import Build
 from c_runtime.verification.targets.build import HERE, Program, TargetError, build, flight_flags, write_golden
 from c_runtime.verification.targets.golden import (
     COMMAND_BOUNDS,
@@ -16,7 +18,7 @@ from c_runtime.verification.targets.golden import (
     golden_flights,
     golden_steering,
 )
-from c_runtime.verification.targets.machines import HOST, PRECISIONS, Layout, Target
+from c_runtime.verification.targets.machines import HOST, Target
 from c_runtime.verification.targets.reference import ReferenceGuidance
 from c_runtime.verification.targets.run import Calls, Run, run
 from sailnet.dynamics import Array
@@ -61,7 +63,7 @@ class Measured:
 
     target: Target
     precision: Precision
-    layout: Layout
+    layout: str
     contract: bool
     program: Program
     run: Run
@@ -135,7 +137,7 @@ class Bench:
         self._plugin = compile_plugin(folder)
         flights = golden_flights(guidance)
         self._golden: dict[Precision, tuple[Golden, Golden]] = {}
-        for precision in PRECISIONS:
+        for precision in get_args(Precision):
             golden = (
                 golden_commands(guidance, flights, precision),
                 golden_steering(guidance, flights, precision),
@@ -144,12 +146,12 @@ class Bench:
             header_file = self._header(precision)
             header_file.parent.mkdir(exist_ok=True)
             write_golden(header_file, precision, *golden)
-        self._host: dict[tuple[Precision, Layout], Run] = {}
+        self._host: dict[tuple[Precision, str], Run] = {}
 
     def _header(self, precision: Precision) -> Path:
         return self._folder / precision / "golden.h"
 
-    def measure(self, target: Target, precision: Precision, layout: Layout, contract: bool) -> Measured:
+    def measure(self, target: Target, precision: Precision, layout: str, contract: bool) -> Measured:
         """Build and run.
 
         Raises:
@@ -176,12 +178,11 @@ class Bench:
         wrong += [f"{program.sizes.static} bytes of static memory are written"] * (program.sizes.static > 0)
         return Measured(target, precision, layout, contract, program, ran, errors, other_bits, tuple(wrong))
 
-    def _run(
-        self, target: Target, precision: Precision, layout: Layout, contract: bool
-    ) -> tuple[Program, Run]:
-        flags = flight_flags(target, precision, layout, contract)
+    def _run(self, target: Target, precision: Precision, layout: str, contract: bool) -> tuple[Program, Run]:
+        chosen = Build(precision, layout)
+        flags = flight_flags(target, chosen, contract)
         folder = self._folder / precision / f"{target.name}-{layout}-{'fused' if contract else 'exact'}"
-        program = build(target, self._exported, self._header(precision), flags, folder)
+        program = build(target, self._exported, chosen, self._header(precision), flags, folder)
         plugin = self._plugin if target.emulator else None
         return program, run(target, program.path, precision, plugin)
 

@@ -66,8 +66,8 @@ CODE, STACK = 2048, 512
 
 
 def deployed(measured: Sequence[Measured]) -> list[Measured]:
-    """The builds to fly: compact, and fused where the processor can."""
-    return [m for m in measured if m.layout == "compact" and m.contract == m.target.fuses]
+    """The builds to fly: of the flight file, fused where the processor can."""
+    return [m for m in measured if m.layout == "flight" and m.contract == m.target.fuses]
 
 
 def limits(measured: Sequence[Measured]) -> list[Limit]:

@@ -4,8 +4,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* The flight file as it is, in this translation unit. */
-#include "sailnet_guidance.c"
+#include "../tested.h"
 #include "sailnet_batch.h"
 
 /* How many random cases most tests try. */
@@ -57,7 +56,7 @@ static sailnet_real between(sailnet_real lower, sailnet_real upper)
 }
 
 /* Ends of the box of r, u, v. */
-#ifdef SAILNET_COMPACT
+#ifndef TESTED_HOST
 #define BOX_MIN(i) sailnet_limits[SAILNET_OF_STATE + 3 * (i)][0]
 #define BOX_MAX(i) sailnet_limits[SAILNET_OF_STATE + 3 * (i)][1]
 #else
@@ -227,9 +226,8 @@ static void test_same_input_same_bits(void)
 
 static sailnet_real sigmoid(sailnet_real octaves)
 {
-#ifdef SAILNET_VECTORS
-    const sailnet_lanes none = {R(0.0)};
-    return sailnet_lanes_sigmoid(octaves + none)[0];
+#ifdef TESTED_HOST
+    return sailnet_first_lane(sailnet_sigmoid(sailnet_all_lanes(octaves)));
 #else
     return sailnet_sigmoid(octaves);
 #endif
@@ -274,7 +272,7 @@ static void test_beta_is_clamped_and_nan_is_the_missions(void)
     }
 }
 
-#ifdef SAILNET_COMPACT
+#ifndef TESTED_HOST
 /* Where it is not clamped. */
 #define ROOT(value) sailnet_per_root(&(value))
 #define EXACT_ROOT(value) (1.0L / sqrtl(value))
@@ -340,7 +338,7 @@ static void test_steering_stays_bounded_whatever_the_bits(void)
             period = random_real();
         }
         const sailnet_status status = sailnet_steer(&memory, &state, period, &command);
-        const int timed = isfinite(period) && period > R(0.0);
+        const int timed = period > R(0.0) && period <= SAILNET_LARGEST_PERIOD;
         const sailnet_real longest =
             timed && period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
         CHECK(is_bounded(command));
@@ -399,6 +397,34 @@ static void test_periods_do_not_wrap_around(void)
     CHECK(memory.periods == UINT32_MAX);
 }
 
+static void test_a_period_that_is_too_long_is_refused(void)
+{
+    const sailnet_state state = middle_of_domain();
+    const sailnet_real largest = SAILNET_LARGEST_PERIOD;
+    const sailnet_real refused[] = {largest * (R(1.0) + (sailnet_real)EPSILON), R(400.0), LARGEST, (sailnet_real)INFINITY,
+                                    (sailnet_real)NAN, R(0.0), -R(0.0), -SMALLEST, -largest};
+    sailnet_memory memory;
+    sailnet_memory before;
+    sailnet_command command;
+    sailnet_start(&memory);
+    CHECK(sailnet_steer(&memory, &state, largest, &command) != SAILNET_INVALID_INPUT && command.hold == largest);
+    before = memory;
+    before.held = R(0.0);
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        CHECK(sailnet_steer(&memory, &state, refused[i], &command) == SAILNET_INVALID_INPUT);
+        CHECK(is_safe(command) && command.hold == R(0.0));
+        CHECK(is_same_memory(&memory, &before));
+    }
+    CHECK(sailnet_steer(&memory, &state, SMALLEST, &command) != SAILNET_INVALID_INPUT && command.hold == SMALLEST);
+}
+
+static void test_units_are_those_of_the_law(void)
+{
+    /* 58.13 days, and the speed of the Earth. */
+    CHECK(fabs(SAILNET_TU_IN_SECONDS / 86400.0 - 58.1324) < 1e-4);
+    CHECK(fabs(SAILNET_AU_PER_TU_IN_METRES_PER_SECOND * SAILNET_TU_IN_SECONDS / SAILNET_AU_IN_METRES - 1.0) < 1e-15);
+}
+
 static void test_batch_equals_single(void)
 {
     enum { COUNT = 1000 };
@@ -418,7 +444,6 @@ static void test_batch_equals_single(void)
         CHECK(sailnet_guidance(&state, betas[i], &single) == (sailnet_status)statuses[i]);
         CHECK(single.cone_angle == cone_angles[i] && single.time_of_flight == times_of_flight[i]);
     }
-    CHECK(sailnet_real_size() == sizeof(sailnet_real));
     CHECK(sailnet_memory_size() == sizeof(sailnet_memory));
     CHECK(sailnet_api_version() == SAILNET_API_VERSION);
 }
@@ -472,6 +497,8 @@ int main(void)
     test_an_invalid_state_leaves_the_memory_alone();
     test_null_pointers_of_steering();
     test_periods_do_not_wrap_around();
+    test_a_period_that_is_too_long_is_refused();
+    test_units_are_those_of_the_law();
     test_batch_equals_single();
     test_steering_in_a_batch_equals_single();
     printf("%s, %s: %s\n", SAILNET_MISSION, sizeof(sailnet_real) == 8 ? "float64" : "float32",

@@ -13,14 +13,13 @@ import numpy as np
 
 from export.centred import centred_biases
 from export.errors import ExportError
+from export.numbers import LOG2_E, centred_layers, literal
 from export.row_orders import RowOrder
 from sailnet.approach import SMALLEST_SCALE
 from sailnet.dynamics import Array
 from sailnet.guidance_facts import GuidanceFacts
 from sailnet.networks import EXTRAPOLATION, Network
 
-LOG2_E = 1.0 / math.log(2.0)
-SMALLEST, LARGEST = 1e-30, 1e30
 LARGEST_OCTAVES = 1000.0
 """The C's sigmoid takes no larger argument: SAILNET_LARGEST_OCTAVES."""
 
@@ -51,8 +50,7 @@ def stage_tables(
     order = list(range(len(networks[0].inputs)) if order is None else order)
     inputs, rows = len(order), math.ceil(max(widest, len(order)) / 4) * 4
     name = f"sailnet_{stage}"
-    upper = stage.upper()
-    row_order = RowOrder(upper, len(networks), rows, alike=len(set(depths)) == 1)
+    row_order = RowOrder(len(networks), rows, alike=len(set(depths)) == 1)
 
     clamp_min, clamp_max = (bound[order] for bound in networks[0].clamp)
     for network in networks[1:]:
@@ -80,51 +78,32 @@ def stage_tables(
     return "\n".join(
         [
             f'/* Stage "{stage}": {", ".join(f"{n.name} {list(n.hidden)}" for n in networks)}. */',
-            f"#define {upper}_NETWORKS {len(networks)}",
-            f"#define {upper}_INPUTS {inputs}",
-            f"#define {upper}_EVEN_INPUTS {math.ceil(inputs / 2) * 2}",
-            f"#define {upper}_DEPTH {max(depths)}",
-            f"#define {upper}_ROWS {rows}",
-            f"#define {upper}_WIDTH SAILNET_PADDED({upper}_ROWS)",
+            f"#define STAGE(name) sailnet_{stage}_##name",
+            f"#define STAGE_NETWORKS {len(networks)}",
+            f"#define STAGE_INPUTS {inputs}",
+            f"#define STAGE_EVEN_INPUTS {math.ceil(inputs / 2) * 2}",
+            f"#define STAGE_DEPTH {max(depths)}",
+            f"#define STAGE_ROWS {rows}",
+            "#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)",
             row_order.macros(),
-            _table(f"{name}_lower[{upper}_INPUTS]", _row(networks[0].input_min[order])),
-            _table(f"{name}_clamp_min[{upper}_INPUTS]", _row(clamp_min)),
-            _table(f"{name}_clamp_max[{upper}_INPUTS]", _row(clamp_max)),
+            _table(f"{name}_lower[STAGE_INPUTS]", _row(networks[0].input_min[order])),
+            _table(f"{name}_clamp_min[STAGE_INPUTS]", _row(clamp_min)),
+            _table(f"{name}_clamp_max[STAGE_INPUTS]", _row(clamp_max)),
+            _table(f"{name}_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART]", _rows(row_order, first)),
+            _table(f"{name}_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART]", _rows(row_order, biases)),
             _table(
-                f"{name}_first[{upper}_EVEN_INPUTS][{upper}_PARTS][{upper}_PART]", _rows(row_order, first)
-            ),
-            _table(f"{name}_biases[{upper}_DEPTH][{upper}_PARTS][{upper}_PART]", _rows(row_order, biases)),
-            _table(
-                f"{name}_hidden[{len(hidden)}][{upper}_ROWS][{upper}_PARTS][{upper}_PART]",
+                f"{name}_hidden[{len(hidden)}][STAGE_ROWS][STAGE_PARTS][STAGE_PART]",
                 "{\n" + ",\n".join(_rows(row_order, layer) for layer in hidden) + "\n}",
             ),
             _table(
-                f"{name}_output[{upper}_OUTPUTS][{upper}_OUTPUT]",
+                f"{name}_output[STAGE_OUTPUTS][STAGE_OUTPUT]",
                 row_order.row(_numbers(output), "OUTPUT_ROW"),
             ),
-            _table(f"{name}_output_bias[{upper}_NETWORKS]", _row(output_bias)),
-            f"#define {upper}_DEPTHS {{{', '.join(map(str, depths))}}}",
+            _table(f"{name}_output_bias[STAGE_NETWORKS]", _row(output_bias)),
+            f"#define STAGE_DEPTHS {{{', '.join(map(str, depths))}}}",
             "",
         ]
     )
-
-
-def centred_layers(network: Network, unit: float) -> tuple[list[Array], list[Array], Array, float]:
-    """A network as the C computes it, from shifted inputs and with centred and doubled sigmoids of octaves.
-
-    Args:
-        network: as it was trained.
-        unit: what its output is multiplied by.
-
-    Returns:
-        weights (neurons, inputs) and biases of its hidden layers, and those of its output.
-    """
-    *inner, last = centred_biases(network)
-    per_range = network.weights[0] / (network.input_max - network.input_min)
-    weights = [-LOG2_E * per_range, *(-LOG2_E / 2 * weight for weight in network.weights[1:-1])]
-    span = unit * (network.output_max - network.output_min)
-    output_bias = unit * network.output_min + span * float(last[0])
-    return weights, [-LOG2_E * bias for bias in inner], span / 2 * network.weights[-1][0], output_bias
 
 
 def constants(facts: GuidanceFacts, approach: bool) -> str:
@@ -144,17 +123,6 @@ def constants(facts: GuidanceFacts, approach: bool) -> str:
         lines.append(f"#define SAILNET_TARGET_R2 R({literal(target[0] ** 2)})")
         lines.append(f"#define SAILNET_SMALLEST_S4 R({literal(SMALLEST_SCALE**4)})")
     return "\n".join(lines) + "\n"
-
-
-def literal(value: float) -> str:
-    """A decimal literal that reads back exactly in double precision and fits single precision.
-
-    Raises:
-        ExportError: it is too large.
-    """
-    if not abs(value) < LARGEST:
-        raise ExportError(f"a weight of {value:g} does not fit single precision; train with bounded weights")
-    return repr(float(value)) if abs(value) > SMALLEST else "0.0"
 
 
 def _check_steepness(network: Network) -> None:
