@@ -13,16 +13,20 @@ PYTHON3 ?= python3
 VENV    ?= .venv
 PYTHON  := $(VENV)/bin/python
 READY   := $(VENV)/.ready
+# Markers of tests that need more than a bare machine has; pyproject.toml says what each is.
+TOOLS   := emulator or browser or analyser or peer or install or mount or cuda
+PYTEST  := $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
-physics  := $(addprefix sailnet/,dynamics.py pontryagin.py propagation.py extremals.py shooting.py \
-    directions.py prisms.py index.py expert.py nominal.py)
-mission  := $(wildcard sailnet/missions/$(MISSION).toml) sailnet/mission.py
+# What a data set depends on; what flights depend on.
+physics  := $(wildcard sailnet/physics/*.py sailnet/expert/*.py)
+closed   := $(wildcard sailnet/physics/*.py sailnet/guidance/*.py sailnet/flight/*.py sailnet/campaign/*.py)
+mission  := $(wildcard sailnet/mission/missions/$(MISSION).toml sailnet/mission/*.py)
 run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
 exported := $(run)/export
 learned  := $(run).h5
 
-.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship test checks lint clean
+.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship test test-tools tools peers checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -37,8 +41,8 @@ paper:
 
 setup: $(READY)
 
-$(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance.c) \
-    c_runtime/shared_library.py $(wildcard c_runtime/simulation/plant/*)
+$(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance*.c) \
+    c_runtime/builds.py c_runtime/shared_library.py $(wildcard c_runtime/simulation/plant/*.* c_runtime/simulation/plant/*/*)
 	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }
 	@$(PYTHON) --version >/dev/null 2>&1 || $(PYTHON3) -m venv $(VENV) || \
@@ -48,7 +52,7 @@ $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/s
 
 # A run that was killed goes on where it was; RESTART=1 throws away what it left.
 dataset: $(learned)
-$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/jumps.py sailnet/approach.py \
+$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/networks/approach.py \
     $(wildcard sailnet/dataset/*.py data/*.py) | $(READY)
 	$(PYTHON) -m data $@ --mission $(MISSION) --recipe $* $(if $(RESTART),--restart)
 
@@ -58,13 +62,14 @@ coverage: $(BUILD)/domain.h5
 
 # --resume: a run that was killed goes on, and networks that are finished are kept.
 train: $(networks)/trained
-$(networks)/trained: $(learned) sailnet/networks.py $(wildcard training/*.py) | $(READY)
+$(networks)/trained: $(learned) $(wildcard sailnet/networks/*.py) $(wildcard training/*.py) | $(READY)
 	$(PYTHON) -m training $< $(networks) --resume
 	@touch $@
 
 # The paper compares with guidance by two networks: it needs the one for the signed cone angle.
 export: $(exported)/exported
-$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/flight/* c_runtime/simulation/* c_runtime/simulation/host/*) | $(READY)
+$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/builds.py \
+    $(addsuffix /*.*,c_runtime/flight c_runtime/simulation c_runtime/simulation/host)) | $(READY)
 	$(PYTHON) -m export $(networks) $(exported) --mission $(MISSION) \
 	    $(if $(filter wide,$(RECIPE)),,--baseline $(networks)/alpha.safetensors)
 	@touch $@
@@ -75,7 +80,7 @@ evaluate: $(exported)/exported
 
 # Everything a set of networks has to stand, and the table of it.
 accept: $(run)/acceptance.json
-$(run)/acceptance.json: $(exported)/exported $(wildcard sailnet/*.py) | $(READY)
+$(run)/acceptance.json: $(exported)/exported $(closed) sailnet/acceptance.py | $(READY)
 	$(PYTHON) -m sailnet.acceptance --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED) \
 	    --output $@
 
@@ -108,9 +113,13 @@ ship: $(run)/acceptance.json $(run)/bench.json $(run)/agreement.json
 	    $(addprefix --paper ,$(wildcard $(BUILD)/box/report/report.json))
 
 # The expert, generation, coverage and training beside their peers; some twenty minutes.
-# torch-levenberg-marquardt takes part if it is installed: pip install -c constraints.txt -e '.[benchmarks]'.
+# torch-levenberg-marquardt takes part if it is installed: make peers.
 benchmarks: | $(READY)
 	$(PYTHON) -m benchmarks --seed $(SEED)
+
+# Packages that ours are compared with.
+peers: | $(READY)
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[benchmarks]'
 
 # Every figure that the four papers on optimal control print, beside ours and a second method's, and a page with
 # every solution drawn; some minutes.
@@ -123,9 +132,21 @@ lint: | $(READY)
 	$(PYTHON) -m ruff check .
 	$(PYTHON) -m ruff format --check .
 	$(PYTHON) -m mypy
+	$(VENV)/bin/lint-imports --no-cache --no-logo
 
+# Every test that needs no more than Python, make and a C compiler.
 test: lint
-	$(PYTHON) -m pytest -n $(JOBS) --dist worksteal
+	$(PYTEST) -m "not ($(TOOLS))"
+
+# The others. A tool that is missing is named with the line that installs it; where CI=true that fails.
+test-tools: | $(READY)
+	$(PYTEST) -m "$(TOOLS)"
+
+# Debian's packages that test-tools and checks call: apt-get install $(make -s tools).
+tools:
+	@echo clang libclang-rt-14-dev g++ libc6-dev-i386 valgrind cppcheck frama-c-base chromium \
+	    gcc-arm-none-eabi qemu-system-arm gcc-sparc64-linux-gnu qemu-system-sparc gcc-riscv64-unknown-elf \
+	    qemu-system-misc gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
 
 # Proof, fuzzing, memcheck, MISRA, coverage and warnings of the C that ships; a tool that is missing is named.
 checks: | $(READY)

@@ -18,7 +18,7 @@ from c_runtime.shared_library import (  # noqa: E402
 )
 
 SHIPPED = sorted(path.parent.relative_to(ROOT) for path in ROOT.glob("sailnet/shipped/*/sailnet_guidance.c"))
-PLANT = Path("sailnet/native")
+PLANT = Path("sailnet/flight/native")
 
 
 class BuildGuidance(build_ext):

@@ -9,8 +9,8 @@ import tempfile
 from pathlib import Path
 
 from benchmarks import expert, flights, generation, training
-from sailnet.mission import load_mission
-from sailnet.provenance import software
+from sailnet.artefacts.provenance import software
+from sailnet.mission.mission import load_mission
 
 RESULTS = Path(__file__).parent / "RESULTS.md"
 

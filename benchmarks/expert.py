@@ -5,8 +5,8 @@ import time
 import numpy as np
 
 from benchmarks import scipy_peer
-from sailnet.expert import RESIDUAL_GOAL, solve, solve_states
-from sailnet.mission import Mission
+from sailnet.expert.fastest import RESIDUAL_GOAL, solve, solve_states
+from sailnet.mission.mission import Mission
 from sailnet.montecarlo import random_starts
 
 

@@ -14,18 +14,21 @@ import time
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from sailnet.backends import load_guidance
-from sailnet.disturbances import Disturbance
-from sailnet.dynamics import Array, hold_command
-from sailnet.executors import workers
-from sailnet.flight import fly
-from sailnet.guidance import Guidance
-from sailnet.mission import Mission, load_mission
+from sailnet.artefacts.provenance import software
+from sailnet.flight.closed_loop import fly
+from sailnet.flight.plant import SideBySide, rules
+from sailnet.flight.plant_library import STEER, plant
+from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.interface import Guidance, Precision, Steered
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission, load_mission
 from sailnet.montecarlo import BATCH, fly_campaign, random_starts
-from sailnet.optics import OPTICS
-from sailnet.plant import STEER, SideBySide, rules
-from sailnet.provenance import software
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import runge_kutta_step
+from sailnet.physics.optics import OPTICS
+from sailnet.workers.executors import workers
 
 NOTE = (
     "Random starts of the generalisation set, the exported C in double precision, a period of 0.005 TU. The "
@@ -65,9 +68,8 @@ def python_loop(mission: Mission, guidance: Guidance, starts: Array) -> tuple[Ar
     duration, steering, flying, periods = np.zeros(count), guidance.steering(count), np.arange(count), 0
     while len(flying) and duration.max() < mission.flight.longest:
         steered = steering.steer(states[[0, 2, 3]][:, flying].T, held, flying)
-        longest = max(held, mission.flight.arrival_threshold)
-        states[:, flying] = hold_command(
-            states[:, flying], steered.cone_angle, mission.sail.beta, steered.hold, longest
+        states[:, flying] = runge_kutta_step(
+            states[:, flying], steered.cone_angle, mission.sail.beta, steered.hold
         )
         duration[flying] += steered.hold
         periods += len(flying)
@@ -85,16 +87,32 @@ def _seconds(run: Callable[[], object], repeats: int = 3) -> float:
     return min(times)
 
 
-def _idle_steering(cone_angle: float, held: float) -> Callable[..., None]:
-    """A steering function in Python that is called once for 500 sails: what is left is the plant."""
+class Idle:
+    """A steering function in Python that is called once for 500 sails: what is left is the plant.
 
-    def steer(*given: int) -> None:
-        count, commands, statuses = given[0], given[5], given[6]
-        rows = np.ctypeslib.as_array(ctypes.cast(commands, ctypes.POINTER(ctypes.c_double)), (count, 4))
-        rows[:] = (cone_angle, 1.0, 0.17, held)
-        ctypes.memset(statuses, 0, 4 * count)
+    Args:
+        command: what every sail is told, always.
+    """
 
-    return steer
+    def __init__(self, **command: float) -> None:
+        kind = plant().structures["plant_command_f64"]
+        self._command = plant().filled("plant_command_f64", command)
+
+        def steer(*given: int) -> None:
+            count, commands, statuses = given[0], given[5], given[6]
+            room = (ctypes.c_char * (count * kind.itemsize)).from_address(commands)
+            np.frombuffer(room, kind)[:] = self._command
+            ctypes.memset(statuses, 0, 4 * count)
+
+        self._function = STEER(steer)
+
+    def native(self) -> tuple[int, int, Precision]:
+        """See :class:`sailnet.guidance.NativeSteering`."""
+        return ctypes.cast(self._function, ctypes.c_void_p).value or 0, 0, "float64"
+
+    def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+        """See :class:`sailnet.guidance.Steering`; the plant calls the native function instead."""
+        raise NotImplementedError
 
 
 def period_costs(mission: Mission, guidance: Guidance, seed: int) -> dict[str, object]:
@@ -109,12 +127,11 @@ def period_costs(mission: Mission, guidance: Guidance, seed: int) -> dict[str, o
     one.append(_seconds(lambda: python_loop(mission, guidance, single)))
     steering, rows = guidance.steering(BATCH), np.arange(BATCH)
     alone = _seconds(lambda: [steering.steer(starts, mission.flight.period, rows) for _ in range(200)])
-    idle = STEER(_idle_steering(0.5, mission.flight.period))
-    address = ctypes.cast(idle, ctypes.c_void_p).value or 0
+    idle = Idle(cone_angle=0.5, time_of_flight=1.0, beta=0.17, hold=mission.flight.period)
 
-    def plant(disturbance: Disturbance) -> float:
+    def plant_alone(disturbance: Disturbance) -> float:
         given = rules(mission, disturbance, mission.flight.period)
-        run = _seconds(lambda: SideBySide(given, starts, 0, address, None, "float64").fly(500))
+        run = _seconds(lambda: SideBySide(given, starts, 0, idle).fly(500))
         return 1e9 * run / BATCH / 500
 
     return {
@@ -123,8 +140,8 @@ def period_costs(mission: Mission, guidance: Guidance, seed: int) -> dict[str, o
         "times_faster": in_python / in_c,
         "one_flight_alone_times_faster": one[1] / one[0],
         "of_it_guidance": 1e9 * alone / BATCH / 200,
-        "plant_alone": plant(Disturbance()),
-        "plant_with_everything": plant(CAMPAIGNS["everything"]),
+        "plant_alone": plant_alone(Disturbance()),
+        "plant_with_everything": plant_alone(CAMPAIGNS["everything"]),
         "largest_difference_of_ends": float(abs(ends - flights.ends).max()),
         "largest_difference_of_times": float(abs(durations - flights.time_of_flight).max()),
     }

@@ -16,10 +16,11 @@ from benchmarks import scipy_peer
 from data.block import block_of
 from data.box import CANDIDATES, box_recipe
 from data.domain import domain_shard
-from sailnet.dynamics import Array
-from sailnet.extremals import arrival_lambda_v, propagate_extremals
-from sailnet.mission import Mission, Transfer
-from sailnet.propagation import TOLERANCE, backward_system, law_kind, parameters
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+from sailnet.physics.extremals import arrival_lambda_v, propagate_extremals
+from sailnet.physics.propagation import TOLERANCE, backward_system, law_kind, parameters
+from sailnet.physics.transfer import Transfer
 
 
 def bare_loop(transfer: Transfer) -> Callable[[Array, Array], None]:

@@ -7,8 +7,8 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import fsolve
 
-from sailnet.dynamics import Array
-from sailnet.mission import Transfer
+from sailnet.physics.arrays import Array
+from sailnet.physics.transfer import Transfer
 from tests import reference
 
 TOLERANCE = 1e-12

@@ -12,11 +12,11 @@ from typing import Any
 
 from export.write import export
 from sailnet.acceptance import accept
-from sailnet.backends import load_guidance
+from sailnet.artefacts.files import write_whole
 from sailnet.dataset import open_dataset
 from sailnet.errors import SailnetError
-from sailnet.executors import Workers, workers
-from sailnet.files import write_whole
+from sailnet.guidance.backends import load_guidance
+from sailnet.workers.executors import Workers, workers
 from training.parallel import train_networks
 from training.targets import TARGETS
 

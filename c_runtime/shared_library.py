@@ -57,10 +57,12 @@ def compile_libraries(sources: Path, target: Path) -> list[Path]:
     Raises:
         CompilerError: there is no compiler, or it refused the source.
     """
+    beside = [
+        sources / BATCH,
+        PLANT / "guidance" / "same_interface.c",
+    ]  # refuses what the plant would misread
     libraries = {
-        build.library: Library(
-            [sources / build.source, sources / BATCH], (*build.defines, *build.optimisation)
-        )
+        build.library: Library([sources / build.source, *beside], (*build.defines, *build.optimisation))
         for build in BUILDS.values()
     }
     return _compile(libraries, target)
@@ -103,8 +105,8 @@ def _compile(libraries: Mapping[str, Library], target: Path) -> list[Path]:
         lines = []
         for made, library in libraries.items():
             file = beside / made
-            sources = [str(source) for source in library.sources]
-            inputs = ["-I", str(library.sources[0].parent), "-o", str(file), *sources, "-lm"]
+            headers = [f"-I{folder}" for folder in (library.sources[0].parent, PLANT)]
+            inputs = [*headers, "-o", str(file), *map(str, library.sources), "-lm"]
             command = [*compiler, *FLAGS, *SHARED, *library.options, *inputs]
             run = subprocess.run(command, capture_output=True, text=True, check=False)
             if run.returncode:

@@ -12,14 +12,14 @@ from tqdm import tqdm
 
 from data.generate import generate
 from data.recipes import RECIPES, prepare
+from sailnet.artefacts.provenance import environment, software
+from sailnet.artefacts.resumable import Parts, claim
 from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.errors import DatasetError, SailnetError
-from sailnet.executors import workers
-from sailnet.interruption import asked_to_stop
-from sailnet.mission import Mission, load_mission
-from sailnet.parts import Parts, claim
-from sailnet.propagation import TOLERANCE
-from sailnet.provenance import environment, software
+from sailnet.mission.mission import Mission, load_mission
+from sailnet.physics.propagation import TOLERANCE
+from sailnet.workers.executors import workers
+from sailnet.workers.interruption import asked_to_stop
 
 PACKAGES = ("data",)
 """Whose source the samples depend on, beside sailnet's."""

@@ -5,8 +5,9 @@ import numpy as np
 from data.block import block_of
 from sailnet.dataset import Block
 from sailnet.errors import DatasetError
-from sailnet.extremals import arrival_lambda_v, propagate_extremals
-from sailnet.mission import BoxRecipe, Mission
+from sailnet.mission.mission import Mission
+from sailnet.mission.recipes import BoxRecipe
+from sailnet.physics.extremals import arrival_lambda_v, propagate_extremals
 
 CANDIDATES = 512
 """Extremals tried in one shard."""

@@ -17,11 +17,11 @@ from tqdm import tqdm
 
 from data.flights import sample_evenly
 from sailnet.dataset import Dataset, open_dataset
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.expert import solve_states
-from sailnet.mission import Mission
+from sailnet.expert.fastest import solve_states
+from sailnet.mission.mission import Mission
 from sailnet.montecarlo import random_starts, wilson_interval
+from sailnet.physics.arrays import Array
 
 SPACING = 0.02
 """Time between the points looked at [TU]."""

@@ -11,9 +11,10 @@ from scipy.stats.qmc import Sobol
 from data.block import block_of
 from data.flights import sample_evenly
 from sailnet.dataset import Block
-from sailnet.dynamics import Array
-from sailnet.expert import solve_states
-from sailnet.mission import Mission, Transfer
+from sailnet.expert.fastest import solve_states
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+from sailnet.physics.transfer import Transfer
 
 STARTS = 512
 """Starts of one shard."""

@@ -5,17 +5,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.dynamics import Array
-from sailnet.extremals import propagate_extremals
-from sailnet.mission import Transfer
+from sailnet.physics.arrays import Array
+from sailnet.physics.extremals import propagate_extremals
+from sailnet.physics.transfer import Transfer
 
 TOGETHER = 64
 """Extremals propagated at once: as long as the longest of them."""
 
 
 @dataclass(frozen=True)
-class Flights:
-    """Samples of n flights, one flight after the other, m in all.
+class SampledExtremals:
+    """Samples of n extremals, one extremal after the other, m in all.
 
     Attributes:
         lengths: (n,) samples of each.
@@ -30,7 +30,7 @@ class Flights:
     jump_times: Array
 
 
-def sample_evenly(transfer: Transfer, costates: Array, duration: Array, spacing: float) -> Flights:
+def sample_evenly(transfer: Transfer, costates: Array, duration: Array, spacing: float) -> SampledExtremals:
     """Sample extremals at most ``spacing`` [TU] apart.
 
     Args:
@@ -53,4 +53,4 @@ def sample_evenly(transfer: Transfer, costates: Array, duration: Array, spacing:
         place = (first[rows, None] + np.arange(count))[kept]
         tau[place], states[place] = extremals.tau[kept], extremals.states[kept]
         jump_times[rows] = extremals.jump_times
-    return Flights(lengths, tau, states, jump_times)
+    return SampledExtremals(lengths, tau, states, jump_times)

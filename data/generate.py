@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from itertools import count, tee
 
+from sailnet.artefacts.resumable import Parts
 from sailnet.dataset import Block
 from sailnet.errors import DatasetError
-from sailnet.executors import Workers
-from sailnet.parts import Parts
+from sailnet.workers.executors import Workers
 
 FUTILE = 64
 """Shards in a row without a single trajectory after which the recipe is given up."""

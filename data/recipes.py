@@ -8,8 +8,9 @@ from data.box import box_recipe, box_shard
 from data.domain import domain_shard, widened
 from data.wide import wide_shard
 from sailnet.dataset import Block
-from sailnet.mission import DomainRecipe, Mission, WideRecipe
-from sailnet.nominal import solve_nominal
+from sailnet.expert.nominal import solve_nominal
+from sailnet.mission.mission import Mission
+from sailnet.mission.recipes import DomainRecipe, WideRecipe
 
 RECIPES = ("wide", "domain", "box")
 

@@ -14,12 +14,13 @@ from scipy.stats.qmc import Sobol
 
 from data.block import block_of
 from data.domain import flights_block, widened
-from sailnet.approach import approach_coordinates
 from sailnet.dataset import Block
-from sailnet.dynamics import Array
-from sailnet.expert import solve_states
-from sailnet.extremals import arrival_gain, propagate_extremals
-from sailnet.mission import Mission, Transfer
+from sailnet.expert.fastest import solve_states
+from sailnet.mission.mission import Mission
+from sailnet.networks.approach import approach_coordinates
+from sailnet.physics.arrays import Array
+from sailnet.physics.extremals import arrival_gain, propagate_extremals
+from sailnet.physics.transfer import Transfer
 
 SAMPLES = 60
 """Samples of an approach besides its arrival, evenly in log(tau)."""

@@ -17,13 +17,13 @@ import torch
 
 from export.torch_networks import torch_guidance
 from sailnet import SailnetError
-from sailnet.approach import approach_coordinates
-from sailnet.backends import Backend, load_guidance
 from sailnet.dataset import open_dataset
-from sailnet.dynamics import Array
-from sailnet.guidance import Precision
-from sailnet.guidance_facts import describe
-from sailnet.networks import GuidanceNetworks, load_guidance_networks
+from sailnet.guidance.backends import Backend, load_guidance
+from sailnet.guidance.facts import describe
+from sailnet.guidance.interface import Precision
+from sailnet.networks.approach import approach_coordinates
+from sailnet.networks.guidance_networks import GuidanceNetworks, load_guidance_networks
+from sailnet.physics.arrays import Array
 
 PRECISIONS: tuple[Precision, ...] = ("float64", "float32")
 BACKENDS: Mapping[str, Backend] = {"C": "c", "onnxruntime": "onnx"}

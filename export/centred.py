@@ -6,8 +6,8 @@ as accurate, in the C as in the ONNX graphs.
 
 import numpy as np
 
-from sailnet.dynamics import Array
-from sailnet.networks import Network
+from sailnet.networks.network import Network
+from sailnet.physics.arrays import Array
 
 
 def centred_biases(network: Network) -> tuple[Array, ...]:

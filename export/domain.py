@@ -3,13 +3,13 @@
 import numpy as np
 
 from export.numbers import literal
-from sailnet.dynamics import Array
-from sailnet.guidance_facts import GuidanceFacts
-from sailnet.trained_domain import AXES, KNOTS, SMALLEST_SQUARE
+from sailnet.guidance.facts import GuidanceFacts
+from sailnet.networks.trained_domain import AXES, KNOTS, SMALLEST_SQUARE
+from sailnet.physics.arrays import Array
 
 
 def domain_tables(facts: GuidanceFacts) -> str:
-    """C source of the constants and bounds of :class:`sailnet.trained_domain.TrainedDomain`.
+    """C source of the constants and bounds of :class:`sailnet.networks.trained_domain.TrainedDomain`.
 
     Raises:
         ExportError: a bound does not fit single precision.

@@ -7,11 +7,12 @@ import numpy as np
 
 from export.errors import ExportError
 from export.numbers import LOG2_E, centred_layers, literal
-from sailnet.dynamics import Array
-from sailnet.guidance_facts import GuidanceFacts
-from sailnet.networks import EXTRAPOLATION, GuidanceNetworks, Network
-from sailnet.steering import LEAST_COSINE2
-from sailnet.trained_domain import KNOTS
+from sailnet.guidance.facts import GuidanceFacts
+from sailnet.guidance.steering import LEAST_COSINE2
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import EXTRAPOLATION, Network
+from sailnet.networks.trained_domain import KNOTS
+from sailnet.physics.arrays import Array
 
 Numbers = tuple[str, Array]
 """What they are, and either rows of them, or as many as there are."""

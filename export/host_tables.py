@@ -15,10 +15,10 @@ from export.centred import centred_biases
 from export.errors import ExportError
 from export.numbers import LOG2_E, centred_layers, literal
 from export.row_orders import RowOrder
-from sailnet.approach import SMALLEST_SCALE
-from sailnet.dynamics import Array
-from sailnet.guidance_facts import GuidanceFacts
-from sailnet.networks import EXTRAPOLATION, Network
+from sailnet.guidance.facts import GuidanceFacts
+from sailnet.networks.approach import SMALLEST_SCALE
+from sailnet.networks.network import EXTRAPOLATION, Network
+from sailnet.physics.arrays import Array
 
 LARGEST_OCTAVES = 1000.0
 """The C's sigmoid takes no larger argument: SAILNET_LARGEST_OCTAVES."""

@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from sailnet.acceptance import acceptance_table
-from sailnet.networks import GuidanceNetworks, Network
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import Network
 
 TRIO = ("tau", "alpha_pre", "lambda_v")
 
@@ -62,7 +63,7 @@ def _domain(networks: GuidanceNetworks) -> str:
     return (
         f"**Domain.** Trained on states with {box} [AU, AU/TU], and on sails with {sails}. That box is "
         "mostly empty: the trained domain is a tube within it, by which the status is decided "
-        f"(`sailnet/trained_domain.py`).{measured} A state inside may still lie between "
+        f"(`sailnet/networks/trained_domain.py`).{measured} A state inside may still lie between "
         "samples. Outside the command stays within the bound and the status says so; it is not to be trusted."
     )
 

@@ -4,8 +4,8 @@ import math
 
 from export.centred import centred_biases
 from export.errors import ExportError
-from sailnet.dynamics import Array
-from sailnet.networks import Network
+from sailnet.networks.network import Network
+from sailnet.physics.arrays import Array
 
 LOG2_E = 1.0 / math.log(2.0)
 SMALLEST, LARGEST = 1e-30, 1e30

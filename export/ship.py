@@ -17,9 +17,9 @@ from export.model_card import TRIO, Facts, made_by, model_card
 from export.write import export
 from sailnet import SailnetError, load_mission
 from sailnet.acceptance import acceptance_table
-from sailnet.files import fill_block, write_whole
-from sailnet.mission import Mission
-from sailnet.networks import load_guidance_networks
+from sailnet.artefacts.files import fill_block, write_whole
+from sailnet.mission.mission import Mission
+from sailnet.networks.guidance_networks import load_guidance_networks
 
 REPRODUCTION = "reproduction.json"
 """What the page of the paper's campaign draws of `make paper`; its report leaves it beside its table."""

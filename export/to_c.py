@@ -13,10 +13,10 @@ from export.flight_tables import flight_tables, limits
 from export.host_tables import constants, stage_tables
 from export.numbers import LOG2_E, literal
 from export.templates import filled, read
-from sailnet import units
-from sailnet.guidance_facts import GuidanceFacts, round_down
-from sailnet.networks import GuidanceNetworks
-from sailnet.steering import LARGEST_PERIOD, LARGEST_SURPRISE, LEAST_COSINE2, MEMORY
+from sailnet.guidance.facts import GuidanceFacts, round_down
+from sailnet.guidance.steering import LARGEST_PERIOD, LARGEST_SURPRISE, LEAST_COSINE2, MEMORY
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.physics import units
 
 SIMULATION = ("sailnet_batch.h", "sailnet_batch.c")
 """Files that are the same for all networks, for simulation."""

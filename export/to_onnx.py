@@ -10,7 +10,7 @@ import onnx
 import torch
 from torch import nn
 
-from sailnet.guidance_facts import METADATA_KEY, GuidanceFacts
+from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts
 
 OPSET = 18
 

@@ -8,9 +8,10 @@ import torch
 from torch import Tensor, nn
 
 from export.centred import centred_biases
-from sailnet.approach import SMALLEST_SCALE
-from sailnet.guidance_facts import GuidanceFacts, round_down
-from sailnet.networks import EXTRAPOLATION, GuidanceNetworks, Network
+from sailnet.guidance.facts import GuidanceFacts, round_down
+from sailnet.networks.approach import SMALLEST_SCALE
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import EXTRAPOLATION, Network
 
 
 class TorchNetwork(nn.Module):

@@ -10,19 +10,18 @@ from export.errors import ExportError
 from export.to_c import write_c
 from export.to_onnx import Graph, Inputs, write_onnx
 from export.torch_networks import TorchBaseline, torch_guidance
-from sailnet.approach import APPROACH_INPUTS
-from sailnet.checksums import write_checksums
+from sailnet.artefacts.checksums import write_checksums
 from sailnet.errors import NetworkError
-from sailnet.guidance_facts import GuidanceFacts, describe
-from sailnet.mission import Mission
-from sailnet.networks import (
+from sailnet.guidance.facts import GuidanceFacts, describe
+from sailnet.mission.mission import Mission
+from sailnet.networks.approach import APPROACH_INPUTS
+from sailnet.networks.guidance_networks import (
     COMMAND_INPUTS,
     STATE_INPUTS,
     GuidanceNetworks,
-    Network,
     load_guidance_networks,
-    load_network,
 )
+from sailnet.networks.network import Network, load_network
 
 CHECKSUMS = "SHA256SUMS"
 STATE: Inputs = {"state": len(STATE_INPUTS)}

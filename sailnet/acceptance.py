@@ -14,19 +14,19 @@ from pathlib import Path
 
 import numpy as np
 
-from sailnet.backends import load_guidance
-from sailnet.disturbances import Disturbance, disturbance_from, switched_on
-from sailnet.dynamics import Array
+from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.provenance import software
 from sailnet.errors import SailnetError
-from sailnet.executors import Workers, workers
-from sailnet.expert import solve_states
-from sailnet.files import write_whole
-from sailnet.flight import fly
-from sailnet.guidance import Guidance
-from sailnet.mission import Mission, load_mission
+from sailnet.expert.fastest import solve_states
+from sailnet.flight.closed_loop import fly
+from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.disturbances import Disturbance, disturbance_from, switched_on
+from sailnet.mission.mission import Mission, load_mission
 from sailnet.montecarlo import Campaign, fly_campaign
-from sailnet.provenance import software
+from sailnet.physics.arrays import Array
 from sailnet.report.paper import CASES
+from sailnet.workers.executors import Workers, workers
 
 CAMPAIGNS: Mapping[str, Mapping[str, float]] = {
     "nominal": {},

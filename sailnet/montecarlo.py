@@ -9,13 +9,13 @@ from functools import partial
 import numpy as np
 from tqdm import tqdm
 
-from sailnet.disturbances import Disturbance
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.executors import Workers
-from sailnet.flight import Flights, fly
-from sailnet.guidance import Guidance
-from sailnet.mission import Mission
+from sailnet.flight.closed_loop import Flights, fly
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+from sailnet.workers.executors import Workers
 
 BATCH = 500
 """Flights flown side by side; part of nothing that is reported."""

@@ -8,13 +8,16 @@ import pytest
 
 from data.box import box_shard
 from sailnet.dataset import Block, write_dataset
-from sailnet.expert import Extremal, Optima, solve, solve_states
-from sailnet.mission import Mission, Transfer, load_mission
-from sailnet.networks import GuidanceNetworks, Network, save_network
-from sailnet.nominal import Nominal, solve_nominal
+from sailnet.expert.fastest import Extremal, Optima, solve, solve_states
+from sailnet.expert.nominal import Nominal, solve_nominal
+from sailnet.mission.mission import Mission, load_mission
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import Network, save_network
+from sailnet.physics.transfer import Transfer
 from tests.random_networks import random_guidance, random_network, save_guidance
 from tests.reference import Array
 from tests.small_datasets import NOMINAL, pieces, with_recipe
+from tests.tools import pytest_runtest_makereport, pytest_runtest_setup  # noqa: F401 (hooks)
 
 
 @pytest.fixture(scope="session")

@@ -17,7 +17,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.mission import Transfer
+from sailnet.physics.transfer import Transfer
 
 Array = NDArray[np.float64]
 State = tuple[float, float, float]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import root
 
-from sailnet.mission import Transfer
+from sailnet.physics.transfer import Transfer
 from tests.reference import Array, fly, hamiltonian, smoothed, unconstrained_angle
 
 

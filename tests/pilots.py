@@ -5,10 +5,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array
-from sailnet.guidance import Commands, GuidanceStatus, Steering
-from sailnet.mission import load_mission
-from sailnet.steering import ReferenceSteering
+from sailnet.guidance.interface import Commands, GuidanceStatus, Steering
+from sailnet.guidance.steering import ReferenceSteering
+from sailnet.mission.mission import load_mission
+from sailnet.physics.arrays import Array
 
 MISSION = load_mission("earth_mars")
 

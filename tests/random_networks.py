@@ -7,9 +7,10 @@ import numpy as np
 from scipy.special import expit
 
 from sailnet import Mission, load_mission
-from sailnet.approach import APPROACH_INPUTS
-from sailnet.networks import COMMAND_INPUTS, STATE_INPUTS, GuidanceNetworks, Network, save_network
-from sailnet.trained_domain import AXES, KNOTS
+from sailnet.networks.approach import APPROACH_INPUTS
+from sailnet.networks.guidance_networks import COMMAND_INPUTS, STATE_INPUTS, GuidanceNetworks
+from sailnet.networks.network import Network, save_network
+from sailnet.networks.trained_domain import AXES, KNOTS
 
 STATE_MIN, STATE_MAX = (0.35, -0.45, 0.59), (1.56, 0.45, 1.85)
 WIDE = [[100.0] * (len(AXES) + 2)] * KNOTS

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import solve_ivp
 
-from sailnet.mission import Transfer
+from sailnet.physics.transfer import Transfer
 
 Array = NDArray[np.float64]
 

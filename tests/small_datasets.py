@@ -18,8 +18,8 @@ from sailnet.dataset import (
     open_dataset,
     write_dataset,
 )
-from sailnet.executors import Workers
-from sailnet.mission import Mission
+from sailnet.mission.mission import Mission
+from sailnet.workers.executors import Workers
 
 NOMINAL = (-21.5117, 8.5435)
 

@@ -10,15 +10,17 @@ import mpmath
 import numpy as np
 import pytest
 
-from c_runtime.shared_library import FLAGS, LAYOUTS, find_compiler
+from c_runtime.builds import BUILDS, Build
+from c_runtime.shared_library import FLAGS, find_compiler
 from c_runtime.verification.accuracy.__main__ import main
 from c_runtime.verification.accuracy.errors import QUANTITIES, compare, refine
 from c_runtime.verification.accuracy.judge import FLIGHTS, UNIFORM
 from c_runtime.verification.accuracy.reference import extended, reference
 from c_runtime.verification.accuracy.states import Domain
-from c_runtime.verification.bench.exported_c import PRECISIONS, compile_exported
+from c_runtime.verification.bench.exported_c import compile_exported
 from c_runtime.verification.bench.subjects import read_facts
-from sailnet.networks import GuidanceNetworks, Network
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import Network
 from tests.conftest import Exported
 
 BOUNDS = {
@@ -52,7 +54,7 @@ def test_commands_are_within_bounds_in_every_build(
 ) -> None:
     found = _judged(exported, capsys, "--states", 20_000, "--rounds", 40)
     records = found["kinds"][UNIFORM]
-    assert len(records) == len(LAYOUTS) * len(PRECISIONS) * 2
+    assert len(records) == len(BUILDS) * 2
     for build, record in records.items():
         precision = build.split(",")[0]
         assert record["states"] > 10_000
@@ -65,30 +67,28 @@ def test_commands_are_within_bounds_in_every_build(
             assert refined < BOUNDS[precision][quantity]
             assert found["refined"][build][f"{quantity}, extended"] < BOUNDS[precision][quantity]
     # Single precision is hardly better than it is said to be, so neither are the bounds.
-    assert records["float32, simd, portable"]["size"]["largest"] > 0.02 * BOUNDS["float32"]["size"]
+    assert records["float32, host, portable"]["size"]["largest"] > 0.02 * BOUNDS["float32"]["size"]
     for quantity, error in found["reference"].items():
         assert 0.0 < error < BOUNDS["float64"][quantity]
 
 
-@pytest.mark.parametrize("precision", list(PRECISIONS))
+@pytest.mark.parametrize("build", BUILDS.values(), ids=BUILDS)
 @pytest.mark.parametrize("mutant", [None, *POLYNOMIAL])
 def test_a_wrong_coefficient_exceeds_the_bounds(
-    approach_exported: Exported, tmp_path: Path, precision: str, mutant: str | None
+    approach_exported: Exported, tmp_path: Path, build: Build, mutant: str | None
 ) -> None:
     folder = tmp_path / "exported"
     shutil.copytree(approach_exported.folder, folder)
     if mutant is not None:
         pattern, wrong = POLYNOMIAL[mutant]
-        source = folder / "sailnet_guidance.c"
+        source = folder / build.source
         text, count = re.subn(pattern, wrong, source.read_text())
         assert count > 0
         source.write_text(text)
-    library = compile_exported(
-        find_compiler(), folder, tmp_path / "built", layout="simd", precision=precision, flags=FLAGS
-    )
+    library = compile_exported(find_compiler(), folder, tmp_path / "built", build=build, flags=FLAGS)
     states = next(Domain.of(read_facts(folder)).uniform(2_000, seed=3))
     (compared,) = compare(approach_exported.networks, [library], states)
-    for quantity, bound in BOUNDS[precision].items():
+    for quantity, bound in BOUNDS[build.precision].items():
         assert (compared.errors[quantity].max() > bound) == (mutant is not None)
 
 
@@ -159,18 +159,18 @@ def test_along_flights_too_and_into_a_readme(
     paper_exported: Exported, stored: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     readme = tmp_path / "README.md"
-    readme.write_text("before\n<!-- accuracy:begin -->\nold\n<!-- accuracy:end -->\nafter\n")
+    readme.write_text("before\n<!-- accuracy -->\nold\n<!-- /accuracy -->\nafter\n")
     more = ("--dataset", stored, "--states", 300, "--rounds", 2, "--readme", readme)
     found = _judged(paper_exported, capsys, *more)
     assert list(found["kinds"]) == [UNIFORM, FLIGHTS]
     states = {record["states"] for record in found["kinds"][FLIGHTS].values()}
     assert 0 < min(states) <= max(states) <= 300
     text = readme.read_text()
-    assert text.startswith("before\n<!-- accuracy:begin -->\nWritten by")
-    assert text.endswith("<!-- accuracy:end -->\nafter\n")
+    assert text.startswith("before\n<!-- accuracy -->\nWritten by")
+    assert text.endswith("<!-- /accuracy -->\nafter\n")
     assert "old" not in text
-    largest = found["refined"]["float32, compact, portable"]["size"]
-    assert f"| float32, compact, portable | {largest:.1e} |" in text
+    largest = found["refined"]["float32, flight, portable"]["size"]
+    assert f"| float32, flight, portable | {largest:.1e} |" in text
 
 
 def test_a_readme_without_the_markers_is_named(
@@ -181,5 +181,5 @@ def test_a_readme_without_the_markers_is_named(
     arguments = [paper_exported.folder, "--networks", paper_exported.weights, "--readme", readme]
     more = [*map(str, arguments), "--states", "50", "--rounds", "1"]
     assert main(more) == 1
-    assert "accuracy:begin" in capsys.readouterr().err
+    assert "<!-- accuracy -->" in capsys.readouterr().err
     assert readme.read_text() == "nothing here\n"

@@ -10,18 +10,21 @@ from typing import Any
 import numpy as np
 import pytest
 
-from c_runtime.shared_library import LAYOUTS, CompilerError, find_compiler
+from c_runtime.builds import BUILDS
+from c_runtime.shared_library import CompilerError, find_compiler
 from c_runtime.verification.bench import report
 from c_runtime.verification.bench.__main__ import NO_NETWORKS, main
 from c_runtime.verification.bench.compiled import Library, Shape, Unit
 from c_runtime.verification.bench.emlearn_c import ABSENT
-from c_runtime.verification.bench.exported_c import NATIVE, PRECISIONS, instruction_sets
+from c_runtime.verification.bench.exported_c import NATIVE, instruction_sets
 from c_runtime.verification.bench.onnx2c import Entry, onnx2c
 from c_runtime.verification.bench.rounds import Candidate, Row, measure
 from c_runtime.verification.bench.subjects import Subjects, agree
 from sailnet.errors import GuidanceError
-from sailnet.networks import GuidanceNetworks, Network
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import Network
 from tests.conftest import Exported
+from tests.tools import needs_peer
 
 QUICK = ("--batches", "2", "--milliseconds", "0.05")
 
@@ -108,11 +111,11 @@ def test_every_build_and_peer_is_in_the_table(
     named = [(row["what"], row["precision"]) for row in rows]
     assert len(set(named)) == len(named)
     own = [what for what, _ in named if what.startswith(report.EXPORTED)]
-    assert len(own) == 2 * len(LAYOUTS) * len(PRECISIONS) * len(instruction_sets())
+    assert len(own) == 2 * len(BUILDS) * len(instruction_sets())
     for what in (
         report.EXPORTED,
         f"{report.EXPORTED}, steering",
-        f"{report.EXPORTED}, compact",
+        report.ON_VECTORS,
         "onnxruntime, C API",
         "onnxruntime, Python",
         "PyTorch eager",
@@ -128,13 +131,10 @@ def test_every_build_and_peer_is_in_the_table(
     assert {"onnxruntime, C API, float32", "onnxruntime, Python, float64"} <= found["ratios"].keys()
 
 
+@needs_peer("emlearn")
 @pytest.mark.usefixtures("native_only")
-def test_emlearn_takes_part_where_it_is_installed(
-    exported: Exported, capsys: pytest.CaptureFixture[str]
-) -> None:
-    with np.errstate():  # emlearn changes it
-        pytest.importorskip("emlearn")
-    before = np.geterr()
+def test_emlearn_takes_part(exported: Exported, capsys: pytest.CaptureFixture[str]) -> None:
+    before = np.geterr()  # importing emlearn changes it
     found = _report(exported, capsys)
     assert {"emlearn", "emlearn, -ffast-math"} <= {row["what"] for row in found["rows"]}
     assert "emlearn, float32" in found["ratios"]
@@ -263,10 +263,11 @@ def test_ratios_are_to_the_native_build_and_the_fastest_emlearn() -> None:
         return {"what": what, "precision": precision, "min_ns": least, "median_ns": 9.0 * least}
 
     rows = [
-        row("exported C", "float32", 100.0),
-        row("exported C", "float64", 200.0),
-        row("exported C, compact", "float32", 1.0),
-        row("exported C, SSE2", "float64", 500.0),
+        row("exported C, on vectors", "float32", 100.0),
+        row("exported C, on vectors", "float64", 200.0),
+        row("exported C", "float32", 150.0),
+        row("exported C, steering", "float32", 1.0),
+        row("exported C, on vectors, SSE2", "float64", 500.0),
         row("emlearn", "float32", 900.0),
         row("emlearn, -ffast-math", "float32", 600.0),
         row("onnxruntime, Python", "float64", 20_000.0),
@@ -274,7 +275,8 @@ def test_ratios_are_to_the_native_build_and_the_fastest_emlearn() -> None:
     assert report.ratios(rows) == {
         "emlearn, float32": 6.0,
         "onnxruntime, Python, float64": 100.0,
-        "exported C, SSE2, float64": 2.5,
+        "exported C, on vectors, SSE2, float64": 2.5,
+        "exported C, float32": 1.5,
     }
     lines = report.text_table(rows).splitlines()
     assert len({line.index("float") for line in lines[2:]}) == 1
@@ -286,14 +288,14 @@ def test_table_goes_between_the_markers(
     paper_exported: Exported, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     readme = tmp_path / "README.md"
-    readme.write_text("a\n<!-- bench:begin -->\n<!-- bench:end -->\nz\n")
+    readme.write_text("a\n<!-- bench -->\n<!-- /bench -->\nz\n")
     found = _report(paper_exported, capsys, "--readme", readme)
     text = readme.read_text()
-    assert text.startswith("a\n<!-- bench:begin -->\nWritten by")
-    assert text.endswith("\n<!-- bench:end -->\nz\n")
+    assert text.startswith("a\n<!-- bench -->\nWritten by")
+    assert text.endswith("\n<!-- /bench -->\nz\n")
     assert text.count("\n| ") >= len(found["rows"])
     for fact in ("machine", "date", "revision", "compiler"):
         assert found[fact] in text
     readme.write_text("no markers\n")
     assert _run(paper_exported, "--readme", readme) == 1
-    assert "bench:begin" in capsys.readouterr().err
+    assert "<!-- bench -->" in capsys.readouterr().err

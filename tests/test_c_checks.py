@@ -4,17 +4,27 @@ import json
 import re
 import shutil
 import subprocess
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
+from c_runtime.builds import BUILDS
 from c_runtime.verification.checks import coverage, misra
-from c_runtime.verification.checks.flight_file import defines, places, tags
+from c_runtime.verification.checks.flight_file import places, tags
 from tests.conftest import Exported
+from tests.tools import missing, needs
 
 C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
 SHIPPED = C_RUNTIME.parent / "sailnet" / "shipped" / "earth_mars"
-TARGETS = ("fuzz", "valgrind", "misra", "coverage-c", "warnings")
+# What `make` calls for each, and the packages it is in.
+TARGETS = {
+    "fuzz": (missing("clang"), ("clang", "libclang-rt-14-dev")),
+    "valgrind": (missing("valgrind"), ("valgrind",)),
+    "misra": (missing("cppcheck"), ("cppcheck",)),
+    "coverage-c": (missing("gcc", "gcov"), ("gcc",)),
+    "warnings": (missing("gcc", "g++", "clang"), ("gcc", "g++", "clang", "libc6-dev-i386")),
+}
 BUDGET = (
     "FUZZ_RUNS=3000",
     "MEMCHECK_RUNS=300",
@@ -22,8 +32,13 @@ BUDGET = (
 )
 
 
+def needs_tools_of(target: str) -> pytest.MarkDecorator:
+    absent, packages = TARGETS[target]
+    return needs("analyser", absent, *packages)
+
+
 def make(target: str, exported: Path, build: Path, *settings: str) -> subprocess.CompletedProcess[str]:
-    """Run a target of c_runtime; skips the test if its tool is not here."""
+    """Run a target of c_runtime; skips the test if a library of its tools is not here."""
     command = ["make", "-s", target, f"EXPORTED={exported}", f"BUILD={build}", "REQUIRE=", *BUDGET, *settings]
     run = subprocess.run(
         command, cwd=C_RUNTIME, capture_output=True, text=True, check=False, errors="replace", timeout=300
@@ -34,152 +49,180 @@ def make(target: str, exported: Path, build: Path, *settings: str) -> subprocess
     return run
 
 
-@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("target", [pytest.param(name, marks=needs_tools_of(name)) for name in TARGETS])
 def test_nothing_is_found(exported: Exported, tmp_path: Path, target: str) -> None:
-    builds = "f64" if exported.networks.approach else "f32_compact"
+    builds = "f64 f32_host" if exported.networks.approach else "f32"
     run = make(target, exported.folder, tmp_path, f"BUILDS={builds}")
     assert run.returncode == 0, run.stdout + run.stderr
 
 
-def mutated(exported: Path, folder: Path, old: str, new: str) -> Path:
-    """A copy of the export with one defect in it."""
-    shutil.copytree(exported, folder)
-    path = folder / "sailnet_guidance.c"
-    source = path.read_text()
-    assert source.count(old) == 1, f"the flight file has {source.count(old)} of: {old}"
-    path.write_text(source.replace(old, new))
-    return folder
+@dataclass(frozen=True)
+class Mutant:
+    """A defect, which one of the checks has to find.
+
+    Attributes:
+        target: of make.
+        function: that has it.
+        old, new: its code, and what becomes of it. No comment is matched.
+        says: what the check tells.
+        build: that is checked.
+    """
+
+    target: str
+    function: str
+    old: str
+    new: str
+    says: str
+    build: str = "f32"
+
+    def write(self, exported: Path, folder: Path) -> Path:
+        """A copy of an export with the defect in it."""
+        shutil.copytree(exported, folder)
+        path = folder / BUILDS[self.build].source
+        source = path.read_text()
+        lines = source.splitlines(keepends=True)
+        own = [i for i, place in enumerate(places(source)) if place == self.function]
+        body = "".join(lines[own[0] : own[-1] + 1])
+        assert body.count(self.old) == 1, f"{self.function} has {body.count(self.old)} of: {self.old}"
+        changed = body.replace(self.old, self.new)
+        path.write_text("".join([*lines[: own[0]], changed, *lines[own[-1] + 1 :]]))
+        return folder
 
 
+THERE = "int32_t there = 1;"
+LAST = "    return (seen =="
+"""Where the law ends."""
 MUTANTS = {
-    "twice the cone angle, without its bound": (
+    "twice the cone angle, without its bound": Mutant(
         "fuzz",
+        "sailnet_law",
         "sailnet_size(sailnet_limited(&command->cone_angle, SAILNET_OF_CONE_ANGLE));",
         "R(2.0) * sailnet_size(command->cone_angle);",
         "promise broken: command->cone_angle",
     ),
-    "a NaN let through": (
+    "a NaN let through": Mutant("fuzz", "sailnet_law", "(state->u - state->u)", "R(0.0)", "promise broken"),
+    "held too long": Mutant(
         "fuzz",
-        "(state->u - state->u)",
-        "R(0.0)",
-        "promise broken",
-    ),
-    "held too long": (
-        "fuzz",
+        "sailnet_steer",
         "    command->hold = hold;\n",
         "    command->hold = R(2.0) * hold;\n",
         "promise broken",
     ),
-    "an arrival outside the domain": (
+    "a period of days": Mutant(
+        "fuzz", "sailnet_steer", "(period <= SAILNET_LARGEST_PERIOD)", "(period <= R(1e9))", "promise broken"
+    ),
+    "an arrival outside the domain": Mutant(
         "fuzz",
+        "sailnet_steer",
         "if (status != SAILNET_OUTSIDE_DOMAIN) {",
         "if (status != SAILNET_INVALID_INPUT) {",
         "promise broken: (of_law == SAILNET_OUTSIDE_DOMAIN)",
     ),
-    "something remembered from call to call": (
+    "something remembered from call to call": Mutant(
         "fuzz",
-        "    /* SAILNET_ARRIVED, or",
+        "sailnet_law",
+        LAST,
         "    static int32_t calls = 0;\n    calls = 1 - calls;\n"
-        "    command->time_of_flight += (sailnet_real)calls;\n    /* SAILNET_ARRIVED, or",
+        f"    command->time_of_flight += (sailnet_real)calls;\n{LAST}",
         "promise broken",
     ),
-    "index out of bounds": (
+    "index out of bounds": Mutant(
         "fuzz",
+        "sailnet_observed",
         "number = &number[SAILNET_KNOTS + 1];",
         "number = &number[300 * SAILNET_KNOTS];",
         "SUMMARY: ",
     ),
-    "signed overflow": (
+    "signed overflow": Mutant(
         "fuzz",
-        "    int32_t there = 1;\n    /* All",
-        "    int32_t there = INT32_MAX;\n    there = (there + 2) & 1;\n    /* All",
+        "sailnet_observed",
+        THERE,
+        "int32_t there = INT32_MAX;\n    there = (there + 2) & 1;",
         "signed integer overflow",
     ),
-    "undefined output": (
-        "valgrind",
-        "    command->hold = R(0.0);\n    if",
-        "    if",
-        "uninitialised value",
+    "undefined output": Mutant(
+        "valgrind", "sailnet_law", "    command->hold = R(0.0);\n", "", "uninitialised value"
     ),
-    "undefined variable": (
+    "undefined variable": Mutant(
         "valgrind",
-        "    const uint32_t seen = sailnet_law(",
-        "    volatile int32_t unset[2];\n    volatile int32_t *volatile at = unset;\n"
+        "sailnet_steer",
+        "const uint32_t seen = sailnet_law(",
+        "volatile int32_t unset[2];\n    volatile int32_t *volatile at = unset;\n"
         "    const uint32_t seen = *at == 7 ? 0u : sailnet_law(",
         "uninitialised value",
     ),
-    "octal constant": (
+    "octal constant": Mutant("misra", "sailnet_observed", THERE, "int32_t there = 01;", "misra-c2012-7.1"),
+    "a listed rule broken elsewhere": Mutant(
         "misra",
-        "    int32_t there = 1;\n    /* All",
-        "    int32_t there = 01;\n    /* All",
-        "misra-c2012-7.1",
-    ),
-    "a listed rule broken elsewhere": (
-        "misra",
-        "    if (memory != NULL) {\n",
-        "    if (memory == NULL) {\n        return;\n    } else {\n",
+        "sailnet_start",
+        "if (memory != NULL) {\n",
+        "if (memory == NULL) {\n        return;\n    } else {\n",
         "(in sailnet_start): misra-c2012-15.5",
     ),
-    "a variable without use": (
-        "misra",
-        "    int32_t there = 1;\n    /* All",
-        "    int32_t unread = 3;\n    int32_t there = 1;\n    /* All",
-        "unreadVariable",
+    "a variable without use": Mutant(
+        "misra", "sailnet_observed", THERE, f"int32_t unread = 3;\n    {THERE}", "unreadVariable"
     ),
-    "dead branch of an expression": (
+    "dead branch of an expression": Mutant(
         "coverage-c",
-        "    /* SAILNET_ARRIVED, or",
-        "    command->hold = command->time_of_flight > R(1e30) ? R(1e30) : R(0.0);\n"
-        "    /* SAILNET_ARRIVED, or",
+        "sailnet_law",
+        LAST,
+        f"    command->hold = command->time_of_flight > R(1e30) ? R(1e30) : R(0.0);\n{LAST}",
         "0 line(s), 1 branch(es) of: command->hold",
     ),
-    "dead line": (
+    "dead line": Mutant(
         "coverage-c",
-        "    /* SAILNET_ARRIVED, or",
-        "    if (command->time_of_flight > R(1e30)) {\n        command->beta = R(0.0);\n    }\n"
-        "    /* SAILNET_ARRIVED, or",
+        "sailnet_law",
+        LAST,
+        f"    if (command->time_of_flight > R(1e30)) {{\n        command->beta = R(0.0);\n    }}\n{LAST}",
         "1 line(s), 0 branch(es) of: command->beta = R(0.0);",
     ),
-    "constant of the wrong precision": (
+    "constant of the wrong precision": Mutant(
         "warnings",
+        "sailnet_learn",
         "const sailnet_real distance = R(0.5) * (before",
         "const sailnet_real distance = 0.5 * (before",
         "double",
     ),
-    "a type of 64 bit on some machines": (
+    "a type of 64 bit on some machines": Mutant(
         "warnings",
-        "    if (memory != NULL) {\n",
-        "    if (memory != NULL && (1L << 40) != 0) {\n",
+        "sailnet_start",
+        "if (memory != NULL) {\n",
+        "if (memory != NULL && (1L << 40) != 0) {\n",
         "shift",
+    ),
+    # The last of the file for hosts.
+    "a knot beyond the last": Mutant(
+        "fuzz",
+        "sailnet_find",
+        "before < SAILNET_KNOTS - 2 ? before : SAILNET_KNOTS - 2;",
+        "before;",
+        "out of bounds",
+        "f32_host",
     ),
 }
 
 
-@pytest.mark.parametrize("mutant", MUTANTS)
-def test_defects_are_found(approach_exported: Exported, tmp_path: Path, mutant: str) -> None:
-    target, old, new, message = MUTANTS[mutant]
-    folder = mutated(approach_exported.folder, tmp_path / "exported", old, new)
-    run = make(target, folder, tmp_path, "BUILDS=f32_compact", "FUZZ_RUNS=50000")
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=needs_tools_of(mutant.target)) for name, mutant in MUTANTS.items()]
+)
+def test_defects_are_found(approach_exported: Exported, tmp_path: Path, name: str) -> None:
+    mutant = MUTANTS[name]
+    # The tube of random networks holds every state.
+    exported = SHIPPED if name == "a knot beyond the last" else approach_exported.folder
+    folder = mutant.write(exported, tmp_path / "exported")
+    run = make(mutant.target, folder, tmp_path, f"BUILDS={mutant.build}", "FUZZ_RUNS=50000")
     assert run.returncode != 0, run.stdout
-    assert message in run.stdout + run.stderr
+    assert mutant.says in run.stdout + run.stderr
 
 
-def test_a_knot_beyond_the_last_is_found(tmp_path: Path) -> None:
-    """Of the networks that ship: the tube of random ones holds every state."""
-    old = "before < SAILNET_KNOTS - 2 ? before : SAILNET_KNOTS - 2;"
-    folder = mutated(SHIPPED, tmp_path / "exported", old, "before;")
-    run = make("fuzz", folder, tmp_path, "BUILDS=f32", "FUZZ_RUNS=50000")
-    assert run.returncode != 0
-    assert "out of bounds" in run.stdout
-
-
+@needs_tools_of("misra")
 def test_a_listed_deviation_that_is_gone_fails(approach_exported: Exported, tmp_path: Path) -> None:
     listed = (C_RUNTIME / "MISRA.md").read_text()
     row = "| 12.1 | advisory |"
     assert row in listed
     table = tmp_path / "MISRA.md"
     table.write_text(listed.replace(row, f"| 7.1 | required | `sailnet_start` | all | none |\n{row}"))
-    run = make("misra", approach_exported.folder, tmp_path, f"DEVIATIONS={table}", "BUILDS=f32_compact")
+    run = make("misra", approach_exported.folder, tmp_path, f"DEVIATIONS={table}", "BUILDS=f32")
     assert run.returncode != 0
     assert (
         run.stdout.strip() == "MISRA.md lists a deviation from rule 7.1 in sailnet_start, but there is none"
@@ -217,15 +260,15 @@ def test_deviations_need_a_reason() -> None:
 
 
 def test_deviations_are_told_apart_by_place_and_build() -> None:
-    row = misra.Deviation("8.9", "sailnet_*_layer", frozenset({"compact"}))
-    compact = frozenset({"f32", "compact", "approach"})
-    assert row.covers("8.9", "sailnet_tau_layer", compact)
-    assert not row.covers("8.9", "sailnet_start", compact)
-    assert not row.covers("8.7", "sailnet_tau_layer", compact)
-    assert not row.covers("8.9", "sailnet_tau_layer", frozenset({"f32", "simd", "approach"}))
+    row = misra.Deviation("8.9", "sailnet_*_layer", frozenset({"f64"}))
+    double = frozenset({"f64", "flight", "approach"})
+    assert row.covers("8.9", "sailnet_tau_layer", double)
+    assert not row.covers("8.9", "sailnet_start", double)
+    assert not row.covers("8.7", "sailnet_tau_layer", double)
+    assert not row.covers("8.9", "sailnet_tau_layer", frozenset({"f32", "flight", "approach"}))
     # Where the row does not apply it need not occur.
-    assert misra.judge({"f32": []}, [row], {"f32": frozenset({"f32", "simd"})}) == []
-    assert len(misra.judge({"f32_compact": []}, [row], {"f32_compact": compact})) == 1
+    assert misra.judge({"f32": []}, [row], {"f32": frozenset({"f32", "flight"})}) == []
+    assert len(misra.judge({"f64": []}, [row], {"f64": double})) == 1
 
 
 def test_gaps_need_a_reason_and_go_when_they_are_filled() -> None:
@@ -270,5 +313,5 @@ def test_lines_know_their_function_and_builds_their_tags(exported: Exported) -> 
     assert where["    *weights = &w[1];"] == "sailnet_network"
     assert where["#include <string.h>"] == "file"
     form = "approach" if exported.networks.approach else "paper"
-    assert tags("f64_compact", path) == {"f64", "compact", form}
-    assert defines("f64") == ["-DSAILNET_FLOAT64", "-USAILNET_COMPACT", "-DSAILNET_PLAIN"]
+    assert tags("f64", exported.folder) == {"f64", "flight", form}
+    assert tags("f32_host", exported.folder) == {"f32", "host", form}

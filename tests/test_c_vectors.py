@@ -9,11 +9,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from c_runtime.shared_library import PRECISIONS, SHARED, find_compiler
+from c_runtime.builds import BUILDS, Build
+from c_runtime.shared_library import SHARED, find_compiler
 from c_runtime.verification.bench.exported_c import instruction_sets
 from export.to_c import write_c
-from sailnet.guidance_facts import describe
-from sailnet.mission import Mission
+from sailnet.guidance.facts import describe
+from sailnet.mission.mission import Mission
+from tests.paths import ROOT
 from tests.random_networks import STATE_MAX, STATE_MIN, random_guidance
 
 Reals = NDArray[np.floating]
@@ -23,8 +25,10 @@ COUNT = 20_000
 # No product and sum in one operation: which of them are is the compiler's choice.
 FLAGS = ("-std=c99", "-O3", "-fno-trapping-math", "-fno-tree-vectorize", "-ffp-contract=off")
 PLAIN = ("-DSAILNET_PLAIN",)
+ON_VECTORS = [build for build in BUILDS.values() if build.layout == "host"]
+VERIFICATION = ROOT / "c_runtime" / "verification"
 WRAPPER = """
-#include "sailnet_guidance.c"
+#include "tested.h"
 #ifdef SAILNET_VECTORS
 int lanes(void) { return SAILNET_LANES; }
 #else
@@ -47,7 +51,8 @@ def compiled(source: Path, name: str, flags: Sequence[str]) -> ctypes.CDLL:
     library = source / f"{name}.so"
     wrapper = source / "wrapper.c"
     wrapper.write_text(WRAPPER)
-    command = [*find_compiler(), *FLAGS, *SHARED, *flags, f"-I{source}", "-o", str(library), str(wrapper)]
+    command = [*find_compiler(), *FLAGS, *SHARED, *flags, f"-I{source}", f"-I{VERIFICATION}"]
+    command += ["-o", str(library), str(wrapper)]
     subprocess.run(command, check=True)
     return ctypes.CDLL(str(library))
 
@@ -72,7 +77,7 @@ def states(kind: type[np.floating], beta: float) -> Reals:
     )
 
 
-@pytest.mark.parametrize("precision", PRECISIONS)
+@pytest.mark.parametrize("build", ON_VECTORS, ids=lambda build: build.name)
 @pytest.mark.parametrize(
     ("sizes", "approach"),
     [
@@ -84,12 +89,12 @@ def states(kind: type[np.floating], beta: float) -> Reals:
     ids=["approach", "paper", "odd sizes", "odd sizes, paper"],
 )
 def test_vectors_and_single_numbers_give_the_same_bits(
-    tmp_path: Path, mission: Mission, precision: str, sizes: Trio, approach: bool
+    tmp_path: Path, mission: Mission, build: Build, sizes: Trio, approach: bool
 ) -> None:
     networks = random_guidance(*sizes, approach=approach)
     write_c(networks, describe(networks, mission), tmp_path)
-    defines = PRECISIONS[precision]
-    given = states(np.float64 if precision == "f64" else np.float32, mission.sail.beta)
+    defines = build.tested
+    given = states(np.float64 if build.suffix == "f64" else np.float32, mission.sail.beta)
     plain = compiled(tmp_path, "plain", (*defines, *PLAIN))
     expected = commands(plain, given)
     assert plain.lanes() == 1
@@ -100,7 +105,7 @@ def test_vectors_and_single_numbers_give_the_same_bits(
         np.testing.assert_array_equal(commands(library, given), expected, err_msg=name)
 
 
-def test_the_compact_layout_agrees_however_near_the_target(tmp_path: Path, mission: Mission) -> None:
+def test_the_flight_file_agrees_however_near_the_target(tmp_path: Path, mission: Mission) -> None:
     """Where the scale of what is missing meets its least value, too."""
     networks = random_guidance(approach=True)
     facts = describe(networks, mission)
@@ -108,9 +113,8 @@ def test_the_compact_layout_agrees_however_near_the_target(tmp_path: Path, missi
     rng = np.random.default_rng(8)
     missing = rng.normal(size=(COUNT, 3)) * 10.0 ** rng.uniform(-14.0, -2.0, (COUNT, 1))
     given = np.column_stack([np.array(facts.target_state) + missing, np.full(COUNT, mission.sail.beta)])
-    hosts, compact = (
-        np.abs(commands(compiled(tmp_path, name, ("-DSAILNET_FLOAT64", f"-DSAILNET_{name}")), given))
-        for name in ("PLAIN", "COMPACT")
+    hosts, flight = (
+        np.abs(commands(compiled(tmp_path, name, BUILDS[name].tested), given)) for name in ("f64_host", "f64")
     )
-    np.testing.assert_allclose(compact[:, 1], hosts[:, 1], atol=1e-9)
-    np.testing.assert_allclose(compact[:, 2], hosts[:, 2], rtol=1e-9)
+    np.testing.assert_allclose(flight[:, 1], hosts[:, 1], atol=1e-9)
+    np.testing.assert_allclose(flight[:, 2], hosts[:, 2], rtol=1e-9)

@@ -15,16 +15,17 @@ from export.agreement import Sails, in_torch, sign_network
 from export.to_c import write_c
 from export.write import export
 from sailnet import load_mission
-from sailnet.approach import approach_coordinates
-from sailnet.backends import Backend, load_guidance
-from sailnet.checksums import verify_checksum
-from sailnet.dynamics import Array
+from sailnet.artefacts.checksums import verify_checksum
 from sailnet.errors import NetworkError
-from sailnet.guidance import Precision
-from sailnet.guidance_c import CGuidance
-from sailnet.guidance_facts import METADATA_KEY, GuidanceFacts, describe, round_down
-from sailnet.guidance_onnx import OnnxGuidance
-from sailnet.networks import GuidanceNetworks, load_network, save_network
+from sailnet.guidance.backends import Backend, load_guidance
+from sailnet.guidance.exported_c import CGuidance
+from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts, describe, round_down
+from sailnet.guidance.interface import Precision
+from sailnet.guidance.onnx_graphs import OnnxGuidance
+from sailnet.networks.approach import approach_coordinates
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import load_network, save_network
+from sailnet.physics.arrays import Array
 from tests.conftest import Exported
 from tests.random_networks import (
     NO_TUBE,

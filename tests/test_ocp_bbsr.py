@@ -9,7 +9,6 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp import (
     TIME,
@@ -29,6 +28,7 @@ from sailnet.ocp.newton import Root, solve_equations
 from sailnet.ocp.papers import bbsr, dionysus
 from sailnet.ocp.problems import earth_dionysus, equinoctial, goddard, intercept, reorientation
 from sailnet.ocp.shooting_equations import Shooting
+from sailnet.physics.arrays import Array
 from tests.test_ocp_problem import differences
 
 

@@ -9,7 +9,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp import (
     Bounded,
@@ -33,6 +32,7 @@ from sailnet.ocp.delta.sensitivity import aligned, linearised, switches
 from sailnet.ocp.delta.series import zeros
 from sailnet.ocp.delta.solver import Delta
 from sailnet.ocp.problems import asteroid_rendezvous, leo_geo, lunar_landing
+from sailnet.physics.arrays import Array
 from tests.test_ocp_problem import differences
 
 BASES = [delta.Fourier(), delta.Chebyshev(), delta.Legendre()]

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from sailnet.dynamics import Array
 from sailnet.ocp.delta import Fourier, GaPso
 from sailnet.ocp.functions import ProblemFunctions
 from sailnet.ocp.papers import delta, delta_table
 from sailnet.ocp.problems import asteroid_rendezvous, leo_geo, lunar_landing
+from sailnet.physics.arrays import Array
 
 
 def test_landing_is_the_closed_form_and_the_closed_form_lands() -> None:

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq, fsolve, minimize_scalar
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp import Logistic
 from sailnet.ocp.papers import logistic
 from sailnet.ocp.problems import intercept
+from sailnet.physics.arrays import Array
 from tests.test_ocp_problem import differences
 from tests.test_ocp_solvers import bounded_cost
 

@@ -9,7 +9,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize_scalar
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp import (
     TIME,
@@ -37,6 +36,7 @@ from sailnet.ocp.ponn.connections import Connections, EndCondition
 from sailnet.ocp.ponn.network import Network
 from sailnet.ocp.ponn.training import iterative_least_squares, levenberg_marquardt, mean_loss
 from sailnet.ocp.problems import earth_mars, intercept, mars_landing
+from sailnet.physics.arrays import Array
 from tests.test_ocp_problem import differences
 from tests.test_ocp_solvers import bounded_cost, intercept_cost, manifold
 

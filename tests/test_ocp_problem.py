@@ -7,9 +7,7 @@ import heyoka as hy
 import numpy as np
 import pytest
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.mission import Transfer
 from sailnet.ocp import (
     Bounded,
     Direction,
@@ -34,6 +32,8 @@ from sailnet.ocp.problems import (
     reorientation,
     solar_sail,
 )
+from sailnet.physics.arrays import Array
+from sailnet.physics.transfer import Transfer
 
 PROBLEMS: dict[str, Callable[[], Problem]] = {
     "goddard": goddard.problem,

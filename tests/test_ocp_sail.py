@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 from sailnet import cli
-from sailnet.mission import Transfer
 from sailnet.ocp import Saturation, collocation
 from sailnet.ocp.papers import command, sail, trial
 from sailnet.ocp.papers.trial import MINIMUM, Trial
 from sailnet.ocp.problems import solar_sail
+from sailnet.physics.transfer import Transfer
 
 GOOD = Trial("shooting", "5 | 6 TU", MINIMUM, 1e-12, 1.5, "agrees", "")
 LOST = Trial("ponn", "1 start", math.nan, math.nan, 0.5, "no solution", "largest residual 0.2")

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq, minimize_scalar
 
-from sailnet.dynamics import Array
 from sailnet.ocp import (
     Bounded,
     ConvergenceError,
@@ -25,6 +24,7 @@ from sailnet.ocp import (
 from sailnet.ocp.flow import Flow
 from sailnet.ocp.problems import earth_mars, goddard, intercept, leo_geo
 from sailnet.ocp.shooting_equations import Shooting
+from sailnet.physics.arrays import Array
 from tests.test_ocp_problem import differences
 
 START, SPEED, TARGET = (

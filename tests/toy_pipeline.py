@@ -19,7 +19,7 @@ def python(*arguments: str | Path, check: bool = True) -> subprocess.CompletedPr
 
 def toy_mission(folder: Path, changes: Mapping[str, str]) -> Path:
     """A copy of the Earth-Mars mission under the name ``toy``, with other values wherever a key occurs."""
-    text = (ROOT / "sailnet" / "missions" / "earth_mars.toml").read_text()
+    text = (ROOT / "sailnet" / "mission" / "missions" / "earth_mars.toml").read_text()
     text = text.replace('name = "earth_mars"', 'name = "toy"')
     for key, value in changes.items():
         text, replaced = re.subn(rf"(?m)^{key} = [^#\n]*", f"{key} = {value} ", text)

@@ -9,8 +9,8 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from sailnet.artefacts.files import write_whole
 from sailnet.errors import NetworkError
-from sailnet.files import write_whole
 from training.levenberg_marquardt import Iterate
 
 SCHEMA = "sailnet-checkpoint/1"

@@ -14,11 +14,11 @@ from pathlib import Path
 
 import numpy as np
 
-from sailnet.approach import APPROACH_INPUTS
 from sailnet.dataset import open_dataset
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.networks import COMMAND_INPUTS, STATE_INPUTS
+from sailnet.networks.approach import APPROACH_INPUTS
+from sailnet.networks.guidance_networks import COMMAND_INPUTS, STATE_INPUTS
+from sailnet.physics.arrays import Array
 from training.compare_targets import trained_output
 from training.samples import Part
 from training.targets import TARGETS, Target, command_error

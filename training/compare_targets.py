@@ -16,11 +16,12 @@ import torch
 from tqdm import tqdm
 
 from sailnet.dataset import Dataset, open_dataset
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.mission import TrainingRecipe, Transfer
-from sailnet.networks import COMMAND_INPUTS
-from sailnet.pontryagin import guidance_law
+from sailnet.mission.recipes import TrainingRecipe
+from sailnet.networks.guidance_networks import COMMAND_INPUTS
+from sailnet.physics.arrays import Array
+from sailnet.physics.pontryagin import guidance_law
+from sailnet.physics.transfer import Transfer
 from training.layers import augment, forward
 from training.samples import SampleSet, load_samples
 from training.targets import TARGETS, Target, command_error, cone_direction

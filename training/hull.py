@@ -1,8 +1,8 @@
 """``python -m training.hull``: describe the states networks were trained on, and store it with them.
 
-The bounds of :class:`sailnet.trained_domain.TrainedDomain` around the samples of the training trajectories:
-for each quantity the lowest continuous piecewise linear function above all samples, a small linear
-programme, and the highest below. Held-out trajectories then tell how often the guard errs.
+The bounds of :class:`sailnet.networks.trained_domain.TrainedDomain` around the samples of the training
+trajectories: for each quantity the lowest continuous piecewise linear function above all samples, a small
+linear programme, and the highest below. Held-out trajectories then tell how often the guard errs.
 """
 
 import argparse
@@ -17,10 +17,9 @@ from scipy.optimize import linprog
 from tqdm import tqdm
 
 from sailnet.dataset import Dataset, open_dataset
-from sailnet.dynamics import Array
 from sailnet.errors import NetworkError, SailnetError
-from sailnet.networks import Network, load_network, save_network
-from sailnet.trained_domain import (
+from sailnet.networks.network import Network, load_network, save_network
+from sailnet.networks.trained_domain import (
     AXES,
     KNOTS,
     TrainedDomain,
@@ -28,6 +27,7 @@ from sailnet.trained_domain import (
     momentum_and_orbit,
     size_and_direction,
 )
+from sailnet.physics.arrays import Array
 from training.samples import ROWS_READ, split_trajectories
 
 MARGIN = 0.01

@@ -13,8 +13,8 @@ from pathlib import Path
 import torch
 from tqdm import tqdm
 
-from sailnet.mission import Mission
-from sailnet.networks import Network
+from sailnet.mission.mission import Mission
+from sailnet.networks.network import Network
 from training.targets import TARGETS
 from training.train import train_network
 

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.dataset import Dataset
-from sailnet.dynamics import Array
 from sailnet.errors import DatasetError
+from sailnet.physics.arrays import Array
 from training.targets import Target
 
 PARTS = ("train", "validation", "test")

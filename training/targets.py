@@ -6,12 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.approach import APPROACH_INPUTS, approach_coordinates
 from sailnet.dataset import SAMPLES
-from sailnet.dynamics import Array
-from sailnet.jumps import cone_angle_size
-from sailnet.mission import Training, TrainingRecipe, Transfer
-from sailnet.networks import COMMAND_INPUTS, STATE_INPUTS
+from sailnet.mission.recipes import Training, TrainingRecipe
+from sailnet.networks.approach import APPROACH_INPUTS, approach_coordinates
+from sailnet.networks.guidance_networks import COMMAND_INPUTS, STATE_INPUTS
+from sailnet.physics.arrays import Array
+from sailnet.physics.jumps import cone_angle_size
+from sailnet.physics.transfer import Transfer
 
 Columns = Mapping[str, Array]
 

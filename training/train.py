@@ -11,13 +11,14 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.provenance import software
 from sailnet.dataset import open_dataset
-from sailnet.dynamics import Array
 from sailnet.errors import NetworkError
-from sailnet.files import write_whole
-from sailnet.mission import Mission, TrainingRecipe
-from sailnet.networks import Network, load_network, save_network
-from sailnet.provenance import software
+from sailnet.mission.mission import Mission
+from sailnet.mission.recipes import TrainingRecipe
+from sailnet.networks.network import Network, load_network, save_network
+from sailnet.physics.arrays import Array
 from training.checkpoint import Progress, load_checkpoint, save_checkpoint
 from training.layers import Layers, forward
 from training.least_squares import LeastSquares

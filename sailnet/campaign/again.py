@@ -2,8 +2,8 @@
 
 from sailnet.campaign.store import Results
 from sailnet.errors import CampaignError
-from sailnet.flight import History, fly
-from sailnet.guidance import Guidance
+from sailnet.flight.closed_loop import History, fly_recorded
+from sailnet.guidance.interface import Guidance
 
 
 def fly_again(results: Results, guidance: Guidance, row: int) -> History:
@@ -23,14 +23,12 @@ def fly_again(results: Results, guidance: Guidance, row: int) -> History:
         )
     flights = results.flights
     series = results.plan.whole[int(flights["series"][row])]
-    recorder: list[History] = []
-    fly(
+    _, (history,) = fly_recorded(
         results.mission,
         guidance,
         [[flights[f"start_{name}"][row] for name in "ruv"]],
         disturbance=series.disturbances(results.mission, results.plan.seed),
         period=float(flights["period"][row]),
         first=int(flights["number"][row]),
-        recorder=recorder,
     )
-    return recorder[0]
+    return history

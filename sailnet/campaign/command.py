@@ -4,15 +4,15 @@ import argparse
 from contextlib import nullcontext
 from pathlib import Path
 
-from sailnet.backends import load_guidance
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import score_lines, score_record, scores_of
-from sailnet.disturbances import catalogue
 from sailnet.errors import SailnetError
-from sailnet.executors import workers
-from sailnet.mission import load_mission
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.disturbances import catalogue
+from sailnet.mission.mission import load_mission
 from sailnet.report import report
+from sailnet.workers.executors import workers
 
 
 def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
@@ -27,7 +27,12 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
         raise SailnetError(f"a campaign says itself what is flown: put {flags} into its TOML file")
     mission, plan = load_mission(options.mission), load_plan(options.campaign)
     plan = plan.changed(options.flights, options.seed)
-    guidance = load_guidance(mission, options.backend, options.precision, options.networks)
+    guidance = load_guidance(
+        mission, options.backend, options.precision, options.networks, layout=options.layout
+    )
+    facts = {"backend": options.backend, "precision": options.precision}
+    if options.backend == "c":
+        facts["layout"] = options.layout
     stored: Path = options.output / f"{plan.name}.h5"
     folder: Path = options.output / plan.name
     alone = options.workers == 1 and options.scheduler is None
@@ -39,7 +44,7 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
             stored,
             workers=pool,
             restart=options.restart,
-            facts={"backend": options.backend, "precision": options.precision},
+            facts=facts,
         )
     scores = scores_of(results)
     if not options.json:

@@ -7,12 +7,15 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import AfterValidator, Field, ValidationError, model_validator
 
-from sailnet.disturbances import Disturbance, disturbance_from
-from sailnet.dynamics import Array
-from sailnet.errors import CampaignError, SailnetError
-from sailnet.mission import Count, Mission, Positive, Section, explain
+from sailnet.errors import CampaignError, GuidanceError, SailnetError
+from sailnet.guidance.steering import refuse_long_period
+from sailnet.mission.disturbances import Disturbance, disturbance_from
+from sailnet.mission.explanation import explain
+from sailnet.mission.mission import Mission
+from sailnet.mission.sections import Count, Positive, Section
+from sailnet.mission.toml_files import read_table, shipped_names
 from sailnet.montecarlo import random_starts
-from sailnet.toml_files import read_table, shipped_names
+from sailnet.physics.arrays import Array
 
 State = Annotated[tuple[Positive, float, float], Field(strict=False)]
 Starts = Literal["generalisation"] | Annotated[tuple[State, ...], Field(strict=False, min_length=1)]
@@ -26,6 +29,17 @@ def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
 
 
 Increasing = Annotated[tuple[Positive, ...], Field(strict=False, min_length=1), AfterValidator(_increasing)]
+
+
+def _short_enough(values: tuple[float, ...]) -> tuple[float, ...]:
+    try:
+        refuse_long_period(max(values))
+    except GuidanceError as error:
+        raise ValueError(str(error)) from error
+    return values
+
+
+Periods = Annotated[Increasing, AfterValidator(_short_enough)]
 
 
 def _known(table: dict[str, Any]) -> dict[str, Any]:
@@ -54,7 +68,7 @@ class Series(Section):
     name: Annotated[str, Field(min_length=1, max_length=60)]
     flights: Count | None = None
     starts: Starts | None = None
-    periods: Increasing | None = None
+    periods: Periods | None = None
     disturbance: Annotated[dict[str, Any], AfterValidator(_known)] = Field(default_factory=dict)
     optima: Annotated[int, Field(ge=0)] | None = None
 
@@ -100,7 +114,7 @@ class Plan(Section):
     seed: Seed = 2
     flights: Count | None = None
     starts: Starts = "generalisation"
-    periods: Increasing | None = None
+    periods: Periods | None = None
     optima: Annotated[int, Field(ge=0)] = 0
     thresholds: Increasing = (1e-4, 1e-3, 1e-2)
     sample: Annotated[int, Field(ge=0)] = 10

@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from sailnet.artefacts.files import fill_block
 from sailnet.campaign.plan import ready_campaigns
 from sailnet.errors import CampaignError, SailnetError
-from sailnet.files import fill_block
 
 MARK = "campaigns"
 

@@ -9,17 +9,17 @@ from threading import Event
 
 from tqdm import tqdm
 
+from sailnet.artefacts.provenance import environment, software
+from sailnet.artefacts.resumable import Parts, claim
 from sailnet.campaign.plan import Plan
 from sailnet.campaign.store import Results, open_results, write_results
 from sailnet.campaign.work import Columns, Job, Unit
 from sailnet.errors import CampaignError, SailnetError
-from sailnet.executors import Workers
-from sailnet.guidance import Guidance
-from sailnet.interruption import asked_to_stop
-from sailnet.mission import Mission
-from sailnet.parts import Parts, claim
-from sailnet.plant import sources_digest
-from sailnet.provenance import environment, software
+from sailnet.flight.plant_library import sources_digest
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.mission import Mission
+from sailnet.workers.executors import Workers
+from sailnet.workers.interruption import asked_to_stop
 
 
 def fly_plan(
@@ -41,7 +41,7 @@ def fly_plan(
         output: the HDF5 file.
         workers: who flies; this process by default.
         restart: fly everything anew.
-        facts: about the guidance, beside its networks: back end and precision.
+        facts: about the guidance, beside its networks: back end, precision and layout.
 
     Raises:
         SailnetError: the file cannot be written; a flight that cannot be; workers lost again and again.

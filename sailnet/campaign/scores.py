@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from sailnet.campaign.store import Results
-from sailnet.dynamics import Array
-from sailnet.flight import Ending, Flights
+from sailnet.flight.closed_loop import Ending, Flights
 from sailnet.montecarlo import wilson_interval
+from sailnet.physics.arrays import Array
 
 QUANTILES = (0.5, 0.9, 0.99, 1.0)
 

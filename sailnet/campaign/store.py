@@ -15,14 +15,14 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.artefacts.files import write_whole
 from sailnet.campaign.plan import Plan, parse_plan
 from sailnet.campaign.tables import FLIGHTS, GROUPS, OPTIMUM, SCHEMA, column_type, flights_from, history_from
 from sailnet.campaign.work import Columns, Job, Unit
 from sailnet.dataset.schema import append, content_digest, create_columns, get_text, put_text, text_digest
 from sailnet.errors import CampaignError
-from sailnet.files import write_whole
-from sailnet.flight import Flights, History
-from sailnet.mission import Mission, parse_mission
+from sailnet.flight.closed_loop import Flights, History
+from sailnet.mission.mission import Mission, parse_mission
 
 TEXTS = ("schema", "mission", "campaign", "networks")
 """Text attributes that say what was flown."""

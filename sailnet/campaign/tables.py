@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.flight import Flights, History
+from sailnet.flight.closed_loop import Flights, History
 
 SCHEMA = "sailnet-campaign/1"
 

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from sailnet.campaign.plan import Plan, Starts
 from sailnet.campaign.tables import KEPT, RECORDS, flight_columns, record_columns
-from sailnet.expert import solve_states
-from sailnet.flight import Flights, History, fly
-from sailnet.guidance import Guidance
-from sailnet.mission import Mission
+from sailnet.expert.fastest import solve_states
+from sailnet.flight.closed_loop import fly, fly_recorded
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.mission import Mission
 from sailnet.montecarlo import BATCH
 
 OPTIMA_BATCH = 2500
@@ -98,29 +98,20 @@ class Job:
 
     def _fly(self, unit: Unit) -> Columns:
         series = self.plan.whole[unit.series]
-        disturbance = series.disturbances(self.mission, self.plan.seed)
         starts = series.states(self.mission, self.plan.seed, unit.first, unit.count)
-
-        def flown(row: int, recorder: list[History] | None) -> Flights:
-            rows = slice(None) if recorder is None else slice(row, row + 1)
-            return fly(
-                self.mission,
-                self.guidance,
-                starts[rows],
-                disturbance=disturbance,
-                period=unit.period,
-                first=unit.first + row,
-                recorder=recorder,
-            )
-
-        flights = flown(0, None)
+        mission, guidance, period = self.mission, self.guidance, unit.period
+        disturbance = series.disturbances(mission, self.plan.seed)
+        flights = fly(mission, guidance, starts, disturbance=disturbance, period=period, first=unit.first)
         numbers = np.arange(unit.first, unit.first + unit.count)
         failed = np.flatnonzero(~flights.arrived & (numbers >= unit.sampled))[: unit.failures]
         kept = np.concatenate([np.flatnonzero(numbers < unit.sampled), failed])
         # Memory for the histories of all flights would be too much; flown again, a flight is the same.
-        histories: list[History] = []
+        histories = []
         for row in kept.tolist():
-            flown(row, histories)
+            first = unit.first + row
+            histories += fly_recorded(
+                mission, guidance, starts[[row]], disturbance=disturbance, period=period, first=first
+            )[1]
         columns = {f"flights/{name}": values for name, values in flight_columns(flights).items()}
         columns["flights/series"] = np.full(unit.count, unit.series)
         columns["flights/period"] = np.full(unit.count, unit.period)

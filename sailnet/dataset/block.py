@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.dynamics import Array
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.dataset.schema import GROUPS, SCHEMA, column_type, content_digest, get_text, text_digest
-from sailnet.dynamics import Array
 from sailnet.errors import DatasetError
-from sailnet.mission import Mission, parse_mission
+from sailnet.mission.mission import Mission, parse_mission
+from sailnet.physics.arrays import Array
 
 VERIFY_ROWS = 1 << 20
 """Rows held at once while the checksums are computed."""

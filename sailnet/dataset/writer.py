@@ -10,6 +10,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.artefacts.files import write_whole
 from sailnet.dataset.block import Block
 from sailnet.dataset.schema import (
     GROUPS,
@@ -22,8 +23,7 @@ from sailnet.dataset.schema import (
     text_digest,
 )
 from sailnet.errors import DatasetError
-from sailnet.files import write_whole
-from sailnet.mission import Mission
+from sailnet.mission.mission import Mission
 
 CHUNK = {"samples": 16_384, "trajectories": 4_096}
 """Rows of a chunk."""

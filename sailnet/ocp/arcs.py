@@ -10,7 +10,6 @@ from itertools import pairwise
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.canonical import Singular
 from sailnet.ocp.flow import Flow
@@ -23,6 +22,7 @@ from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch
 from sailnet.ocp.switching import structure_of
 from sailnet.ocp.tabulate import Arc, largest, tabulate
 from sailnet.ocp.tangents import LostError
+from sailnet.physics.arrays import Array
 
 LAWFUL = 1e-6
 """Largest relative violation of the control law that counts as rounding."""

@@ -11,10 +11,10 @@ from functools import cache
 
 import heyoka as hy
 
-from sailnet.dynamics import Expression
 from sailnet.errors import SailnetError
 from sailnet.ocp.problem import TIME, ZERO, Bounded, Direction, Problem, costate, dot, total
 from sailnet.ocp.smoothing import Exact, Smoothing
+from sailnet.physics.dynamics import Expression
 
 RHO: Expression = hy.expression("rho")
 """The smoothing parameter."""

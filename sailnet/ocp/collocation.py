@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_bvp
 
-from sailnet.dynamics import Array
 from sailnet.ocp.continuation import Schedule, follow
 from sailnet.ocp.functions import ExtremalFunctions, ProblemFunctions
 from sailnet.ocp.problem import Problem
@@ -20,6 +19,7 @@ from sailnet.ocp.smoothing import L2Norm, Smoothing
 from sailnet.ocp.solution import Solution, Step
 from sailnet.ocp.switching import zero_crossings
 from sailnet.ocp.tabulate import largest
+from sailnet.physics.arrays import Array
 
 MOST_NODES = 20_000
 """A smoothed switch needs some tens of nodes; a mesh of this size is chasing a discontinuity."""

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import heyoka as hy
 
-from sailnet.dynamics import Expression
 from sailnet.ocp.canonical import Canonical
 from sailnet.ocp.problem import TIME, Problem, costate, dot
+from sailnet.physics.dynamics import Expression
 
 
 @dataclass(frozen=True, eq=False)

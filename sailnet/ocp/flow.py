@@ -13,13 +13,14 @@ from typing import Any
 import heyoka as hy
 import numpy as np
 
-from sailnet.dynamics import Array, Expression
 from sailnet.ocp.canonical import RHO, Canonical, Form, Singular, canonical
 from sailnet.ocp.functions import ExtremalFunctions
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.smoothing import Exact
 from sailnet.ocp.solution import Switch
 from sailnet.ocp.tangents import MOST_STEPS, LostError, system_of, tangents_of
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import Expression
 
 TOLERANCE = 1e-14
 """Local error of the Taylor integrator."""

@@ -9,13 +9,14 @@ from collections.abc import Hashable, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array, Expression
 from sailnet.ocp.canonical import Canonical, Form, canonical
 from sailnet.ocp.ends import Ends, ends
 from sailnet.ocp.kernels import Kernels
 from sailnet.ocp.problem import TIME, Problem
 from sailnet.ocp.smoothing import Exact
 from sailnet.ocp.solution import Table
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import Expression
 
 
 class ProblemFunctions:
@@ -164,11 +165,6 @@ class ExtremalFunctions:
     def hamiltonian(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m,) Hamiltonian."""
         return self.evaluate("H", (time, y, extras), [self.equations.hamiltonian])[:, 0]
-
-    def hamiltonian_gradient(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
-        """(m, 2n) derivatives of the Hamiltonian by y, the law's included."""
-        at, equations = (time, y, extras), self.equations
-        return self.evaluate("dH/dy", at, [equations.hamiltonian], equations.variables)[:, 0]
 
     def running_cost(self, time: ArrayLike, y: ArrayLike, extras: ArrayLike) -> Array:
         """(m,) integrand of the cost."""

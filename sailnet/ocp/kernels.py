@@ -7,7 +7,8 @@ from typing import Any
 import heyoka as hy
 import numpy as np
 
-from sailnet.dynamics import Array, Expression
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import Expression
 
 
 @cache

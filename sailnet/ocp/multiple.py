@@ -9,7 +9,6 @@ import time
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.continuation import Schedule, follow
 from sailnet.ocp.flow import TOLERANCE, Flow
@@ -21,6 +20,7 @@ from sailnet.ocp.smoothing import L2Norm, Smoothing
 from sailnet.ocp.solution import Solution, Step
 from sailnet.ocp.switching import zero_crossings
 from sailnet.ocp.tangents import LostError
+from sailnet.physics.arrays import Array
 
 
 class Pieces:

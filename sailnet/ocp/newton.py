@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
+from sailnet.physics.arrays import Array
 
 QUICK = 0.1
 """A step that leaves less of the residual than this needs no new derivatives."""

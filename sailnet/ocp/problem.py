@@ -12,8 +12,8 @@ from dataclasses import dataclass, field, replace
 
 import heyoka as hy
 
-from sailnet.dynamics import Expression
 from sailnet.errors import SailnetError
+from sailnet.physics.dynamics import Expression
 
 TIME: Expression = hy.make_vars("t")
 """The independent variable, in dynamics, costs and end conditions (there it is the final time)."""

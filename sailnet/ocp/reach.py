@@ -9,7 +9,6 @@ import time
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array
 from sailnet.ocp.continuation import Schedule, follow
 from sailnet.ocp.newton import solve_equations
 from sailnet.ocp.problem import Problem
@@ -18,6 +17,7 @@ from sailnet.ocp.shooting_equations import Shooting
 from sailnet.ocp.smoothing import L2Norm, Smoothing
 from sailnet.ocp.solution import ConvergenceError, Solution, Step
 from sailnet.ocp.tangents import LostError
+from sailnet.physics.arrays import Array
 
 DISTANCES = Schedule(1.0, 0.1, 0.4, 0.8)
 """Shares of the way still to go; the last step goes all of it."""

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.continuation import Schedule, follow
 from sailnet.ocp.flow import TOLERANCE
@@ -18,6 +17,7 @@ from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch
 from sailnet.ocp.switching import zero_crossings
 from sailnet.ocp.tabulate import Arc, largest, tabulate
 from sailnet.ocp.tangents import LostError
+from sailnet.physics.arrays import Array
 
 GOAL = 1e-10
 """Largest residual of an accepted solution."""

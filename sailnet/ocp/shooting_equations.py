@@ -3,13 +3,13 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array
 from sailnet.ocp.flow import TOLERANCE, Flow, first_modes
 from sailnet.ocp.newton import Root, solve_equations
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.smoothing import Exact, Smoothing
 from sailnet.ocp.solution import Solution
 from sailnet.ocp.tangents import LostError
+from sailnet.physics.arrays import Array
 
 
 class Shooting:

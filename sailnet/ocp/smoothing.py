@@ -10,8 +10,8 @@ from typing import ClassVar, Protocol
 
 import heyoka as hy
 
-from sailnet.dynamics import Expression
 from sailnet.errors import SailnetError
+from sailnet.physics.dynamics import Expression
 
 NEWTON = 6
 """Steps that reach rounding from the logistic law's first guess, k from 1e-10 to 1e6; twice for a switch."""

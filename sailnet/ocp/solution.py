@@ -6,8 +6,8 @@ from typing import TypedDict
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)

@@ -4,13 +4,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.shooting import RandomCostates, extremal
 from sailnet.ocp.shooting_equations import Shooting
 from sailnet.ocp.smoothing import Smoothing
 from sailnet.ocp.solution import ConvergenceError, Solution
 from sailnet.ocp.tangents import LostError
+from sailnet.physics.arrays import Array
 
 
 @dataclass

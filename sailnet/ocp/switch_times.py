@@ -14,13 +14,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize import minimize
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.flow import TOLERANCE
 from sailnet.ocp.functions import ProblemFunctions
 from sailnet.ocp.problem import TIME, ZERO, Problem
 from sailnet.ocp.solution import ConvergenceError, Solution
 from sailnet.ocp.tangents import MOST_STEPS, LostError
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)

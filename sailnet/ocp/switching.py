@@ -4,11 +4,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.canonical import canonical
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.smoothing import Exact
 from sailnet.ocp.solution import Solution, Switch
+from sailnet.physics.arrays import Array
 
 
 def zero_crossings(problem: Problem, clock: Array, switching: Array) -> list[Switch]:

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.flow import Flow
 from sailnet.ocp.functions import ProblemFunctions
 from sailnet.ocp.solution import Table
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)

@@ -11,10 +11,11 @@ from typing import Any
 import heyoka as hy
 import numpy as np
 
-from sailnet.dynamics import Array, Expression
 from sailnet.errors import SailnetError
 from sailnet.ocp.canonical import Canonical
 from sailnet.ocp.problem import TIME
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import Expression
 
 MOST_STEPS = 20_000
 """A long spiral takes thousands of steps; a fall into a singularity never ends."""

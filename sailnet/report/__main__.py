@@ -10,15 +10,15 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
-from sailnet.backends import load_guidance
+from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.provenance import software
 from sailnet.dataset import JUMP_FLAG, Dataset, open_dataset
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.files import write_whole
-from sailnet.guidance_onnx import OnnxGuidance
-from sailnet.mission import Mission, load_mission
-from sailnet.networks import Network, load_network
-from sailnet.provenance import software
+from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.onnx_graphs import OnnxGuidance
+from sailnet.mission.mission import Mission, load_mission
+from sailnet.networks.network import Network, load_network
+from sailnet.physics.arrays import Array
 from sailnet.report import comparison, figures
 from sailnet.report.evaluation import Section5, fly_section5
 from sailnet.report.page import Picture, write_page
@@ -74,7 +74,7 @@ def _pictures(
     cases, noise = section5.three, section5.noise
     samples, jump_time = _example_of_a_jump(data)
     first = cases["Case 1"]
-    inputs = np.column_stack([first.history.states[:, [0, 2, 3]], first.history.predicted_time_of_flight])
+    inputs = np.column_stack([first.history.ruv, first.history.predicted_time_of_flight])
     histories = _histories(networks, folder)
     drawn = [
         (

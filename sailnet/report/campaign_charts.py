@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from sailnet.campaign.scores import Score, Share, largest_error, optimality_gap
 from sailnet.campaign.store import Results
-from sailnet.dynamics import Array
+from sailnet.physics.arrays import Array
 from sailnet.report.charts import PALETTE, Chart, Curve
 from sailnet.report.figures import BAD, GREY
 

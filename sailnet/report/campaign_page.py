@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
+from sailnet.artefacts.files import write_whole
 from sailnet.campaign.scores import Score, score_record, score_table, scores_of
 from sailnet.campaign.store import Results
 from sailnet.campaign.tables import FLIGHTS
-from sailnet.disturbances import switched_on
-from sailnet.files import write_whole
-from sailnet.guidance import Guidance
-from sailnet.optics import OPTICS
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.disturbances import switched_on
+from sailnet.physics.optics import OPTICS
 from sailnet.report.campaign_charts import campaign_charts
 from sailnet.report.charts import Chart, for_page, page_columns, write_csv, write_picture
 from sailnet.report.comparison import Row

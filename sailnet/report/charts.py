@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sailnet.files import write_whole
+from sailnet.artefacts.files import write_whole
 
 DIGITS = 5
 """Significant digits of a number in a page, if its charts need no more."""

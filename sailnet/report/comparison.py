@@ -4,8 +4,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from sailnet.dataset import Dataset
-from sailnet.flight import Flights
-from sailnet.networks import Network
+from sailnet.flight.closed_loop import Flights
+from sailnet.networks.network import Network
 from sailnet.report import paper
 from sailnet.report.evaluation import Flown, Section5
 

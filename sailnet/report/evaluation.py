@@ -5,13 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from sailnet.acceptance import PERIODS
-from sailnet.disturbances import Disturbance
-from sailnet.dynamics import Array
-from sailnet.expert import Extremal, sample, solve
-from sailnet.flight import Flights, History, fly
-from sailnet.guidance import Guidance
-from sailnet.mission import Mission
+from sailnet.expert.fastest import Extremal, sample, solve
+from sailnet.flight.closed_loop import Flights, History, fly, fly_recorded
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission
 from sailnet.montecarlo import Campaign, evaluate, random_starts, summarise
+from sailnet.physics.arrays import Array
 from sailnet.report import paper
 from sailnet.report.figures import Optimum
 
@@ -92,7 +92,6 @@ def fly_section5(
 def _fly(
     mission: Mission, guidance: Guidance, start: tuple[float, float, float], disturbance: Disturbance | None
 ) -> Flown:
-    recorder: list[History] = []
-    flights = fly(mission, guidance, [start], disturbance=disturbance, recorder=recorder)
+    flights, (history,) = fly_recorded(mission, guidance, [start], disturbance=disturbance)
     extremal = solve(mission.problem, start)
-    return Flown(flights, recorder[0], extremal, Optimum(*sample(mission.problem, extremal)))
+    return Flown(flights, history, extremal, Optimum(*sample(mission.problem, extremal)))

@@ -11,9 +11,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.integrate import cumulative_simpson
 
-from sailnet.dynamics import Array
-from sailnet.flight import Flights, History
-from sailnet.mission import Mission
+from sailnet.flight.closed_loop import Flights, History
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
 
 NETWORK, OPTIMUM, BASELINE, GREY, BAD = "#0b6e99", "#e07a1f", "#8a6bbf", "#8c8c8c", "#c0392b"
 

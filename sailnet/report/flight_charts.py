@@ -4,10 +4,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sailnet.dynamics import Array
-from sailnet.expert import sample_many
-from sailnet.flight import History
-from sailnet.mission import Mission
+from sailnet.expert.fastest import sample_many
+from sailnet.flight.closed_loop import History
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
 from sailnet.report.charts import PALETTE, Chart, Curve
 from sailnet.report.figures import BASELINE, GREY, NETWORK, OPTIMUM, Optimum
 
@@ -147,7 +147,7 @@ def flight_columns(
         points: of a curve at most, for a page of many flights.
     """
     r, theta, u, v = history.states.T
-    off = np.maximum(np.abs(history.states[:, [0, 2, 3]] - mission.problem.target_state), 1e-9)
+    off = np.maximum(np.abs(history.ruv - mission.problem.target_state), 1e-9)
     x, y = r * np.cos(theta), r * np.sin(theta)
     columns = {
         "time": history.time, "x": x, "y": y, "r": r, "u": u, "v": v,
@@ -158,7 +158,7 @@ def flight_columns(
     shares = [100.0 * (values / beta - 1.0) for values in (history.beta, history.beta_estimate)]
     if np.abs(history.beta / beta - 1.0).max() > 1e-6:
         columns |= {"beta": shares[0], "beta_estimate": shares[1]}
-    wrong = history.seen - history.states[:, [0, 2, 3]]
+    wrong = history.seen - history.ruv
     if np.abs(np.nan_to_num(wrong)).max() > 0.0 or np.isnan(wrong).any():
         columns |= {f"seen_{name}": column for name, column in zip("ruv", wrong.T, strict=True)}
     if np.abs(history.attitude - history.cone_angle).max() > 1e-9:

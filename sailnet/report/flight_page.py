@@ -5,12 +5,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from sailnet.dynamics import Array
+from sailnet.artefacts.files import write_whole
 from sailnet.errors import SailnetError
-from sailnet.expert import Extremal, sample
-from sailnet.files import write_whole
-from sailnet.flight import History
-from sailnet.mission import Mission
+from sailnet.expert.fastest import Extremal, sample
+from sailnet.flight.closed_loop import History
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
 from sailnet.report.charts import for_page, write_picture
 from sailnet.report.figures import Optimum
 from sailnet.report.flight_charts import flight_charts, flight_columns

@@ -9,9 +9,9 @@ import numpy as np
 from sailnet.campaign.again import fly_again
 from sailnet.campaign.scores import Score, detours
 from sailnet.campaign.store import Results
-from sailnet.dynamics import Array
-from sailnet.flight import History
-from sailnet.guidance import Guidance
+from sailnet.flight.closed_loop import History
+from sailnet.guidance.interface import Guidance
+from sailnet.physics.arrays import Array
 from sailnet.report.figures import Optimum
 from sailnet.report.flight_charts import flight_columns, optima_of
 

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.dynamics import Array
+from sailnet.physics.arrays import Array
 from sailnet.report.charts import page_columns
 
 TOGETHER = 20

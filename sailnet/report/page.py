@@ -6,7 +6,7 @@ from pathlib import Path
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
-from sailnet.files import write_whole
+from sailnet.artefacts.files import write_whole
 
 
 @dataclass(frozen=True)

@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sailnet.campaign.store import Results
-from sailnet.dynamics import Array
-from sailnet.expert import sample, solve
-from sailnet.flight import Flights, History
-from sailnet.jumps import preprocess
-from sailnet.mission import Mission
-from sailnet.nominal import solve_nominal
+from sailnet.expert.fastest import sample, solve
+from sailnet.expert.nominal import solve_nominal
+from sailnet.flight.closed_loop import Flights, History
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+from sailnet.physics.jumps import preprocess
 from sailnet.report import paper
 from sailnet.report.charts import PALETTE, Chart, Curve
 from sailnet.report.comparison import Row, case_rows, noise_rows, random_start_rows

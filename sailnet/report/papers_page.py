@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from sailnet.files import write_whole
+from sailnet.artefacts.files import write_whole
 from sailnet.ocp.papers.row import Row, Solved
 from sailnet.ocp.papers.trial import Trial
 from sailnet.report.charts import Chart, for_page, write_csv, write_picture

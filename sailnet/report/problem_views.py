@@ -5,7 +5,6 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
-from sailnet.dynamics import Array
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.problems import (
     asteroid_rendezvous,
@@ -17,6 +16,7 @@ from sailnet.ocp.problems import (
     mars_landing,
 )
 from sailnet.ocp.solution import Solution
+from sailnet.physics.arrays import Array
 from sailnet.report.views import NONE, Group, Motion, Plane, View
 
 DAY, HOUR = 86400.0, 3600.0

@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
-from sailnet.mission import Mission
-from sailnet.networks import Network
+from sailnet.mission.mission import Mission
+from sailnet.networks.network import Network
+from sailnet.physics.arrays import Array
 from sailnet.report.charts import PALETTE, Chart, Curve, page_columns
 from sailnet.report.evaluation import Flown
 from sailnet.report.figures import BASELINE, GREY, NETWORK, OPTIMUM, Optimum
@@ -66,7 +66,7 @@ def reproduction_record(
     }
     flown = three.history
     rows = _some(len(flown.time))
-    states = flown.states[rows][:, [0, 2, 3]]
+    states = flown.ruv[rows]
     inputs = np.column_stack([states, flown.predicted_time_of_flight[rows]])
     shown = int((two.history.time <= BEYOND * three.extremal.time_of_flight).sum())
     two_rows = _some(shown)

@@ -5,10 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.functions import ProblemFunctions
 from sailnet.ocp.papers.row import Solved
 from sailnet.ocp.solution import Solution
+from sailnet.physics.arrays import Array
 from sailnet.report.charts import PALETTE, Chart, Curve
 from sailnet.report.figures import GREY, NETWORK
 from sailnet.report.problem_views import view_of

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.papers.row import Solved
 from sailnet.ocp.problems import equinoctial
+from sailnet.physics.arrays import Array
 from sailnet.report.charts import Chart, Curve
 from sailnet.report.figures import BAD, GREY, NETWORK, OPTIMUM
 from sailnet.report.views import Columns, Plane, Rows, View, labelled, slug

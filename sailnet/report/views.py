@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.dynamics import Array
 from sailnet.ocp.solution import Solution
+from sailnet.physics.arrays import Array
 
 Columns = dict[str, Array]
 

@@ -5,12 +5,6 @@
 #include "prepare_processor.h"
 #include "sailnet_plant.h"
 
-/* sailnet_status */
-enum { ARRIVED = 1, OUTSIDE_DOMAIN = 2, INVALID_INPUT = 3 };
-
-/* sailnet_command */
-enum { CONE_ANGLE, TIME_OF_FLIGHT, BETA, HOLD, COMMAND_SIZE };
-
 /* What a random number is for. The order is part of every result: add at the end. */
 enum {
     BETA_SPREAD,
@@ -162,19 +156,19 @@ static void note_distance(const plant_rules *rules, plant_sail *sail)
 
 /* What the actuator is told: the command as fine as it can turn, or in an outage what it was told last. */
 static double accepted(const plant_rules *rules, plant_sail *sail, const double *queue, uint64_t slots,
-                       const double command[COMMAND_SIZE], int32_t status)
+                       const plant_command_f64 *command, int32_t status)
 {
-    sail->beta_estimate = command[BETA];
+    sail->beta_estimate = command->beta;
     if (sail->out) {
         sail->outages++;
         return queue[(sail->periods - 1u) % slots];
     }
-    sail->max_cone_angle = fmax(sail->max_cone_angle, fabs(command[CONE_ANGLE]));
-    sail->outside += status == OUTSIDE_DOMAIN;
+    sail->max_cone_angle = fmax(sail->max_cone_angle, fabs(command->cone_angle));
+    sail->outside += status == PLANT_OUTSIDE_DOMAIN;
     if (rules->resolution > 0.0) {
-        return rules->resolution * floor(command[CONE_ANGLE] / rules->resolution + 0.5);
+        return rules->resolution * floor(command->cone_angle / rules->resolution + 0.5);
     }
-    return command[CONE_ANGLE];
+    return command->cone_angle;
 }
 
 /* Until the first command can take effect the sail keeps the attitude in which it departed: its first. */
@@ -184,7 +178,7 @@ static double told(const double *queue, uint64_t slots, uint32_t period, uint64_
 }
 
 static void write_record(const plant_sail *sail, const plant_state *start, double beta,
-                         const double command[COMMAND_SIZE], double angle, int32_t status, plant_record *record)
+                         const plant_command_f64 *command, double angle, int32_t status, plant_record *record)
 {
     record->time = sail->time;
     record->r = start->r;
@@ -194,13 +188,13 @@ static void write_record(const plant_sail *sail, const plant_state *start, doubl
     record->cone_angle = angle;
     record->attitude = sail->attitude + sail->misalignment;
     record->beta = beta;
-    record->beta_estimate = command[BETA];
-    record->time_of_flight = sail->out ? NAN : command[TIME_OF_FLIGHT];
-    record->status = sail->out ? INVALID_INPUT : status;
+    record->beta_estimate = command->beta;
+    record->time_of_flight = sail->out ? NAN : command->time_of_flight;
+    record->status = sail->out ? PLANT_INVALID_INPUT : status;
 }
 
 /* Carry out a command for a period, or for as long as it says. */
-static void obey(const plant_rules *rules, plant_sail *sail, double *queue, const double command[COMMAND_SIZE],
+static void obey(const plant_rules *rules, plant_sail *sail, double *queue, const plant_command_f64 *command,
                  int32_t status, plant_record *record)
 {
     double late;
@@ -215,14 +209,14 @@ static void obey(const plant_rules *rules, plant_sail *sail, double *queue, cons
     }
     /* A guidance that asks for longer than it may, or for NaN, gets what is allowed. */
     const double allowed = fmax(rules->period, rules->longest);
-    const double lasting = sail->out ? rules->period : fmin(fmax(command[HOLD], 0.0), allowed);
+    const double lasting = sail->out ? rules->period : fmin(fmax(command->hold, 0.0), allowed);
     const double first = fmin(late, lasting);
     const double beta = real_beta(rules, sail);
     const plant_state start = sail->state;
     const int inside = turn(rules, sail, beta, told(queue, slots, period, whole + 1u), first) &&
                        turn(rules, sail, beta, told(queue, slots, period, whole), lasting - first);
     if (record != NULL) {
-        write_record(sail, &start, beta, command, sail->out ? angle : command[CONE_ANGLE], status, record);
+        write_record(sail, &start, beta, command, sail->out ? angle : command->cone_angle, status, record);
     }
     sail->time += lasting;
     sail->periods++;
@@ -230,7 +224,7 @@ static void obey(const plant_rules *rules, plant_sail *sail, double *queue, cons
     if (!inside) {
         sail->ending = PLANT_LOST;
     }
-    else if (status == ARRIVED && !sail->out) {
+    else if (status == PLANT_ARRIVED && !sail->out) {
         sail->ending = PLANT_STOPPED;
     }
     else if ((double)sail->periods * rules->period >= rules->longest) {
@@ -260,9 +254,19 @@ static void put(const plant_steering *steering, void *numbers, uint64_t at, doub
     }
 }
 
-static double get(const plant_steering *steering, const void *numbers, uint64_t at)
+static plant_command_f64 given(const plant_steering *steering, const void *commands, uint64_t at)
 {
-    return steering->f64 != NULL ? ((const double *)numbers)[at] : (double)((const float *)numbers)[at];
+    if (steering->f64 != NULL) {
+        return ((const plant_command_f64 *)commands)[at];
+    }
+    const plant_command_f32 *single = &((const plant_command_f32 *)commands)[at];
+    const plant_command_f64 command = {
+        .cone_angle = (double)single->cone_angle,
+        .time_of_flight = (double)single->time_of_flight,
+        .beta = (double)single->beta,
+        .hold = (double)single->hold,
+    };
+    return command;
 }
 
 uint64_t plant_fly(const plant_rules *rules, const plant_steering *steering, plant_flights *flights,
@@ -295,11 +299,8 @@ uint64_t plant_fly(const plant_rules *rules, const plant_steering *steering, pla
         for (uint64_t i = 0; i < flights->flying; i++) {
             const uint64_t row = flights->rows[i];
             plant_sail *sail = &flights->sails[row];
-            double command[COMMAND_SIZE];
-            for (uint64_t k = 0; k < COMMAND_SIZE; k++) {
-                command[k] = get(steering, flights->commands, COMMAND_SIZE * i + k);
-            }
-            obey(rules, sail, &flights->queue[slots * row], command, flights->statuses[i],
+            const plant_command_f64 command = given(steering, flights->commands, i);
+            obey(rules, sail, &flights->queue[slots * row], &command, flights->statuses[i],
                  records == NULL ? NULL : &records[p * flights->count + row]);
             if (sail->ending == PLANT_FLYING) {
                 flights->rows[left++] = row;
@@ -308,38 +309,4 @@ uint64_t plant_fly(const plant_rules *rules, const plant_steering *steering, pla
         flights->flying = left;
     }
     return flights->flying;
-}
-
-uint32_t plant_api_version(void)
-{
-    return PLANT_API_VERSION;
-}
-
-uint32_t plant_size_of_rules(void)
-{
-    return (uint32_t)sizeof(plant_rules);
-}
-
-uint32_t plant_size_of_sail(void)
-{
-    return (uint32_t)sizeof(plant_sail);
-}
-
-uint32_t plant_size_of_record(void)
-{
-    return (uint32_t)sizeof(plant_record);
-}
-
-uint32_t plant_size_of_flights(void)
-{
-    return (uint32_t)sizeof(plant_flights);
-}
-
-#ifndef PLANT_SOURCES_DIGEST
-#define PLANT_SOURCES_DIGEST ""
-#endif
-
-const char *plant_sources_digest(void)
-{
-    return PLANT_SOURCES_DIGEST;
 }

@@ -14,15 +14,26 @@
 extern "C" {
 #endif
 
-/* Raised whenever a structure or a function of this header changes. */
-#define PLANT_API_VERSION 1
+/* Raised whenever a function of this header changes, or what a member of a structure means. */
+#define PLANT_API_VERSION 2
+
+/*
+ * A structure is a list of its members, MEMBER(type, name, extent). From the same lines come the structure in C
+ * and, by plant_describe, the names, types, offsets and sizes that a caller in another language builds its own
+ * from: nobody has to type them again. An enumeration is a list of VALUE(name, number) likewise.
+ */
+#define PLANT_MEMBER(type, name, extent) type name extent;
+#define PLANT_VALUE(name, number) PLANT_##name = (number),
+
+#define PLANT_STATE(MEMBER)                                                                               \
+    MEMBER(double, r, )     /* distance from the Sun [AU] */                                              \
+    MEMBER(double, theta, ) /* polar angle [rad] */                                                       \
+    MEMBER(double, u, )     /* radial speed [AU/TU] */                                                    \
+    MEMBER(double, v, )     /* transverse speed [AU/TU] */                                                \
+    MEMBER(double, dose, )  /* of sunlight that fell on the sail: integral of cos(angle) / r^2 [TU/AU^2] */
 
 typedef struct {
-    double r;     /* distance from the Sun [AU] */
-    double theta; /* polar angle [rad] */
-    double u;     /* radial speed [AU/TU] */
-    double v;     /* transverse speed [AU/TU] */
-    double dose;  /* of sunlight that fell on the sail: integral of cos(angle) / r^2 [TU / AU^2] */
+    PLANT_STATE(PLANT_MEMBER)
 } plant_state;
 
 /*
@@ -33,114 +44,164 @@ typedef struct {
  *
  * where cos and sin are of the cone angle and the first component is the radial one. Ideal: 1, 0, 0.
  */
+#define PLANT_OPTICS(MEMBER)           \
+    MEMBER(double, normal_square, )    \
+    MEMBER(double, normal_linear, )    \
+    MEMBER(double, tangential, )
+
 typedef struct {
-    double normal_square;
-    double normal_linear;
-    double tangential;
+    PLANT_OPTICS(PLANT_MEMBER)
 } plant_optics;
 
-/* What is the same for all flights. A disturbance is off at 0. */
-typedef struct {
-    double period;        /* guidance period [TU] */
-    double longest;       /* no flight goes on for longer [TU] */
-    double least_radius;  /* a sail nearer to the Sun is lost [AU] */
-    double largest_radius;
-    double tolerance;     /* of one integration step, relative to 1 + |state| */
-    double target[3];     /* r, u, v */
-    double beta;          /* the mission's normalised characteristic acceleration */
-    plant_optics optics;
+/* What is the same for all flights. A disturbance is off at 0; sailnet/disturbances.py says what each is. */
+#define PLANT_RULES(MEMBER)                                                                        \
+    MEMBER(double, period, )         /* guidance period [TU] */                                    \
+    MEMBER(double, longest, )        /* no flight goes on for longer [TU] */                       \
+    MEMBER(double, least_radius, )   /* a sail nearer to the Sun is lost [AU] */                   \
+    MEMBER(double, largest_radius, ) /* and one farther away [AU] */                               \
+    MEMBER(double, tolerance, )      /* of one integration step, relative to 1 + |state| */        \
+    MEMBER(double, target, [3])      /* r, u, v [AU, AU/TU, AU/TU] */                              \
+    MEMBER(double, beta, )           /* the mission's normalised characteristic acceleration */    \
+    MEMBER(plant_optics, optics, )                                                                 \
+    MEMBER(double, beta_bias, )                                                                    \
+    MEMBER(double, beta_spread, )                                                                  \
+    MEMBER(double, beta_drift, )                                                                   \
+    MEMBER(double, beta_noise, )                                                                   \
+    MEMBER(double, beta_wander, )                                                                  \
+    MEMBER(double, beta_wander_time, )                                                             \
+    MEMBER(double, degradation_loss, )                                                             \
+    MEMBER(double, degradation_dose, )                                                             \
+    MEMBER(double, navigation_bias, [3]) /* of r, u, v, as the next two */                         \
+    MEMBER(double, navigation_noise, [3])                                                          \
+    MEMBER(double, navigation_wander, [3])                                                         \
+    MEMBER(double, navigation_wander_time, )                                                       \
+    MEMBER(double, rate_limit, )                                                                   \
+    MEMBER(double, delay, )                                                                        \
+    MEMBER(double, resolution, )                                                                   \
+    MEMBER(double, misalignment, )                                                                 \
+    MEMBER(double, misalignment_spread, )                                                          \
+    MEMBER(double, outage_probability, )                                                           \
+    MEMBER(double, outage_duration, )                                                              \
+    MEMBER(uint64_t, seed, )
 
-    double beta_bias;
-    double beta_spread;
-    double beta_drift;
-    double beta_noise;
-    double beta_wander;
-    double beta_wander_time;
-    double degradation_loss;
-    double degradation_dose;
-    double navigation_bias[3];
-    double navigation_noise[3];
-    double navigation_wander[3];
-    double navigation_wander_time;
-    double rate_limit;
-    double delay;
-    double resolution;
-    double misalignment;
-    double misalignment_spread;
-    double outage_probability;
-    double outage_duration;
-    uint64_t seed;
+typedef struct {
+    PLANT_RULES(PLANT_MEMBER)
 } plant_rules;
 
-typedef enum {
-    PLANT_FLYING = 0,
-    PLANT_STOPPED = 1, /* the guidance ended the flight */
-    PLANT_LOST = 2,    /* out of the allowed distances from the Sun */
-    PLANT_TOO_LONG = 3
-} plant_ending;
+#define PLANT_ENDING(VALUE)                                        \
+    VALUE(FLYING, 0)                                               \
+    VALUE(STOPPED, 1)  /* the guidance ended the flight */         \
+    VALUE(LOST, 2)     /* out of the allowed distances */          \
+    VALUE(TOO_LONG, 3) /* at rules.longest */
+
+typedef enum { PLANT_ENDING(PLANT_VALUE) } plant_ending;
 
 /* One flight. The caller sets the state's r, u, v and the number; the rest starts as 0. */
+#define PLANT_SAIL(MEMBER)                                                                                \
+    MEMBER(plant_state, state, )                                                                          \
+    MEMBER(double, time, )           /* flown so far [TU] */                                              \
+    MEMBER(double, attitude, )       /* where the actuator has turned the sail, no misalignment [rad] */  \
+    MEMBER(double, misalignment, )   /* of this sail [rad] */                                             \
+    MEMBER(double, beta_error, )     /* constant relative error of this sail's beta */                    \
+    MEMBER(double, beta_wander, )    /* the Gauss-Markov errors now, in units of their sigma */           \
+    MEMBER(double, navigation_wander, [3])                                                                \
+    MEMBER(double, step, )           /* what the integrator tries next [TU] */                            \
+    MEMBER(double, beta_estimate, )  /* the guidance's last */                                            \
+    MEMBER(double, max_cone_angle, ) /* largest size of a command [rad] */                                \
+    MEMBER(double, max_attitude, )   /* largest size of the angle flown [rad] */                          \
+    MEMBER(double, nearest_error, )  /* smallest largest component of the deviation from the target, */   \
+    MEMBER(double, nearest_time, )   /* at the end of a period, and when that was [TU] */                 \
+    MEMBER(uint64_t, number, )       /* of the flight, for the random numbers */                          \
+    MEMBER(uint32_t, periods, )                                                                           \
+    MEMBER(uint32_t, outside, )      /* periods in which the guidance reported a state it does not know */\
+    MEMBER(uint32_t, outages, )      /* periods without guidance */                                       \
+    MEMBER(int32_t, out, )           /* there is no guidance now */                                       \
+    MEMBER(int32_t, ending, )        /* plant_ending */
+
 typedef struct {
-    plant_state state;
-    double time;                 /* flown so far [TU] */
-    double attitude;             /* where the actuator has turned the sail, without misalignment [rad] */
-    double misalignment;         /* of this sail [rad] */
-    double beta_error;           /* constant relative error of this sail's beta */
-    double beta_wander;          /* the Gauss-Markov errors now, in units of their sigma */
-    double navigation_wander[3];
-    double step;                 /* what the integrator tries next [TU] */
-    double beta_estimate;        /* the guidance's last */
-    double max_cone_angle;       /* largest size of a command [rad] */
-    double max_attitude;         /* largest size of the angle flown [rad] */
-    double nearest_error;        /* smallest largest component of the deviation from the target, ... */
-    double nearest_time;         /* ... at the end of a period, and when [TU] */
-    uint64_t number;             /* of the flight, for the random numbers */
-    uint32_t periods;
-    uint32_t outside;            /* periods in which the guidance reported a state outside its domain */
-    uint32_t outages;            /* periods without guidance */
-    int32_t out;                 /* there is no guidance now */
-    int32_t ending;              /* plant_ending */
-    int32_t unused;
+    PLANT_SAIL(PLANT_MEMBER)
 } plant_sail;
 
 /* One period of one flight. */
+#define PLANT_RECORD(MEMBER)                                                                  \
+    MEMBER(double, time, )           /* at its start [TU] */                                  \
+    MEMBER(double, r, )              /* then, as the next three [AU, rad, AU/TU, AU/TU] */    \
+    MEMBER(double, theta, )                                                                   \
+    MEMBER(double, u, )                                                                       \
+    MEMBER(double, v, )                                                                       \
+    MEMBER(double, seen, [3])        /* r, u, v as navigation had them; NaN in an outage */   \
+    MEMBER(double, cone_angle, )     /* commanded [rad] */                                    \
+    MEMBER(double, attitude, )       /* the angle flown at its end [rad] */                   \
+    MEMBER(double, beta, )           /* real */                                               \
+    MEMBER(double, beta_estimate, )                                                           \
+    MEMBER(double, time_of_flight, ) /* predicted [TU]; NaN in an outage */                   \
+    MEMBER(int32_t, status, )        /* plant_status; invalid input in an outage */
+
 typedef struct {
-    double time;           /* at its start [TU] */
-    double r, theta, u, v; /* then */
-    double seen[3];        /* r, u, v as navigation had them; NaN in an outage */
-    double cone_angle;     /* commanded [rad] */
-    double attitude;       /* the angle flown at its end [rad] */
-    double beta;           /* real */
-    double beta_estimate;
-    double time_of_flight; /* predicted [TU]; NaN in an outage */
-    double status;         /* sailnet_status */
+    PLANT_RECORD(PLANT_MEMBER)
 } plant_record;
 
-/* sailnet_steer_batch of a flight library, in its precision; memories, states and commands are its own. */
-typedef void (*plant_steer_f32)(uint64_t count, void *memories, const uint64_t *sails, const float *states,
-                                float period, float *commands, int32_t *statuses);
-typedef void (*plant_steer_f64)(uint64_t count, void *memories, const uint64_t *sails, const double *states,
-                                double period, double *commands, int32_t *statuses);
+/*
+ * What a guidance gives: sailnet_command and sailnet_status of an exported sailnet_guidance.h, in either
+ * precision. guidance/same_interface.c, compiled with every exported guidance, holds them to that.
+ */
+#define PLANT_COMMAND(MEMBER, real)                                     \
+    MEMBER(real, cone_angle, )     /* [rad] */                          \
+    MEMBER(real, time_of_flight, ) /* predicted [TU] */                 \
+    MEMBER(real, beta, )           /* the estimate */                   \
+    MEMBER(real, hold, )           /* for how long to hold it [TU] */
+#define PLANT_COMMAND_F32(MEMBER) PLANT_COMMAND(MEMBER, float)
+#define PLANT_COMMAND_F64(MEMBER) PLANT_COMMAND(MEMBER, double)
+
+typedef struct {
+    PLANT_COMMAND_F32(PLANT_MEMBER)
+} plant_command_f32;
+
+typedef struct {
+    PLANT_COMMAND_F64(PLANT_MEMBER)
+} plant_command_f64;
+
+#define PLANT_STATUS(VALUE)   \
+    VALUE(OK, 0)              \
+    VALUE(ARRIVED, 1)         \
+    VALUE(OUTSIDE_DOMAIN, 2)  \
+    VALUE(INVALID_INPUT, 3)
+
+typedef enum { PLANT_STATUS(PLANT_VALUE) } plant_status;
+
+/*
+ * sailnet_steer_batch of a flight library: entry i is of the sail numbered sails[i], whose memory it uses;
+ * `states` holds r, u, v of one sail after the other.
+ */
+typedef void plant_steer_f32(uint64_t count, void *memories, const uint64_t *sails, const float *states,
+                             float period, plant_command_f32 *commands, int32_t *statuses);
+typedef void plant_steer_f64(uint64_t count, void *memories, const uint64_t *sails, const double *states,
+                             double period, plant_command_f64 *commands, int32_t *statuses);
 
 /* Exactly one of the two functions is set. */
+#define PLANT_STEERING(MEMBER)        \
+    MEMBER(plant_steer_f32 *, f32, )  \
+    MEMBER(plant_steer_f64 *, f64, )  \
+    MEMBER(void *, memories, )
+
 typedef struct {
-    plant_steer_f32 f32;
-    plant_steer_f64 f64;
-    void *memories;
+    PLANT_STEERING(PLANT_MEMBER)
 } plant_steering;
 
 /* Flights side by side, and room for what is passed around. */
+#define PLANT_FLIGHTS(MEMBER)                                                                           \
+    MEMBER(uint64_t, count, )                                                                           \
+    MEMBER(uint64_t, flying, )     /* how many still fly */                                             \
+    MEMBER(plant_sail *, sails, )  /* count */                                                          \
+    MEMBER(uint64_t *, rows, )     /* count; the first `flying` are the rows of those that fly */       \
+    MEMBER(double *, queue, )      /* count * plant_queue_slots(): commands that may still take effect */\
+    MEMBER(void *, states, )       /* 3 * count numbers of the steering's precision */                  \
+    MEMBER(void *, commands, )     /* count plant_command_f32 or plant_command_f64 */                   \
+    MEMBER(int32_t *, statuses, )  /* count */                                                          \
+    MEMBER(int32_t, interrupted, ) /* the steering may set it: the flights stop where they are */
+
 typedef struct {
-    uint64_t count;
-    uint64_t flying;        /* how many still fly */
-    plant_sail *sails;      /* count */
-    uint64_t *rows;         /* count; the first `flying` are the rows of those that fly */
-    double *queue;          /* count * plant_queue_slots(): commands that may still take effect */
-    void *states;           /* 3 * count numbers of the steering's precision */
-    void *commands;         /* 4 * count of them */
-    int32_t *statuses;      /* count */
-    int32_t interrupted;    /* the steering may set it: the flights stop where they are */
-    int32_t unused;
+    PLANT_FLIGHTS(PLANT_MEMBER)
 } plant_flights;
 
 /* Numbers per sail in plant_flights.queue. */
@@ -174,11 +235,14 @@ double plant_normal(uint64_t seed, uint64_t flight, uint32_t stream, uint32_t pe
 
 /* What a caller that loads this as a shared library has to check. */
 uint32_t plant_api_version(void);
-uint32_t plant_size_of_rules(void);
-uint32_t plant_size_of_sail(void);
-uint32_t plant_size_of_record(void);
-uint32_t plant_size_of_flights(void);
 const char *plant_sources_digest(void);
+
+/*
+ * Calls `visit` once for each structure above, with its size and no name, and then for each of its members,
+ * with the type as it is written in C; an enumeration likewise, its values' numbers as offsets, sizes 0.
+ */
+typedef void plant_visit(const char *owner, const char *name, const char *type, uint64_t offset, uint64_t size);
+void plant_describe(plant_visit *visit);
 
 #ifdef __cplusplus
 }

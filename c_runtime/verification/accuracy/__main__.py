@@ -12,7 +12,6 @@ from pathlib import Path
 
 import numpy as np
 
-from c_runtime.readme import fill_block, split_at_block
 from c_runtime.shared_library import CompilerError, find_compiler
 from c_runtime.verification.accuracy import report
 from c_runtime.verification.accuracy.errors import QUANTITIES
@@ -20,8 +19,9 @@ from c_runtime.verification.accuracy.judge import CHECKED, FLIGHTS, UNIFORM, Jud
 from c_runtime.verification.accuracy.states import Domain
 from c_runtime.verification.bench.subjects import read_facts
 from sailnet import SailnetError
-from sailnet.networks import load_guidance_networks
-from sailnet.provenance import software
+from sailnet.artefacts.files import fill_block, split_at_block
+from sailnet.artefacts.provenance import software
+from sailnet.networks.guidance_networks import load_guidance_networks
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from c_runtime.verification.accuracy.reference import Answers, reference
 from c_runtime.verification.accuracy.states import Domain
 from c_runtime.verification.bench.compiled import Library, Reals
-from sailnet.dynamics import Array
-from sailnet.guidance import GuidanceStatus
-from sailnet.networks import GuidanceNetworks
+from sailnet.guidance.interface import GuidanceStatus
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.physics.arrays import Array
 
 QUANTITIES = ("size", "time_of_flight", "time_of_flight_per_s")
 """|cone angle| [rad]; time of flight [TU]; the same in units of s, the scale of the approach coordinates."""

@@ -24,8 +24,8 @@ from c_runtime.verification.accuracy.reference import extended, reference
 from c_runtime.verification.accuracy.states import Domain
 from c_runtime.verification.bench.compiled import Library
 from c_runtime.verification.bench.exported_c import NATIVE, compile_exported
-from sailnet.dynamics import Array
-from sailnet.networks import GuidanceNetworks
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.physics.arrays import Array
 
 TARGETS: Mapping[str, tuple[str, ...]] = {NATIVE: ("-march=native",), "portable": ()}
 PAIRS = 1_000

@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c_runtime.verification.bench.compiled import Reals
-from sailnet.approach import SMALLEST_SCALE, approach_coordinates
-from sailnet.dynamics import Array
-from sailnet.networks import EXTRAPOLATION, GuidanceNetworks, Network
+from sailnet.networks.approach import SMALLEST_SCALE, approach_coordinates
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import EXTRAPOLATION, Network
+from sailnet.physics.arrays import Array
 
 Extended = NDArray[np.longdouble]
 

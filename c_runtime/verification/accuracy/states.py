@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.dataset import open_dataset
-from sailnet.dynamics import Array
-from sailnet.guidance_facts import GuidanceFacts
+from sailnet.guidance.facts import GuidanceFacts
+from sailnet.physics.arrays import Array
 
 Mask = NDArray[np.bool_]
 

@@ -17,7 +17,6 @@ from pathlib import Path
 from tqdm import tqdm
 
 from c_runtime.builds import BUILDS, Build
-from c_runtime.readme import fill_block, split_at_block
 from c_runtime.shared_library import FLAGS, CompilerError, find_compiler
 from c_runtime.verification.bench import report
 from c_runtime.verification.bench.compiled import Library
@@ -29,9 +28,10 @@ from c_runtime.verification.bench.python_peers import numpy_reference, onnxrunti
 from c_runtime.verification.bench.rounds import Candidate, measure
 from c_runtime.verification.bench.subjects import Subjects, draw, read_facts
 from sailnet import SailnetError
+from sailnet.artefacts.files import fill_block, split_at_block
+from sailnet.artefacts.provenance import software
 from sailnet.errors import GuidanceError
-from sailnet.networks import load_guidance_networks
-from sailnet.provenance import software
+from sailnet.networks.guidance_networks import load_guidance_networks
 
 STATES, SEED = 256, 1
 NO_NETWORKS = "left out: emlearn, PyTorch and NumPy, which need the weights: give --networks"
@@ -117,7 +117,7 @@ def _exported(
             flags=(*shlex.split(options.flags), *instruction_sets()[instructions]),
             steers=steers,
         )
-        what = report.EXPORTED + (", on vectors" if build.layout == "host" else "")
+        what = report.ON_VECTORS if build.layout == "host" else report.EXPORTED
         what += (", steering" if steers else "") + ("" if instructions == NATIVE else f", {instructions}")
         one = Candidate(what, build.precision, library.in_a_chain, library.back_to_back)
         builds.append((library, one))

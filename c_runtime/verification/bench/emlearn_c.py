@@ -14,7 +14,8 @@ from c_runtime.verification.bench.compiled import Library, Shape, Unit
 from c_runtime.verification.bench.rounds import Candidate
 from c_runtime.verification.bench.subjects import Subjects, agree
 from sailnet.errors import GuidanceError
-from sailnet.networks import GuidanceNetworks, Network
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import Network
 
 FLAGS = ("-O3", "-march=native")
 BUILDS = {"": FLAGS, ", -ffast-math": (*FLAGS, "-ffast-math")}

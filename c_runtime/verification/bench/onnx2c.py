@@ -10,7 +10,7 @@ from c_runtime.verification.bench.compiled import Library, Reals, Shape, Unit
 from c_runtime.verification.bench.rounds import Candidate
 from c_runtime.verification.bench.subjects import Subjects, agree
 from sailnet.errors import GuidanceError
-from sailnet.networks import GuidanceNetworks
+from sailnet.networks.guidance_networks import GuidanceNetworks
 
 NAME = "onnx2c"
 FLAGS = ("-O3", "-march=native")

@@ -8,7 +8,7 @@ import onnxruntime
 from c_runtime.builds import PRECISIONS
 from c_runtime.verification.bench.rounds import Candidate, in_python
 from c_runtime.verification.bench.subjects import Subjects
-from sailnet.networks import GuidanceNetworks
+from sailnet.networks.guidance_networks import GuidanceNetworks
 
 ONNXRUNTIME = "onnxruntime, Python"
 
@@ -51,7 +51,7 @@ def pytorch(networks: GuidanceNetworks, subjects: Subjects) -> list[Candidate]:
     import torch
 
     from export.torch_networks import torch_guidance
-    from sailnet.guidance_facts import describe
+    from sailnet.guidance.facts import describe
 
     torch.set_num_threads(1)
     guidance = torch_guidance(networks, describe(networks, networks.mission))

@@ -8,12 +8,12 @@ import onnxruntime
 from numpy.typing import ArrayLike
 
 from c_runtime.verification.bench.compiled import Library
-from sailnet.approach import approach_coordinates
-from sailnet.dynamics import Array
 from sailnet.errors import GuidanceError
-from sailnet.guidance import GuidanceStatus
-from sailnet.guidance_facts import METADATA_KEY, GuidanceFacts
-from sailnet.networks import GuidanceNetworks
+from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts
+from sailnet.guidance.interface import GuidanceStatus
+from sailnet.networks.approach import approach_coordinates
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.physics.arrays import Array
 
 TRIES = 400_000
 

@@ -16,6 +16,7 @@ from pathlib import Path
 from c_runtime.builds import BUILDS
 from c_runtime.verification.checks.flight_file import tags
 
+_PRECISION = re.compile(r"_f(32|64)$")
 _CONDITION = re.compile(r"\bif \(| \? |&&|\|\|")
 
 
@@ -51,7 +52,8 @@ class Coverage:
         if not files:
             raise ValueError(f"gcov reports nothing about {name}: was it compiled with --coverage?")
         for line in files[0]["lines"]:
-            key = (line.get("function_name", ""), line["line_number"])
+            # As the source has it: symbols end in the precision.
+            key = (_PRECISION.sub("", line.get("function_name", "")), line["line_number"])
             self.lines[key] += line["count"]
             for i, branch in enumerate(line["branches"]):
                 self.branches[(*key, i)] += branch["count"]

@@ -13,10 +13,10 @@ from c_runtime.verification.targets.build import TargetError
 from c_runtime.verification.targets.machines import TARGETS, Target
 from c_runtime.verification.targets.measure import Bench, Measured, missing_tools
 from c_runtime.verification.targets.reference import ReferenceGuidance
-from c_runtime.verification.targets.table import limits, table, write_table
+from c_runtime.verification.targets.table import BLOCK, limits, table
+from sailnet.artefacts.files import fill_block, split_at_block, write_whole
 from sailnet.errors import SailnetError
-from sailnet.files import write_whole
-from sailnet.networks import load_guidance_networks
+from sailnet.networks.guidance_networks import load_guidance_networks
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -30,7 +30,7 @@ def main(arguments: list[str] | None = None) -> int:
         "--targets", nargs="+", choices=names, default=names, metavar="NAME", help=", ".join(names)
     )
     parser.add_argument("--layouts", nargs="+", choices=list(LAYOUTS), default=["flight"], metavar="LAYOUT")
-    parser.add_argument("--table", type=Path, help="a README whose table is to be rewritten")
+    parser.add_argument("--table", type=Path, help="a text whose table is to be rewritten")
     parser.add_argument(
         "--require",
         action="store_true",
@@ -50,6 +50,8 @@ def main(arguments: list[str] | None = None) -> int:
             print(f"targets: {target.name} left out, {tools} not found: {install}")
     present = [target for target in wanted if target.name not in left_out]
     try:
+        if options.table is not None:
+            split_at_block(options.table, BLOCK)  # before, not after, all the work
         guidance = ReferenceGuidance(load_guidance_networks(options.networks or options.exported))
         bench = Bench(guidance, options.exported.resolve(), options.build.resolve()) if present else None
         measured, failed = _measure(bench, present, options.layouts) if bench else ([], False)
@@ -69,7 +71,7 @@ def main(arguments: list[str] | None = None) -> int:
         if options.table is not None and not failed:
             if left_out:
                 raise TargetError("the table would be without some targets: it stays as it was")
-            write_table(options.table, table(measured))
+            fill_block(options.table, BLOCK, table(measured))
     except (SailnetError, OSError, subprocess.CalledProcessError) as error:
         print(f"targets: {error}", file=sys.stderr)
         return 1

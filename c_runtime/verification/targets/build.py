@@ -11,7 +11,7 @@ from c_runtime.verification.targets.elf import Sizes, deepest_stack, reached, si
 from c_runtime.verification.targets.golden import COMMAND_BOUNDS, STEERING_BOUNDS, Bounds, Golden
 from c_runtime.verification.targets.machines import Target
 from sailnet.errors import SailnetError
-from sailnet.guidance import Precision
+from sailnet.guidance.interface import Precision
 
 HERE = Path(__file__).parent
 FLIGHT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-fcallgraph-info=su")

@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c_runtime.verification.targets.reference import ReferenceGuidance
-from sailnet.disturbances import Disturbance
-from sailnet.dynamics import Array
 from sailnet.errors import GuidanceError
-from sailnet.flight import History, fly
-from sailnet.guidance import GuidanceStatus, Precision
+from sailnet.flight.closed_loop import History, fly_recorded
+from sailnet.guidance.interface import GuidanceStatus, Precision
+from sailnet.mission.disturbances import Disturbance
 from sailnet.montecarlo import random_starts
+from sailnet.physics.arrays import Array
 
 SEED = 20261121
 FLIGHTS = 40
@@ -24,9 +24,6 @@ OUTSIDE, ARRIVING = 120, 40
 """Commands for states beyond the box of trained ones, some of them absurd, and within a period of arrival."""
 SEQUENCES, PERIODS = 10, 20
 """Steering: pieces of flights, each steered from a fresh memory on."""
-
-POLAR = (0, 2, 3)
-"""r, u and v among the columns of a flight's history."""
 
 NUDGE = 2e-6
 """A state is clear of switches if the sign and status stay when what is missing to the target or beta,
@@ -64,11 +61,9 @@ class Golden:
 
 def golden_flights(guidance: ReferenceGuidance) -> list[History]:
     """Flights of sails that are a little better or worse than the mission's; golden states are theirs."""
-    histories: list[History] = []
     starts = random_starts(guidance.mission, FLIGHTS, SEED)
     sails = Disturbance(beta_spread=0.1, seed=SEED)
-    fly(guidance.mission, guidance, starts, disturbance=sails, recorder=histories)
-    return histories
+    return fly_recorded(guidance.mission, guidance, starts, disturbance=sails)[1]
 
 
 def golden_commands(guidance: ReferenceGuidance, histories: list[History], precision: Precision) -> Golden:
@@ -79,7 +74,7 @@ def golden_commands(guidance: ReferenceGuidance, histories: list[History], preci
     """
     rng = np.random.default_rng([SEED, 1])
     invalid = _invalid(guidance, precision)
-    flown = np.concatenate([history.states[:, POLAR] for history in histories])
+    flown = np.concatenate([history.ruv for history in histories])
     # As many near arrival, where units of the approach shrink, as on the way.
     to_go = np.concatenate([history.predicted_time_of_flight for history in histories])
     share = 1.0 / np.maximum(to_go, 1e-3)
@@ -89,7 +84,7 @@ def golden_commands(guidance: ReferenceGuidance, histories: list[History], preci
     absurd = np.concatenate([sign * np.eye(3) * size for sign in (1.0, -1.0) for size in (1e6, 1e30, 1e-42)])
     beta_low, beta_high = guidance.beta_range
     target = np.array(guidance.mission.problem.target_state)
-    last = np.repeat([history.states[-1, POLAR] for history in histories], 2, axis=0)
+    last = np.repeat([history.ruv[-1] for history in histories], 2, axis=0)
     shorter = rng.uniform(0.05, 0.7, (len(last), 1))
     arriving = target + (last - target) * shorter ** np.array([2, 1, 1])
     count = COMMANDS - OUTSIDE - ARRIVING - len(invalid)
@@ -160,7 +155,7 @@ def golden_steering(guidance: ReferenceGuidance, histories: list[History], preci
             break
         # Departures and arrivals in turn; a state that is no number in the middle of each.
         piece = slice(PERIODS) if flight % 2 else slice(-PERIODS, None)
-        states = history.states[piece][:, POLAR].astype(precision)
+        states = history.ruv[piece].astype(precision)
         states[PERIODS // 2, flight % 3] = np.nan
         period = np.full(PERIODS, guidance.mission.flight.period, precision)
         period[PERIODS // 2 + 2] = -1.0

@@ -3,7 +3,7 @@
 import platform
 from dataclasses import dataclass
 
-from sailnet.guidance import Precision
+from sailnet.guidance.interface import Precision
 
 
 @dataclass(frozen=True)

@@ -21,8 +21,8 @@ from c_runtime.verification.targets.golden import (
 from c_runtime.verification.targets.machines import HOST, Target
 from c_runtime.verification.targets.reference import ReferenceGuidance
 from c_runtime.verification.targets.run import Calls, Run, run
-from sailnet.dynamics import Array
-from sailnet.guidance import Precision
+from sailnet.guidance.interface import Precision
+from sailnet.physics.arrays import Array
 
 PLUGIN_FLAGS = ("-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-shared")
 

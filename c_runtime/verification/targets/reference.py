@@ -5,16 +5,16 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.guidance import Commands, GuidanceStatus, Steering, as_betas, as_states
-from sailnet.guidance_facts import GuidanceFacts, describe
-from sailnet.mission import Mission
-from sailnet.networks import GuidanceNetworks
-from sailnet.steering import ReferenceSteering
+from sailnet.guidance.facts import GuidanceFacts, describe
+from sailnet.guidance.interface import Commands, Steering, as_betas, as_states
+from sailnet.guidance.steering import ReferenceSteering
+from sailnet.mission.mission import Mission
+from sailnet.networks.guidance_networks import GuidanceNetworks
 
 
 @dataclass(frozen=True)
 class ReferenceGuidance:
-    """A :class:`sailnet.guidance.Guidance` straight from the weights.
+    """A :class:`sailnet.guidance.interface.Guidance` straight from the weights.
 
     Attributes:
         networks: the trio.
@@ -41,21 +41,14 @@ class ReferenceGuidance:
         return self.networks.beta_range
 
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        """See :class:`sailnet.guidance.Guidance`."""
+        """See :class:`sailnet.guidance.interface.Guidance`."""
         state = as_states(states, "float64")
         sail = as_betas(beta, len(state), self.mission.sail.beta, "float64")
         finite = np.isfinite(state).all(axis=1)
         shown = np.where(finite[:, None], state, self.mission.problem.target_state)
         cone_angle, tau = self.networks.command(shown, sail)
-        status = np.where(tau < self.facts.arrival_threshold, GuidanceStatus.ARRIVED, GuidanceStatus.OK)
-        inside = self.facts.contains(state, sail)
-        status = np.where(inside, status, GuidanceStatus.OUTSIDE_DOMAIN)
-        return Commands(
-            cone_angle=np.where(finite, cone_angle, 0.0),
-            time_of_flight=np.where(finite, tau, self.facts.largest_time_of_flight),
-            status=np.where(finite, status, GuidanceStatus.INVALID_INPUT).astype(np.int32),
-        )
+        return self.facts.commands(state, sail, cone_angle, tau)
 
     def steering(self, count: int) -> Steering:
-        """See :class:`sailnet.guidance.Guidance`."""
+        """See :class:`sailnet.guidance.interface.Guidance`."""
         return ReferenceSteering(self, count)

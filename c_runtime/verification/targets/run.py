@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from c_runtime.verification.targets.build import TargetError
 from c_runtime.verification.targets.elf import address
 from c_runtime.verification.targets.machines import Target
-from sailnet.dynamics import Array
-from sailnet.guidance import GuidanceStatus, Precision
+from sailnet.guidance.interface import GuidanceStatus, Precision
+from sailnet.physics.arrays import Array
 
 LONGEST = 120.0
 """A program that prints no last line within this time [s] has failed."""

@@ -1,15 +1,14 @@
-"""The table of targets in the README, and the limits that flight code has to keep."""
+"""The table of targets, and the limits that flight code has to keep."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
-from c_runtime.verification.targets.build import TargetError
 from c_runtime.verification.targets.golden import COMMANDS
 from c_runtime.verification.targets.measure import Measured, compiler_version
-from sailnet.files import write_whole
 
-BEGIN, END = "<!-- targets:begin -->", "<!-- targets:end -->"
+BLOCK = "targets"
+"""Of the text that the table goes into."""
+
 MEGAHERTZ = 100.0
 
 HEAD = (
@@ -96,23 +95,6 @@ def table(measured: Sequence[Measured]) -> str:
     differs = any(m.other_bits for m in measured if not m.contract)
     caption = CAPTION.format(commands=COMMANDS, steps=steps, same="*not*" if differs else "equal to")
     return "\n".join([caption, "", *rows, "", *(f"- {limit}" for limit in limits(measured))])
-
-
-def write_table(readme: Path, text: str) -> None:
-    """Replace what is between the markers.
-
-    Raises:
-        TargetError: the markers are not there, each once and in order.
-    """
-    content = readme.read_text(encoding="utf-8")
-    if content.count(BEGIN) != 1 or content.count(END) != 1 or content.index(BEGIN) > content.index(END):
-        raise TargetError(
-            f"{readme} needs the lines {BEGIN} and {END}, each once, for the table to go between"
-        )
-    before, rest = content.split(BEGIN)
-    after = rest.split(END)[1]
-    whole = f"{before}{BEGIN}\n{text}\n{END}{after}"
-    write_whole(readme, lambda beside: beside.write_text(whole, encoding="utf-8"))
 
 
 def _stack(build: Measured) -> tuple[int, int]:

@@ -8,4 +8,4 @@ targets:
 	$(TARGETS)
 
 targets-table:
-	$(TARGETS) --table c_runtime/README.md
+	$(TARGETS) --table c_runtime/RESULTS.md

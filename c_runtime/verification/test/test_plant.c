@@ -13,34 +13,43 @@
 #define COUNT 40u
 #define PERIODS 300u
 
-static void fill(uint64_t row, double seen, double number[4], int32_t *status)
+static plant_command_f64 command_of(uint64_t row, double seen)
 {
-    number[0] = row % 7u == 1u ? NAN : row % 7u == 2u ? INFINITY : sin(9.0 * seen);
-    number[1] = 1.0;
-    number[2] = 0.17;
-    number[3] = row % 5u == 1u ? NAN : row % 5u == 2u ? -1.0 : row % 5u == 3u ? INFINITY : 0.01;
-    *status = row % 11u == 3u && seen > 1.1 ? 1 : (int32_t)(row % 3u) * 2 - 1;
+    const plant_command_f64 command = {
+        .cone_angle = row % 7u == 1u ? NAN : row % 7u == 2u ? INFINITY : sin(9.0 * seen),
+        .time_of_flight = 1.0,
+        .beta = 0.17,
+        .hold = row % 5u == 1u ? NAN : row % 5u == 2u ? -1.0 : row % 5u == 3u ? INFINITY : 0.01,
+    };
+    return command;
+}
+
+static int32_t status_of(uint64_t row, double seen)
+{
+    return row % 11u == 3u && seen > 1.1 ? PLANT_ARRIVED : (int32_t)(row % 3u) * 2 - 1;
 }
 
 static void steer_f64(uint64_t count, void *memories, const uint64_t *sails, const double *states, double period,
-                      double *commands, int32_t *statuses)
+                      plant_command_f64 *commands, int32_t *statuses)
 {
     assert(memories == NULL && period > 0.0);
     for (uint64_t i = 0; i < count; i++) {
-        fill(sails[i], states[3 * i], &commands[4 * i], &statuses[i]);
+        commands[i] = command_of(sails[i], states[3 * i]);
+        statuses[i] = status_of(sails[i], states[3 * i]);
     }
 }
 
 static void steer_f32(uint64_t count, void *memories, const uint64_t *sails, const float *states, float period,
-                      float *commands, int32_t *statuses)
+                      plant_command_f32 *commands, int32_t *statuses)
 {
     assert(memories == NULL && period > 0.0f);
     for (uint64_t i = 0; i < count; i++) {
-        double number[4];
-        fill(sails[i], (double)states[3 * i], number, &statuses[i]);
-        for (uint64_t k = 0; k < 4; k++) {
-            commands[4 * i + k] = (float)number[k];
-        }
+        const plant_command_f64 command = command_of(sails[i], (double)states[3 * i]);
+        commands[i].cone_angle = (float)command.cone_angle;
+        commands[i].time_of_flight = (float)command.time_of_flight;
+        commands[i].beta = (float)command.beta;
+        commands[i].hold = (float)command.hold;
+        statuses[i] = status_of(sails[i], (double)states[3 * i]);
     }
 }
 
@@ -50,11 +59,20 @@ static void fly(const plant_rules *rules, const plant_steering *steering)
     plant_sail sails[COUNT];
     uint64_t rows[COUNT];
     double states[3u * COUNT];
-    double commands[4u * COUNT];
+    plant_command_f64 commands[COUNT];
     int32_t statuses[COUNT];
     double *queue = calloc(COUNT * slots, sizeof *queue);
     plant_record *records = calloc((size_t)COUNT * PERIODS, sizeof *records);
-    plant_flights flights = {COUNT, COUNT, sails, rows, queue, states, commands, statuses, 0, 0};
+    plant_flights flights = {
+        .count = COUNT,
+        .flying = COUNT,
+        .sails = sails,
+        .rows = rows,
+        .queue = queue,
+        .states = states,
+        .commands = commands,
+        .statuses = statuses,
+    };
     assert(queue != NULL && records != NULL);
     memset(sails, 0, sizeof sails);
     for (uint64_t i = 0; i < COUNT; i++) {
@@ -80,8 +98,8 @@ static void fly(const plant_rules *rules, const plant_steering *steering)
 int main(void)
 {
     plant_rules rules;
-    const plant_steering f32 = {steer_f32, NULL, NULL};
-    const plant_steering f64 = {NULL, steer_f64, NULL};
+    const plant_steering f32 = {.f32 = steer_f32};
+    const plant_steering f64 = {.f64 = steer_f64};
     memset(&rules, 0, sizeof rules);
     rules.period = 0.01;
     rules.longest = 8.0;

@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.canonical import canonical
 from sailnet.ocp.delta.series import Basis
 from sailnet.ocp.problem import Bounded, Direction, Problem
 from sailnet.ocp.smoothing import Exact
+from sailnet.physics.arrays import Array
 
 REACH = np.pi
 """Coefficients lie between -REACH and REACH, as in the paper."""

@@ -11,13 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.canonical import canonical
 from sailnet.ocp.delta.controls import Controls
 from sailnet.ocp.delta.flight import Flights, Flyer
 from sailnet.ocp.functions import ExtremalFunctions
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.smoothing import Exact
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)

@@ -11,12 +11,13 @@ from dataclasses import dataclass
 import heyoka as hy
 import numpy as np
 
-from sailnet.dynamics import Array, Expression
 from sailnet.errors import SailnetError
 from sailnet.ocp.delta.controls import Controls
 from sailnet.ocp.functions import ProblemFunctions
 from sailnet.ocp.kernels import Kernels, compiled
 from sailnet.ocp.problem import TIME, Problem, dot, symbols
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import Expression
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,8 @@ from typing import ClassVar, Protocol
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
+from sailnet.physics.arrays import Array
 
 try:
     import pygmo

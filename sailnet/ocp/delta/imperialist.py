@@ -5,8 +5,8 @@ from typing import ClassVar
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.delta.heuristics import Search
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)

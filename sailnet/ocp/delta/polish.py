@@ -11,11 +11,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import lsq_linear, minimize
 
-from sailnet.dynamics import Array
 from sailnet.ocp.delta.controls import Controls
 from sailnet.ocp.delta.criteria import Judge
 from sailnet.ocp.delta.flight import Flyer
 from sailnet.ocp.delta.sensitivity import Linear, aligned, linearised
+from sailnet.physics.arrays import Array
 
 STALLED = 25
 """Flights without progress after which a descent ends."""

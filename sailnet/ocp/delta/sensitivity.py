@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.delta.controls import Controls
 from sailnet.ocp.delta.flight import Flights, Flyer
 from sailnet.ocp.delta.series import zeros
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.polynomial import chebyshev, legendre
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array
+from sailnet.physics.arrays import Array
 
 
 class Basis(Protocol):

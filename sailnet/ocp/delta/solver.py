@@ -9,7 +9,6 @@ from functools import partial
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.delta.controls import Controls
 from sailnet.ocp.delta.criteria import Criteria, Judge, Weights
@@ -20,6 +19,7 @@ from sailnet.ocp.delta.sensitivity import aligned, linearised, switches
 from sailnet.ocp.delta.series import Basis, Fourier
 from sailnet.ocp.problem import Problem
 from sailnet.ocp.solution import ConvergenceError, Solution, Step, Switch, Table
+from sailnet.physics.arrays import Array
 
 GOAL = 1e-3
 """Largest error at the end of an accepted flight, in the problem's units."""

@@ -9,12 +9,12 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+from sailnet.artefacts.files import fill_block, split_at_block, write_whole
+from sailnet.artefacts.provenance import software
 from sailnet.errors import SailnetError
-from sailnet.files import fill_block, split_at_block, write_whole
 from sailnet.ocp.papers import bbsr, delta, ponn, sail, trial
 from sailnet.ocp.papers.row import Row, record_of
 from sailnet.ocp.papers.trial import Trial
-from sailnet.provenance import software
 from sailnet.report import report
 
 AGREEMENT = 1e-6

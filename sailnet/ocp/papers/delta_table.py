@@ -12,7 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from sailnet.files import fill_block, write_whole
+from sailnet.artefacts.files import fill_block, write_whole
+from sailnet.artefacts.provenance import software
 from sailnet.ocp.delta import (
     Basis,
     Chebyshev,
@@ -27,7 +28,6 @@ from sailnet.ocp.delta import (
 )
 from sailnet.ocp.delta.solver import GOAL, Delta, Found, flown, restarted
 from sailnet.ocp.papers.delta import REFERENCES
-from sailnet.provenance import software
 
 PRINTED_SECONDS: Mapping[tuple[str, str], float] = {
     ("Fourier", "GA-PSO"): 91.73,

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array
 from sailnet.ocp import reach, shooting
 from sailnet.ocp.continuation import Schedule
 from sailnet.ocp.problems import earth_dionysus
 from sailnet.ocp.smoothing import L2Norm
 from sailnet.ocp.solution import ConvergenceError, Solution
+from sailnet.physics.arrays import Array
 
 SCALE = np.array([1e-3, 1e-3, 1e-3, 1e-3, 1e-3, 1e-4])
 """Half the box of the random costates: accelerations there are some tenth of the engine's."""

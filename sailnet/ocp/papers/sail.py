@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Sequence
 
 from sailnet.errors import SailnetError
-from sailnet.mission import load_mission
+from sailnet.mission.mission import load_mission
 from sailnet.ocp import arcs, collocation, delta, multiple, ponn, shooting, switch_times
 from sailnet.ocp.continuation import Schedule
 from sailnet.ocp.papers.row import Solved

@@ -7,8 +7,8 @@ from typing import Literal, Protocol
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
+from sailnet.physics.arrays import Array
 
 ORDERS = 3
 """The features, their slopes and their second derivatives."""

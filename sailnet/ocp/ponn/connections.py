@@ -13,8 +13,8 @@ from functools import cached_property
 import numpy as np
 from numpy.polynomial import polynomial
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
+from sailnet.physics.arrays import Array
 
 ENDS = (-1.0, 1.0)
 """The domain of z."""

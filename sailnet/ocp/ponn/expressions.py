@@ -11,10 +11,11 @@ from typing import NamedTuple
 import heyoka as hy
 import numpy as np
 
-from sailnet.dynamics import Array, Expression
 from sailnet.ocp.canonical import Canonical
 from sailnet.ocp.ponn.bases import Basis
 from sailnet.ocp.ponn.connections import ENDS, Connections, EndCondition
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import Expression
 
 NEGLIGIBLE = 1e-13
 """Directions of the features smaller than this, of the largest, are rounding."""

@@ -3,8 +3,8 @@
 import heyoka as hy
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.functions import ExtremalFunctions
+from sailnet.physics.arrays import Array
 
 
 def held_ends(first: ExtremalFunctions, last: ExtremalFunctions) -> tuple[list[Array], list[set[int]]]:

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.functions import ExtremalFunctions
 from sailnet.ocp.ponn.bases import Basis, lobatto
@@ -14,6 +13,7 @@ from sailnet.ocp.ponn.held import held_ends
 from sailnet.ocp.problem import TIME, Problem
 from sailnet.ocp.solution import Solution
 from sailnet.ocp.tangents import LostError
+from sailnet.physics.arrays import Array
 
 Conditions = Callable[[int, float, Array], tuple[Array, Array]]
 """What must vanish where domain k ends, at a time and at y there, and its derivatives by y."""

@@ -6,7 +6,6 @@ from typing import Literal
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.continuation import Schedule, follow
 from sailnet.ocp.functions import ExtremalFunctions
@@ -19,6 +18,7 @@ from sailnet.ocp.problem import Problem
 from sailnet.ocp.smoothing import HyperbolicTangent, Smoothing
 from sailnet.ocp.solution import ConvergenceError, Solution, Step
 from sailnet.ocp.tangents import LostError
+from sailnet.physics.arrays import Array
 
 Training = Literal["iterative least squares", "levenberg-marquardt"]
 

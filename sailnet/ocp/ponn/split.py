@@ -11,7 +11,6 @@ from itertools import pairwise
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.arcs import LAWFUL, Arcs
 from sailnet.ocp.ponn.bases import Basis, Chebyshev
 from sailnet.ocp.ponn.network import Network
@@ -21,6 +20,7 @@ from sailnet.ocp.problem import Problem
 from sailnet.ocp.solution import ConvergenceError, Solution, Step
 from sailnet.ocp.switching import structure_of
 from sailnet.ocp.tangents import LostError
+from sailnet.physics.arrays import Array
 
 GOAL = 1e-9
 """Mean loss of an accepted solution."""

@@ -4,7 +4,6 @@ from functools import cache, lru_cache
 
 import numpy as np
 
-from sailnet.dynamics import Array
 from sailnet.ocp.functions import ProblemFunctions
 from sailnet.ocp.ponn.network import Network
 from sailnet.ocp.ponn.training import mean_loss
@@ -12,6 +11,7 @@ from sailnet.ocp.problem import Problem
 from sailnet.ocp.solution import Solution
 from sailnet.ocp.switching import zero_crossings
 from sailnet.ocp.tabulate import joined, largest
+from sailnet.physics.arrays import Array
 
 UNSEEN = 2
 """Gauss points a training point, for the cost and for the losses where nothing was trained."""

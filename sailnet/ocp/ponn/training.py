@@ -9,9 +9,9 @@ from collections.abc import Callable
 import numpy as np
 from scipy.linalg import solve_triangular
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.newton import Root
+from sailnet.physics.arrays import Array
 
 Linearise = Callable[[Array], tuple[Array, Array]]
 """Losses of the unknowns and their Jacobian; may raise SailnetError where they make no sense."""

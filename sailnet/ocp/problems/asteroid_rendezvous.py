@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
-from sailnet.dynamics import Array
 from sailnet.ocp.problem import Bounded, Direction, Problem, symbols
+from sailnet.physics.arrays import Array
 
 MASS_FLOW = 0.01536
 """Greatest mass flow, as printed."""

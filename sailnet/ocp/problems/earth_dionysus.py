@@ -6,11 +6,11 @@ import numpy as np
 from scipy.integrate import cumulative_trapezoid
 from scipy.optimize import brentq
 
-from sailnet.dynamics import Array
 from sailnet.errors import SailnetError
 from sailnet.ocp.problem import Bounded, Direction, Problem, dot, symbols
 from sailnet.ocp.problems import equinoctial
 from sailnet.ocp.solution import Solution
+from sailnet.physics.arrays import Array
 
 MU = 132_712_440_018.0
 """Gravitational parameter of the Sun [km^3/s^2]."""

@@ -10,8 +10,9 @@ import heyoka as hy
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.dynamics import Array, Expression
 from sailnet.ocp.problem import symbols
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import Expression
 
 
 @dataclass(frozen=True)

@@ -1,15 +1,15 @@
 """The solar sail's minimum-time transfer to a circular orbit, Eqs. (1)-(12) of paper 001.
 
-The motion and the minimiser are those of the sail pipeline itself (:mod:`sailnet.dynamics`,
-:mod:`sailnet.pontryagin`).
+The motion and the minimiser are those of the sail pipeline itself (:mod:`sailnet.physics.dynamics`,
+:mod:`sailnet.physics.pontryagin`).
 """
 
 import heyoka as hy
 
-from sailnet import pontryagin
-from sailnet.dynamics import alpha, motion, r, u, v
-from sailnet.mission import Transfer
 from sailnet.ocp.problem import Bounded, FreeTime, Problem
+from sailnet.physics import pontryagin
+from sailnet.physics.dynamics import alpha, motion, r, u, v
+from sailnet.physics.transfer import Transfer
 
 
 def problem(transfer: Transfer, guess: float = 7.0) -> Problem:

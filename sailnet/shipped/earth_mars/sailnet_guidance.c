@@ -1,7 +1,7 @@
 /*
  * Neural optimal guidance of a solar sail, for flight: see sailnet_guidance.h for what is promised.
  *
- * Exported by sailnet 0.1.0 for mission earth_mars: do not edit.
+ * Exported by sailnet 0.2.0 for mission earth_mars: do not edit.
  * mission   8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c
  * networks  66aa4938a05edd4d0d19bfb91df6e0985b22802b64fbdb6fcdd51d8bb8e06406
  * data set  1190cc3c2275e86699981160a9f62ef597d0e868914394ed1c136386bf7139e7 (tau)
@@ -511,12 +511,6 @@ SAILNET_PART sailnet_real sailnet_limited(const sailnet_real *value, int32_t row
     return sailnet_clamped(*value, sailnet_limits[row][0], sailnet_limits[row][1]);
 }
 
-/* Whether it is within a row of bounds, which a NaN never is. */
-SAILNET_PART int32_t sailnet_within(const sailnet_real *value, int32_t row)
-{
-    return ((*value >= sailnet_limits[row][0]) && (*value <= sailnet_limits[row][1])) ? 1 : 0;
-}
-
 /* ================================ 4. Elementary functions ================================ */
 
 /*
@@ -761,6 +755,12 @@ SAILNET_INLINE sailnet_real sailnet_network(const sailnet_real input[SAILNET_INP
 #else
 #define SAILNET_ROOTS 2
 #endif
+
+/* Whether it is within a row of bounds, which a NaN never is. */
+SAILNET_PART int32_t sailnet_within(const sailnet_real *value, int32_t row)
+{
+    return ((*value >= sailnet_limits[row][0]) && (*value <= sailnet_limits[row][1])) ? 1 : 0;
+}
 
 /*
  * A status: whether the networks were trained on such a state; and what they read of it. *numbers is left where those

@@ -1,7 +1,7 @@
 /*
  * Neural optimal guidance of a solar sail: from the sail's state to its cone angle.
  *
- * Exported by sailnet 0.1.0 for mission earth_mars: do not edit.
+ * Exported by sailnet 0.2.0 for mission earth_mars: do not edit.
  * mission   8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c
  * networks  66aa4938a05edd4d0d19bfb91df6e0985b22802b64fbdb6fcdd51d8bb8e06406
  * data set  1190cc3c2275e86699981160a9f62ef597d0e868914394ed1c136386bf7139e7 (tau)
@@ -32,7 +32,7 @@ extern "C" {
 #endif
 
 #define SAILNET_API_VERSION 3
-#define SAILNET_VERSION "0.1.0"
+#define SAILNET_VERSION "0.2.0"
 #define SAILNET_MISSION "earth_mars"
 #define SAILNET_MISSION_DIGEST "8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c"
 #define SAILNET_NETWORKS_DIGEST "66aa4938a05edd4d0d19bfb91df6e0985b22802b64fbdb6fcdd51d8bb8e06406"

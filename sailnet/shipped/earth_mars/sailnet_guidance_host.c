@@ -2,7 +2,7 @@
  * Neural optimal guidance of a solar sail, for simulation on a host: the functions of sailnet_guidance.h, computed on
  * vectors. What flies on a spacecraft is sailnet_guidance.c; the two agree to rounding.
  *
- * Exported by sailnet 0.1.0 for mission earth_mars: do not edit.
+ * Exported by sailnet 0.2.0 for mission earth_mars: do not edit.
  * mission   8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c
  * networks  66aa4938a05edd4d0d19bfb91df6e0985b22802b64fbdb6fcdd51d8bb8e06406
  * data set  1190cc3c2275e86699981160a9f62ef597d0e868914394ed1c136386bf7139e7 (tau)
@@ -128,12 +128,6 @@ SAILNET_PART sailnet_real sailnet_limited(const sailnet_real *value, int32_t row
     return sailnet_clamped(*value, sailnet_limits[row][0], sailnet_limits[row][1]);
 }
 
-/* Whether it is within a row of bounds, which a NaN never is. */
-SAILNET_PART int32_t sailnet_within(const sailnet_real *value, int32_t row)
-{
-    return ((*value >= sailnet_limits[row][0]) && (*value <= sailnet_limits[row][1])) ? 1 : 0;
-}
-
 /* ================================ Vectors ================================ */
 
 /*
@@ -208,27 +202,6 @@ SAILNET_INLINE sailnet_lanes sailnet_at(const sailnet_real *first)
 #endif
 }
 
-/* A vector of one number. */
-SAILNET_INLINE sailnet_lanes sailnet_all_lanes(sailnet_real value)
-{
-#ifdef SAILNET_VECTORS
-    const sailnet_lanes nothing = {R(0.0)};
-    return nothing + value;
-#else
-    return value;
-#endif
-}
-
-/* The first number of a vector. */
-SAILNET_INLINE sailnet_real sailnet_first_lane(sailnet_lanes value)
-{
-#ifdef SAILNET_VECTORS
-    return value[0];
-#else
-    return value;
-#endif
-}
-
 /* Whether the sizes of all lanes are within their bounds. */
 SAILNET_INLINE int32_t sailnet_all_within(sailnet_lanes value, sailnet_lanes bound)
 {
@@ -263,8 +236,9 @@ SAILNET_INLINE int32_t sailnet_all_within(sailnet_lanes value, sailnet_lanes bou
 /* As sailnet_clamped, of each number: of a comparison of vectors gcc makes no maximum. */
 SAILNET_INLINE sailnet_lanes sailnet_lanes_clamped(sailnet_lanes value, sailnet_real lower, sailnet_real upper)
 {
-    const sailnet_lanes least = sailnet_all_lanes(lower);
-    const sailnet_lanes largest = sailnet_all_lanes(upper);
+    const sailnet_lanes nothing = {R(0.0)};
+    const sailnet_lanes least = nothing + lower;
+    const sailnet_lanes largest = nothing + upper;
 #if defined(__AVX512F__)
     /* With a mask, of all lanes: gcc warns of what its header leaves undefined without one. */
     return _mm512_maskz_min_ps(0xFFFF, _mm512_maskz_max_ps(0xFFFF, value, least), largest);
@@ -449,6 +423,27 @@ SAILNET_INLINE sailnet_real sailnet_inverse_fourth_root(sailnet_real value)
     }
 #endif
     return root;
+}
+
+/* A vector of one number. */
+SAILNET_INLINE sailnet_lanes sailnet_all_lanes(sailnet_real value)
+{
+#ifdef SAILNET_VECTORS
+    const sailnet_lanes nothing = {R(0.0)};
+    return nothing + value;
+#else
+    return value;
+#endif
+}
+
+/* The first number of a vector. */
+SAILNET_INLINE sailnet_real sailnet_first_lane(sailnet_lanes value)
+{
+#ifdef SAILNET_VECTORS
+    return value[0];
+#else
+    return value;
+#endif
 }
 
 /* Stage "approach": tau [20, 20, 20], alpha_pre [20, 20, 20], lambda_v [20, 20, 20]. */
@@ -901,7 +896,7 @@ static const SAILNET_ALIGNED sailnet_real sailnet_orbit_half[SAILNET_KNOTS][2] =
 
 
 /*
- * The trained domain: the box of trained states and, within it, the tube of sailnet/trained_domain.py.
+ * The trained domain: the box of trained states and, within it, the tube of sailnet/networks/trained_domain.py.
  * Where nothing is out of bounds, nothing overflows: states are clamped to the box before they are used.
  */
 

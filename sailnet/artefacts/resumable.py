@@ -1,0 +1,162 @@
+"""Finished parts of a long computation on disk, so that a run that was killed goes on where it was.
+
+Beside the output lies a folder ``.NAME.parts``: one file a part (a shard), each written whole by rename
+and with a checksum, and what they were made of. When the output is complete the folder goes.
+"""
+
+import json
+import shutil
+import zlib
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from filelock import FileLock, Timeout
+from numpy.typing import NDArray
+from safetensors import SafetensorError, safe_open
+from safetensors.numpy import save_file
+
+from sailnet.artefacts.files import write_whole
+from sailnet.errors import DatasetError
+
+SUFFIX = ".safetensors"
+
+Columns = Mapping[str, NDArray[Any]]
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The finished parts of one run.
+
+    Attributes:
+        folder: where they lie.
+        run: what they were made of; a file that does not say the same is none of them.
+    """
+
+    folder: Path
+    run: str
+
+    def finished(self) -> set[int]:
+        """Numbers of the parts that are there."""
+        return {int(path.stem) for path in self.folder.glob(f"*{SUFFIX}")}
+
+    def store(self, number: int, columns: Columns) -> None:
+        """Write the arrays of one part, whole or not at all.
+
+        Raises:
+            DatasetError: it cannot be written (full disk, no permission).
+        """
+        columns = {name: np.ascontiguousarray(column) for name, column in columns.items()}
+        facts = {"run": self.run, "number": str(number), "crc32": _checksum(columns)}
+        try:
+            # Not durable: after a power cut the checksum tells, and the shard is made again.
+            write_whole(self._path(number), lambda beside: save_file(columns, beside, facts), durable=False)
+        except (OSError, SafetensorError) as error:
+            raise DatasetError(f"cannot write {self._path(number)}: {error}") from error
+
+    def ensure(self, number: int, make: Callable[[int], Columns]) -> None:
+        """Make and store one part, unless it is there: a worker may be lost before it can say so.
+
+        Raises:
+            DatasetError: it cannot be written.
+        """
+        if self.load(number) is None:
+            self.store(number, make(number))
+
+    def load(self, number: int) -> Columns | None:
+        """Read one part; None if it is missing, damaged or of another run."""
+        try:
+            with safe_open(self._path(number), framework="numpy") as file:
+                facts = file.metadata()
+                columns = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
+        except (OSError, SafetensorError):
+            return None
+        expected = {"run": self.run, "number": str(number), "crc32": _checksum(columns)}
+        return columns if facts == expected else None
+
+    def _path(self, number: int) -> Path:
+        return self.folder / f"{number:08d}{SUFFIX}"
+
+
+def _checksum(columns: Columns) -> str:
+    checksum = 0
+    for name in sorted(columns):
+        checksum = zlib.crc32(columns[name].data, zlib.crc32(name.encode(), checksum))
+    return f"{checksum:08x}"
+
+
+@contextmanager
+def claim(
+    output: Path, run: Mapping[str, str], restart: bool = False, kind: str = "data set"
+) -> Iterator[Parts]:
+    """Reserve ``output`` for this run, with the parts that an earlier run of the same finished.
+
+    The folder of parts goes when the block ends; after an error the finished parts stay.
+
+    Args:
+        output: the file to be made.
+        run: everything the parts depend on.
+        restart: throw away what an earlier run left.
+        kind: of file, for messages.
+
+    Raises:
+        DatasetError: the place cannot be written, another run is at it, or the parts there were made
+            of something else.
+    """
+    folder = output.parent / f".{output.name}.parts"
+    if output.is_dir():
+        raise DatasetError(f"cannot write {kind} {output}: it is a folder; name a file in it")
+    lock = FileLock(folder / "lock")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        lock.acquire(timeout=0)
+    except Timeout as error:
+        raise DatasetError(
+            f"another run is making {output}: wait for it to end, or name another file"
+        ) from error
+    except (OSError, NotImplementedError) as error:
+        raise DatasetError(f"cannot write {kind} {output}: {error}") from error
+    with lock:
+        lock.release()  # `with` took it a second time
+        if restart:
+            _clear(folder)
+        text = json.dumps(dict(run), indent=1, sort_keys=True)
+        _check_run(folder, dict(run), text)
+        parts = Parts(folder, f"{zlib.crc32(text.encode()):08x}")
+        try:
+            yield parts
+        except BaseException:
+            if not parts.finished():
+                shutil.rmtree(folder, ignore_errors=True)
+            raise
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _check_run(folder: Path, run: dict[str, str], text: str) -> None:
+    facts = folder / "run.json"
+    try:
+        if not facts.exists():
+            _clear(folder)
+            write_whole(facts, lambda beside: beside.write_text(text))
+        found = json.loads(facts.read_text())
+    except OSError as error:
+        raise DatasetError(f"cannot write to {folder}: {error}") from error
+    except ValueError:
+        found = {}
+    if found != run:
+        different = ", ".join(sorted(name for name in run if found.get(name) != run[name]))
+        raise DatasetError(
+            f"{folder} holds shards that an earlier run made with another {different}: "
+            "go on with what it had, or throw them away with --restart"
+        )
+    for leftover in folder.glob("*.part"):
+        leftover.unlink(missing_ok=True)
+
+
+def _clear(folder: Path) -> None:
+    for path in folder.iterdir():
+        if path.name != "lock":
+            path.unlink()

@@ -1,0 +1,106 @@
+"""Options and arguments that several sub-commands share, and what they mean."""
+
+import argparse
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from sailnet.errors import SailnetError
+from sailnet.mission.disturbances import Disturbance, catalogue, disturbance_from
+from sailnet.mission.mission import Mission
+from sailnet.physics.optics import OPTICS
+
+if TYPE_CHECKING:
+    from sailnet.guidance.interface import Guidance
+
+Commands = Any
+"""What ``add_subparsers`` gives; argparse does not name its type."""
+
+
+def add_command(
+    commands: Commands, name: str, run: Any, about: str, *parents: argparse.ArgumentParser, example: str
+) -> argparse.ArgumentParser:
+    """A sub-command with a mission, the options of ``parents`` and an example in its help."""
+    common = argparse.ArgumentParser(add_help=False)
+    common.add_argument("--mission", default="earth_mars", help="mission name or TOML file (%(default)s)")
+    common.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
+    made: argparse.ArgumentParser = commands.add_parser(
+        name, parents=[*parents, common], help=about, description=about, epilog=f"example: {example}"
+    )
+    made.set_defaults(run=run)
+    return made
+
+
+def state_parser(nargs: Literal["?"] | None = None) -> argparse.ArgumentParser:
+    """R U V; with ``nargs`` "?" they may be left out."""
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("r", metavar="R", type=float, nargs=nargs, help="distance from the Sun [AU]")
+    parser.add_argument("u", metavar="U", type=float, nargs=nargs, help="radial speed [AU/TU]")
+    parser.add_argument("v", metavar="V", type=float, nargs=nargs, help="transverse speed [AU/TU]")
+    return parser
+
+
+def backend_parser() -> argparse.ArgumentParser:
+    """Which guidance flies."""
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("--backend", choices=("c", "onnx"), default="c", help="what runs the networks")
+    parser.add_argument("--precision", choices=("float64", "float32"), default="float64")
+    parser.add_argument(
+        "--layout",
+        choices=("flight", "host"),
+        default="flight",
+        help="of the exported C: the file that goes on board, or the same on vectors (default: %(default)s)",
+    )
+    parser.add_argument("--networks", type=Path, metavar="DIR", help="exported networks (default: shipped)")
+    return parser
+
+
+def guidance_of(options: argparse.Namespace, mission: Mission) -> "Guidance":
+    """The guidance that the options of :func:`backend_parser` name.
+
+    Raises:
+        GuidanceError: it is missing, damaged or of another mission.
+    """
+    from sailnet.guidance.backends import load_guidance
+
+    return load_guidance(mission, options.backend, options.precision, options.networks, layout=options.layout)
+
+
+def loop_parser() -> argparse.ArgumentParser:
+    """Period, seed and disturbances of closed-loop flights."""
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("--period", type=float, metavar="TU", help="guidance period (default: the mission's)")
+    parser.add_argument("--seed", type=int, help="of every random number (default: the mission's, or 0)")
+    group = parser.add_argument_group(
+        "disturbances", "All are off unless given here or in the mission file's table [disturbance]."
+    )
+    for quantity in catalogue():
+        option, meaning = f"--{quantity.name.replace('_', '-')}", quantity.meaning
+        if quantity.name == "optics":
+            group.add_argument(option, choices=tuple(OPTICS), help="optical coefficients of the sail")
+        else:
+            unit = "X" if quantity.unit == "1" else quantity.unit
+            default = f" (otherwise {quantity.default:g})" if quantity.default else ""
+            group.add_argument(option, type=float, metavar=unit, help=meaning + default)
+    return parser
+
+
+def disturbance_of(options: argparse.Namespace, mission: Mission) -> Disturbance:
+    """What the options of :func:`loop_parser` say, on top of the mission's own."""
+    names = ["seed", *(quantity.name for quantity in catalogue())]
+    given = {name: getattr(options, name) for name in names}
+    return disturbance_from(
+        {name: value for name, value in given.items() if value is not None}, mission.disturbance
+    )
+
+
+def state_of(options: argparse.Namespace) -> tuple[float, float, float]:
+    """The state that R U V give.
+
+    Raises:
+        SailnetError: it is no state of a sail.
+    """
+    state = (options.r, options.u, options.v)
+    if not all(math.isfinite(x) for x in state) or not options.r > 0.0:
+        raise SailnetError(f"the state R U V must be three finite numbers with R > 0, not {state}")
+    return state

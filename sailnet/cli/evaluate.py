@@ -1,0 +1,76 @@
+"""``sailnet evaluate``: many closed-loop flights, or a whole campaign."""
+
+import argparse
+from contextlib import nullcontext
+from pathlib import Path
+
+from sailnet.cli.arguments import (
+    Commands,
+    add_command,
+    backend_parser,
+    disturbance_of,
+    guidance_of,
+    loop_parser,
+)
+from sailnet.cli.output import Result
+from sailnet.mission.mission import load_mission
+
+
+def add(commands: Commands) -> None:
+    """Add the command."""
+    evaluate = add_command(
+        commands,
+        "evaluate",
+        run,
+        "Closed-loop flights from random starts of the generalisation set, or a whole campaign.",
+        backend_parser(),
+        loop_parser(),
+        example="sailnet evaluate --flights 1000 --beta-noise 0.15 --rate-limit 5 --optics jpl; "
+        "sailnet evaluate --campaign everything --workers 2",
+    )
+    evaluate.add_argument(
+        "--campaign",
+        metavar="NAME",
+        help="a ready campaign or a TOML file; its results and its report are written to --output",
+    )
+    evaluate.add_argument(
+        "--output", type=Path, default=Path("campaigns"), metavar="DIR", help="(%(default)s)"
+    )
+    evaluate.add_argument("--restart", action="store_true", help="throw away what was flown before")
+    evaluate.add_argument(
+        "--flights", type=int, metavar="N", help="how many (100, or what the campaign says for random starts)"
+    )
+    evaluate.add_argument("--workers", type=int, default=1, metavar="N", help="processes (%(default)s)")
+    evaluate.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler whose workers fly instead")
+
+
+def run(options: argparse.Namespace) -> Result:
+    """Fly them; shares and errors by name."""
+    from sailnet.montecarlo import fly_campaign
+    from sailnet.workers.executors import workers
+
+    if options.campaign is not None:
+        from sailnet.campaign.command import evaluate_campaign
+
+        return evaluate_campaign(options)
+    mission = load_mission(options.mission)
+    guidance = guidance_of(options, mission)
+    disturbance = disturbance_of(options, mission)
+    alone = options.workers == 1 and options.scheduler is None
+    with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:
+        campaign = fly_campaign(
+            mission,
+            guidance,
+            100 if options.flights is None else options.flights,
+            disturbance,
+            period=options.period,
+            workers=pool,
+        )
+    return {
+        "flights": len(campaign.flights.arrived),
+        "arrived": campaign.arrived,
+        "success_share": campaign.success_share,
+        "confidence_interval": list(campaign.confidence_interval),
+        "error_quantiles": campaign.error_quantiles(),
+        "attitude_violations": campaign.attitude_violations(mission.problem.phi_max),
+    }

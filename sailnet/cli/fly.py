@@ -1,0 +1,76 @@
+"""``sailnet fly``: one closed-loop flight."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sailnet.cli.arguments import (
+    Commands,
+    add_command,
+    backend_parser,
+    disturbance_of,
+    guidance_of,
+    loop_parser,
+    state_of,
+    state_parser,
+)
+from sailnet.cli.output import Result, readable
+from sailnet.errors import SailnetError, SolveError
+from sailnet.mission.mission import load_mission
+
+if TYPE_CHECKING:
+    from sailnet.expert.fastest import Extremal
+
+
+def add(commands: Commands) -> None:
+    """Add the command."""
+    fly = add_command(
+        commands,
+        "fly",
+        run,
+        "One closed-loop flight.",
+        state_parser(),
+        backend_parser(),
+        loop_parser(),
+        example="sailnet fly 1.1 0.18 0.93 --beta-noise 0.15 --seed 3 --plot flight.html",
+    )
+    fly.add_argument("--plot", type=Path, metavar="FILE", help="show the flight: FILE.png or FILE.html")
+
+
+def run(options: argparse.Namespace) -> Result:
+    """Fly; how it ended by name."""
+    from sailnet.expert.fastest import solve
+    from sailnet.flight.closed_loop import Ending, fly_recorded
+    from sailnet.report import report
+
+    mission = load_mission(options.mission)
+    state = state_of(options)
+    if options.plot is not None and options.plot.suffix not in (".png", ".html"):
+        raise SailnetError(f"--plot writes FILE.png or FILE.html, not {options.plot}")
+    guidance = guidance_of(options, mission)
+    disturbance = disturbance_of(options, mission)
+    flight, (history,) = fly_recorded(
+        mission, guidance, [state], disturbance=disturbance, period=options.period
+    )
+    try:
+        optimum: Extremal | None = solve(mission.problem, state)
+    except SolveError as error:
+        print(f"note: {error}", file=sys.stderr)
+        optimum = None
+    result: Result = {
+        "arrived": bool(flight.arrived[0]),
+        "ending": Ending(flight.ending[0]).name.lower(),
+        "time_of_flight": float(flight.time_of_flight[0]),
+        "terminal_error": flight.terminal_error[0].tolist(),
+        "nearest_error": float(flight.nearest_error[0]),
+        "max_cone_angle": float(flight.max_cone_angle[0]),
+        "beta_error": float(flight.beta_error[0]),
+        "beta_estimate": float(flight.beta_estimate[0]),
+        "optimal_time_of_flight": None if optimum is None else optimum.time_of_flight,
+    }
+    if options.plot is not None:
+        facts = {key.replace("_", " "): readable(value) for key, value in result.items()}
+        report("flight_page").plot_flight(options.plot, mission, history, optimum, facts)
+        result["plot"] = str(options.plot)
+    return result

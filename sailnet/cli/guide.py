@@ -1,0 +1,39 @@
+"""``sailnet guide``: one command from the networks."""
+
+import argparse
+
+from sailnet.cli.arguments import Commands, add_command, backend_parser, guidance_of, state_of, state_parser
+from sailnet.cli.output import Result
+from sailnet.errors import SailnetError
+from sailnet.mission.mission import load_mission
+
+
+def add(commands: Commands) -> None:
+    """Add the command."""
+    guide = add_command(
+        commands,
+        "guide",
+        run,
+        "One guidance command from the networks.",
+        state_parser(),
+        backend_parser(),
+        example="sailnet guide 1.05 0.15 1.03 --beta 0.15 --json",
+    )
+    guide.add_argument("--beta", type=float, metavar="X", help="the sail's real one (default: the mission's)")
+
+
+def run(options: argparse.Namespace) -> Result:
+    """Ask the networks; the command by name."""
+    from sailnet.guidance.interface import GuidanceStatus
+
+    state = state_of(options)
+    guidance = guidance_of(options, load_mission(options.mission))
+    low, high = guidance.beta_range
+    if options.beta is not None and not low <= options.beta <= high:
+        raise SailnetError(f"the networks know sails with beta from {low:g} to {high:g}, not {options.beta}")
+    command = guidance.command([state], options.beta)
+    return {
+        "cone_angle": float(command.cone_angle[0]),
+        "time_of_flight": float(command.time_of_flight[0]),
+        "status": GuidanceStatus(command.status[0]).name.lower(),
+    }

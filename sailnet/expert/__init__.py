@@ -1,0 +1,1 @@
+"""The fastest extremal from any state, by backward shooting."""

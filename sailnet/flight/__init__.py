@@ -1,0 +1,1 @@
+"""The closed loop: guidance and plant, one command a guidance period."""

@@ -1,0 +1,218 @@
+"""Closed-loop flights: the exported guidance steers the plant, one command a guidance period.
+
+Many sails fly side by side. Each flight draws its disturbances from streams of its own, so its result
+depends neither on its company nor on the number of workers. The loop is the plant's, in C, for every
+guidance: the exported C is called by it directly, any other back end through a callback.
+
+How a flight ends. The guidance on board ends it, by what it knows: when its predicted time of flight is
+shorter than a period or the mission's threshold, the last command is held for that predicted time, and
+the sail is scored where it really is then; or at once, if by its navigation the sail is within the
+tolerance and the predicted time no longer falls. The truth is never looked at for the best moment; what
+that would have given is reported beside it, as ``nearest_error``.
+"""
+
+from dataclasses import dataclass, fields
+from enum import IntEnum
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sailnet.errors import SailnetError
+from sailnet.flight.plant import STATE, SideBySide, rules
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+
+BLOCK = 256
+"""Guidance periods flown in one call of the plant; between calls an interruption is noticed."""
+
+
+AS_RECORDED = ("time", "seen", "cone_angle", "attitude", "beta", "beta_estimate", "status")
+"""Attributes of a ``History`` that are members of ``plant_record``."""
+
+
+class Ending(IntEnum):
+    """How a flight ended."""
+
+    STOPPED = 1
+    """By its guidance, wherever that was."""
+    LOST = 2
+    """Out of the plant's distances from the Sun."""
+    TOO_LONG = 3
+    """At the mission's longest flight."""
+
+
+@dataclass(frozen=True)
+class Flights:
+    """What became of each flight; arrays of length n.
+
+    Other tolerances than the mission's can be applied to ``stopped`` and ``terminal_error`` afterwards.
+
+    Attributes:
+        starts: (n, 3) r, u, v at departure.
+        ends: (n, 3) the same at the end.
+        time_of_flight: duration [TU].
+        ending: values of ``Ending``.
+        terminal_error: (n, 3) size of the deviation from the target state, Section 5.1.
+        max_cone_angle: largest size of the command [rad].
+        max_attitude: largest size of the cone angle flown, misalignment and all [rad].
+        beta_error: constant relative error of beta, bias and spread.
+        beta_estimate: the guidance's last estimate of beta.
+        nearest_error: smallest largest component of the deviation at the end of any period: what a stop
+            rule that knew the truth would have got.
+        nearest_time: when that was [TU].
+        dose: sunlight that fell on the sail [TU/AU^2].
+        periods: guidance periods flown.
+        outside: of these, with a state outside the domain of the networks.
+        outages: of these, without guidance.
+        arrived: stopped, within the mission's tolerance, the cone angle never out of bounds.
+    """
+
+    starts: Array
+    ends: Array
+    time_of_flight: Array
+    ending: NDArray[np.int32]
+    terminal_error: Array
+    max_cone_angle: Array
+    max_attitude: Array
+    beta_error: Array
+    beta_estimate: Array
+    nearest_error: Array
+    nearest_time: Array
+    dose: Array
+    periods: NDArray[np.uint32]
+    outside: NDArray[np.uint32]
+    outages: NDArray[np.uint32]
+    arrived: NDArray[np.bool_]
+
+    @property
+    def stopped(self) -> NDArray[np.bool_]:
+        """(n,) the guidance ended the flight; else it was lost or took too long."""
+        return np.asarray(self.ending == Ending.STOPPED)
+
+    @staticmethod
+    def join(parts: "list[Flights]") -> "Flights":
+        """Flights of several batches, in order."""
+        names = [field.name for field in fields(Flights)]
+        return Flights(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
+
+
+@dataclass(frozen=True)
+class History:
+    """One flight, period by period.
+
+    Attributes:
+        time: (k,) at the start of each period [TU].
+        states: (k, 4) r, theta, u, v then.
+        seen: (k, 3) r, u, v as navigation showed them; NaN in an outage.
+        cone_angle: (k,) commanded [rad]; in an outage, what was held.
+        attitude: (k,) the cone angle flown at the end of the period [rad].
+        beta: (k,) the sail's real beta in the period.
+        beta_estimate: (k,) by the guidance.
+        predicted_time_of_flight: (k,) by the guidance [TU]; NaN in an outage.
+        status: (k,) values of ``GuidanceStatus``.
+    """
+
+    time: Array
+    states: Array
+    seen: Array
+    cone_angle: Array
+    attitude: Array
+    beta: Array
+    beta_estimate: Array
+    predicted_time_of_flight: Array
+    status: NDArray[np.int32]
+
+    @property
+    def ruv(self) -> Array:
+        """(k, 3) r, u, v at the start of each period: what guidance and navigation deal with."""
+        return self.states[:, [0, 2, 3]]
+
+
+def fly(
+    mission: Mission,
+    guidance: Guidance,
+    starts: ArrayLike,
+    *,
+    disturbance: Disturbance | None = None,
+    period: float | None = None,
+    first: int = 0,
+) -> Flights:
+    """Fly sails until their guidance says that they have arrived.
+
+    Args:
+        mission: the plant's beta, the target, and the rules of flight.
+        guidance: a back end of :mod:`sailnet.guidance.interface`.
+        starts: (n, 3) rows r [AU], u, v [AU/TU].
+        disturbance: of sail, navigation and actuator; the mission's by default.
+        period: guidance period [TU]; the mission's by default.
+        first: number of the first flight, for the random streams.
+
+    Raises:
+        SailnetError: a start is not finite or not at a positive distance; a period that is not positive.
+    """
+    start, under_way = _departing(mission, guidance, starts, disturbance, period, first)
+    while under_way.flying:
+        under_way.fly(BLOCK)
+    return _flights(mission, start, under_way.sails)
+
+
+def fly_recorded(
+    mission: Mission,
+    guidance: Guidance,
+    starts: ArrayLike,
+    *,
+    disturbance: Disturbance | None = None,
+    period: float | None = None,
+    first: int = 0,
+) -> tuple[Flights, list[History]]:
+    """:func:`fly`, and the history of each of the flights, which takes memory for every period."""
+    start, under_way = _departing(mission, guidance, starts, disturbance, period, first)
+    blocks = []
+    while under_way.flying:
+        blocks.append(under_way.fly_recorded(BLOCK))
+    whole = np.concatenate(blocks)
+    histories = [_history(whole[: sail["periods"], i]) for i, sail in enumerate(under_way.sails)]
+    return _flights(mission, start, under_way.sails), histories
+
+
+def _departing(
+    mission: Mission,
+    guidance: Guidance,
+    starts: ArrayLike,
+    disturbance: Disturbance | None,
+    period: float | None,
+    first: int,
+) -> tuple[Array, SideBySide]:
+    start = np.atleast_2d(np.asarray(starts, float))
+    if start.shape[1:] != (3,) or not np.isfinite(start).all() or not np.all(start[:, 0] > 0.0):
+        raise SailnetError(f"a start needs three finite numbers (r, u, v) with r > 0, not {start.tolist()}")
+    held = mission.flight.period if period is None else period
+    given = rules(mission, mission.disturbance if disturbance is None else disturbance, held)
+    return start, SideBySide(given, start, first, guidance.steering(len(start)))
+
+
+def _flights(mission: Mission, start: Array, sails: NDArray[np.void]) -> Flights:
+    ends = np.column_stack([sails["state"][component] for component in "ruv"])
+    terminal_error = np.abs(ends - np.array(mission.problem.target_state))
+    inside = np.all(terminal_error <= mission.flight.arrival_tolerance, axis=1)
+    bounded = sails["max_cone_angle"] <= mission.problem.phi_max
+    named = {field.name for field in fields(Flights)} & set(sails.dtype.names or ())
+    return Flights(
+        starts=start,
+        ends=ends,
+        time_of_flight=sails["time"].copy(),
+        terminal_error=terminal_error,
+        arrived=(sails["ending"] == Ending.STOPPED) & inside & bounded,
+        dose=sails["state"]["dose"].copy(),
+        **{name: sails[name].copy() for name in named},
+    )
+
+
+def _history(records: NDArray[np.void]) -> History:
+    return History(
+        states=np.column_stack([records[name] for name in STATE]),
+        predicted_time_of_flight=records["time_of_flight"].copy(),
+        **{name: records[name].copy() for name in AS_RECORDED},
+    )

@@ -1,0 +1,215 @@
+"""The plant in C, called by ctypes: sails side by side, from one guidance period to the next.
+
+``sailnet.flight.closed_loop`` flies with it, whatever computes the guidance: the exported C is called by
+the plant directly, anything else through a callback.
+"""
+
+import ctypes
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sailnet.errors import SailnetError
+from sailnet.flight.plant_library import STEER, plant
+from sailnet.guidance.interface import NativeSteering, Steering
+from sailnet.guidance.steering import refuse_long_period
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+
+RADII = (0.05, 20.0)
+"""A sail outside these distances from the Sun [AU] is lost."""
+
+TOLERANCE = 1e-13
+"""Of an integration step, relative to 1 + |state|: whole flights are within 1e-10 of a Taylor integrator."""
+
+MOST_PERIODS = 10**8
+"""A flight of more guidance periods is refused."""
+
+OPTICS_COEFFICIENTS = ("normal_square", "normal_linear", "tangential")
+"""Names of ``Optics.force``, in its order."""
+
+STATE = ("r", "theta", "u", "v")
+"""Names of a polar state, in the order of its rows or columns."""
+
+
+def rules(mission: Mission, disturbance: Disturbance, period: float) -> NDArray[np.void]:
+    """What the plant has to know: ``plant_rules``.
+
+    Args:
+        mission: the sail's beta, the target and the longest flight.
+        disturbance: how the sail differs.
+        period: guidance period [TU].
+
+    Raises:
+        SailnetError: a period that is not positive, too long for steering or too short for the mission's
+            longest flight; a time of an outage below it.
+    """
+    longest = mission.flight.longest
+    if not (math.isfinite(period) and period > 0.0):
+        raise SailnetError(f"the guidance period must be a positive number of TU, not {period}")
+    refuse_long_period(period)
+    if longest / period > MOST_PERIODS:
+        raise SailnetError(f"a guidance period of {period:g} TU makes more than {MOST_PERIODS} in a flight")
+    if disturbance.outage_probability > 0.0 and disturbance.outage_duration < period:
+        raise SailnetError(f"outage_duration must be at least the guidance period, {period:g} TU")
+    if disturbance.delay > longest:
+        raise SailnetError(f"delay must be at most the longest flight, {longest:g} TU")
+    values = {name: value for name, value in vars(disturbance).items() if name[:2] not in ("r_", "u_", "v_")}
+    for kind in ("bias", "noise", "wander"):
+        values[f"navigation_{kind}"] = [getattr(disturbance, f"{component}_{kind}") for component in "ruv"]
+    return plant().filled(
+        "plant_rules",
+        values
+        | {
+            "period": period,
+            "longest": longest,
+            "least_radius": RADII[0],
+            "largest_radius": RADII[1],
+            "tolerance": TOLERANCE,
+            "target": mission.problem.target_state,
+            "beta": mission.sail.beta,
+            "optics": _optics(disturbance.optics.force),
+        },
+    )
+
+
+def _optics(force: tuple[float, float, float]) -> NDArray[np.void]:
+    return plant().filled("plant_optics", dict(zip(OPTICS_COEFFICIENTS, force, strict=True)))
+
+
+class SideBySide:
+    """Flights under way.
+
+    Args:
+        rules: what is the same for all, from :func:`rules`.
+        starts: (n, 3) r, u, v at departure.
+        first: number of the first flight.
+        steering: of n sails that start; called by the plant directly if it can be.
+
+    Attributes:
+        sails: (n,) ``plant_sail``.
+    """
+
+    def __init__(self, rules: NDArray[np.void], starts: Array, first: int, steering: Steering) -> None:
+        count, loaded = len(starts), plant()
+        self._fly, self._rules = loaded.functions.plant_fly, rules
+        self._record = loaded.structures["plant_record"]
+        self.sails = np.zeros(count, loaded.structures["plant_sail"])
+        for component, column in zip("ruv", starts.T, strict=True):
+            self.sails["state"][component] = column
+        self.sails["number"] = np.arange(first, first + count, dtype=np.uint64)
+        native = steering.native() if isinstance(steering, NativeSteering) else None
+        address, memories, precision = native or (0, 0, "float64")
+        bits = "f64" if precision == "float64" else "f32"
+        slots = loaded.functions.plant_queue_slots(rules.ctypes.data)
+        # All these live as long as the C points to them, the steering for its memories.
+        self._steered_by = steering
+        self._places: dict[str, NDArray[Any]] = {
+            "sails": self.sails,
+            "rows": np.arange(count, dtype=np.uint64),
+            "queue": np.zeros((count, slots)),
+            "states": np.empty((count, 3), precision),
+            "commands": np.empty(count, loaded.structures[f"plant_command_{bits}"]),
+            "statuses": np.empty(count, np.int32),
+        }
+        addresses = {name: place.ctypes.data for name, place in self._places.items()}
+        self._flights = loaded.filled(
+            "plant_flights", {"count": count, "flying": count, "interrupted": 0, **addresses}
+        )
+        self._errors: list[BaseException] = []
+        if native is None:
+            steer = _called_back(steering, self._places, self._flights, self._errors)
+            self._callback = STEER(steer)
+            address = ctypes.cast(self._callback, ctypes.c_void_p).value or 0
+        functions = {"f32": 0, "f64": 0} | {bits: address}
+        self._steering = loaded.filled("plant_steering", {**functions, "memories": memories})
+
+    @property
+    def flying(self) -> int:
+        """How many still fly."""
+        return int(self._flights["flying"])
+
+    def fly(self, periods: int) -> None:
+        """Fly on for at most so many guidance periods; what the steering raises comes out."""
+        self._fly_on(periods, None)
+
+    def fly_recorded(self, periods: int) -> NDArray[np.void]:
+        """:meth:`fly`, returning (periods, n) of ``plant_record``, filled for the periods flown."""
+        records = np.empty((periods, len(self.sails)), self._record)
+        self._fly_on(periods, records.ctypes.data)
+        return records
+
+    def _fly_on(self, periods: int, records: int | None) -> None:
+        structures = (self._rules, self._steering, self._flights)
+        self._fly(*(item.ctypes.data for item in structures), periods, records)
+        if self._errors:
+            raise self._errors[0]
+
+
+def _called_back(
+    steering: Steering,
+    places: Mapping[str, NDArray[Any]],
+    flights: NDArray[np.void],
+    errors: list[BaseException],
+) -> Callable[..., None]:
+    """``plant_steer_f64`` for a steering in Python; an error there ends the flights and is kept."""
+    states, rows, commands, statuses = (places[name] for name in ("states", "rows", "commands", "statuses"))
+
+    def steer(
+        count: int, _memories: int, _rows: int, _states: int, period: float, _commands: int, _statuses: int
+    ) -> None:
+        # The addresses are those of the arrays of the flights.
+        try:
+            steered = steering.steer(states[:count].copy(), period, rows[:count].astype(np.intp))
+            for name in commands.dtype.names or ():
+                commands[name][:count] = getattr(steered, name)
+            statuses[:count] = steered.status
+        except BaseException as error:  # an interruption too: it must not be lost in the C below
+            errors.append(error)
+            flights["interrupted"] = 1
+
+    return steer
+
+
+def hold_angle(
+    states: Array,
+    beta: ArrayLike,
+    angle: ArrayLike,
+    duration: ArrayLike,
+    optics: tuple[float, float, float] = (1.0, 0.0, 0.0),
+    rate: float = 0.0,
+) -> Array:
+    """Fly sails whose cone angle is held, or turns steadily; the plant's Eq. (1) alone.
+
+    Args:
+        states: (4, n) rows r, theta, u, v.
+        beta: (n,) or one normalised characteristic acceleration.
+        angle: (n,) or one cone angle at the start [rad].
+        duration: (n,) or one time [TU].
+        optics: coefficients of the force; ideal by default.
+        rate: of the cone angle [rad/TU].
+
+    Returns:
+        (5, n) states at the end and the dose of sunlight [TU/AU^2]; NaN for a sail that was lost.
+    """
+    functions, structures = plant().functions, plant().structures
+    given = np.zeros((), structures["plant_rules"])
+    given["least_radius"], given["largest_radius"] = RADII
+    given["tolerance"], given["optics"] = TOLERANCE, _optics(optics)
+    count = states.shape[1]
+    held = np.zeros(count, structures["plant_state"])
+    for name, row in zip(STATE, states, strict=True):
+        held[name] = row
+    numbers = np.broadcast_arrays(np.empty(count), beta, angle, duration)[1:]
+    inside = np.empty(count, bool)
+    for i, values in enumerate(zip(*numbers, strict=True)):
+        strength, start, time = map(float, values)
+        step = ctypes.c_double(0.0)
+        inside[i] = functions.plant_hold(
+            given.ctypes.data, strength, start, rate, time, held[i:].ctypes.data, ctypes.byref(step)
+        )
+    return np.where(inside, [held[name] for name in (*STATE, "dose")], np.nan)

@@ -1,0 +1,54 @@
+"""Which guidance flies: the exported C or its ONNX graph, shipped or one's own."""
+
+from importlib import resources
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from sailnet.errors import GuidanceError
+from sailnet.guidance.exported_c import CGuidance
+from sailnet.guidance.interface import Guidance, Layout, Precision
+from sailnet.guidance.onnx_graphs import OnnxGuidance
+from sailnet.mission.mission import Mission
+
+Backend = Literal["c", "onnx"]
+
+
+def load_guidance(
+    mission: Mission,
+    backend: Backend = "c",
+    precision: Precision = "float64",
+    folder: Path | None = None,
+    layout: Layout = "flight",
+) -> Guidance:
+    """Load what ``python -m export`` wrote for this mission.
+
+    Args:
+        mission: the mission to fly; other networks are refused.
+        backend: ``c`` is the exported C, compiled; ``onnx`` the merged graph in onnxruntime.
+        precision: of the arithmetic.
+        folder: of the exported files; by default those shipped with the package.
+        layout: of the C: ``flight`` is the file that goes on board, ``host`` its form on vectors.
+
+    Raises:
+        GuidanceError: a file is missing, damaged, of another mission or cannot be loaded.
+    """
+    where = folder if folder is not None else _shipped(mission)
+    bits = np.dtype(precision).itemsize * 8
+    if backend == "c":
+        form = "" if layout == "flight" else f"_{layout}"
+        return CGuidance(mission, where / f"guidance_f{bits}{form}.so")
+    if backend == "onnx":
+        return OnnxGuidance(mission, where / f"guidance_f{bits}.onnx")
+    raise GuidanceError(f"no back end {backend!r}: known are c and onnx")
+
+
+def _shipped(mission: Mission) -> Path:
+    folder = Path(str(resources.files("sailnet"))) / "shipped" / mission.name
+    if not folder.is_dir():
+        raise GuidanceError(
+            f"no networks are shipped for mission {mission.name!r}: train and export some "
+            "(python -m training, python -m export) and name their folder"
+        )
+    return folder

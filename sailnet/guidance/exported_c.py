@@ -1,0 +1,158 @@
+"""The exported C file as it would go on board, compiled into a shared library and called by ctypes."""
+
+import ctypes
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sailnet.artefacts.checksums import verify_checksum
+from sailnet.errors import GuidanceError
+from sailnet.guidance.interface import Commands, Precision, Steered, as_betas, as_states
+from sailnet.mission.mission import Mission
+
+API_VERSION = 3
+
+_SUFFIXES: Mapping[str, Precision] = {"f32": "float32", "f64": "float64"}
+"""At the end of every symbol of a library."""
+
+COMMAND_FIELDS = ("cone_angle", "time_of_flight", "beta", "hold")
+"""Members of ``sailnet_command``, in order."""
+
+
+class CGuidance:
+    """Flies the exported C.
+
+    Args:
+        mission: the mission to fly.
+        library: a ``guidance_*.so``, beside its list of checksums.
+
+    Raises:
+        GuidanceError: the library is missing, damaged, of another mission or cannot be loaded here.
+    """
+
+    def __init__(self, mission: Mission, library: Path) -> None:
+        # Before anything is loaded: a truncated library does not raise, it ends the process.
+        verify_checksum(library, library.parent / "libraries.sha256")
+        integer, text, pointer = ctypes.c_uint32, ctypes.c_char_p, ctypes.c_void_p
+        try:
+            loaded = ctypes.CDLL(str(library.resolve()))
+            suffix = next((end for end in _SUFFIXES if hasattr(loaded, f"sailnet_api_version_{end}")), None)
+            if suffix is None:
+                raise GuidanceError(f"cannot load {library}: this version of sailnet did not export it")
+            if loaded[f"sailnet_api_version_{suffix}"]() != API_VERSION:
+                raise GuidanceError(f"{library} was exported by another version of sailnet; export it again")
+            functions = {
+                name: _declared(loaded, f"sailnet_{name}_{suffix}", result)
+                for name, result in (
+                    ("memory_size", integer),
+                    ("beta_min", ctypes.c_double),
+                    ("beta_max", ctypes.c_double),
+                    ("mission_digest", text),
+                    ("networks_digest", text),
+                )
+            }
+            real = ctypes.c_double if suffix == "f64" else ctypes.c_float
+            count = ctypes.c_uint64
+            self._command = _declared(loaded, f"sailnet_guidance_batch_{suffix}", None, count, *[pointer] * 5)
+            self._start = _declared(loaded, f"sailnet_start_batch_{suffix}", None, count, pointer)
+            self._steer = _declared(
+                loaded, f"sailnet_steer_batch_{suffix}", None, count, *[pointer] * 3, real, *[pointer] * 2
+            )
+        except (OSError, AttributeError) as error:
+            raise GuidanceError(
+                f"cannot load {library}: {error}; compile it again on this machine"
+            ) from error
+        if functions["mission_digest"]().decode() != mission.digest():
+            raise GuidanceError(
+                f"{library} was exported for another mission than {mission.name!r} as it is now"
+            )
+        self.mission = mission
+        self._library = library
+        self._memory_size: int = functions["memory_size"]()
+        self.networks_digest: str = functions["networks_digest"]().decode()
+        self.precision: Precision = _SUFFIXES[suffix]
+        self.beta_range: tuple[float, float] = (functions["beta_min"](), functions["beta_max"]())
+
+    def __reduce__(self) -> tuple[type["CGuidance"], tuple[Mission, Path]]:
+        # A worker in another process loads, and checks, the library itself.
+        return CGuidance, (self.mission, self._library)
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
+        """Command the sails at (n, 3) states; see ``sailnet.guidance.interface.Guidance``."""
+        array = as_states(states, self.precision)
+        betas = as_betas(beta, len(array), self.mission.sail.beta, self.precision)
+        cone_angle, time_of_flight = np.empty((2, len(array)), self.precision)
+        status = np.empty(len(array), np.int32)
+        places = (array, betas, cone_angle, time_of_flight, status)
+        self._command(len(array), *(place.ctypes.data for place in places))
+        return Commands(cone_angle.astype(np.float64), time_of_flight.astype(np.float64), status)
+
+    @property
+    def steer_address(self) -> int:
+        """Address of ``sailnet_steer_batch``, for a plant that calls it without Python in between."""
+        return ctypes.cast(self._steer, ctypes.c_void_p).value or 0
+
+    def steering(self, count: int) -> "CSteering":
+        """Memories of ``count`` sails, steered by the C; see ``sailnet.guidance.interface.Guidance``."""
+        return CSteering(self, count)
+
+    def started(self, count: int) -> NDArray[np.uint8]:
+        """(count, k) bytes of memories as ``sailnet_start`` fills them."""
+        memories = np.empty((count, self._memory_size), np.uint8)
+        self._start(count, memories.ctypes.data)
+        return memories
+
+    def steer(
+        self, memories: NDArray[np.uint8], states: ArrayLike, period: float, sails: NDArray[np.intp]
+    ) -> Steered:
+        """Steer the sails numbered ``sails``, whose ``memories`` are changed.
+
+        Raises:
+            GuidanceError: states of another shape, or a sail that there is no memory of.
+        """
+        array = as_states(states, self.precision)
+        rows = np.ascontiguousarray(sails, np.uint64)
+        if rows.shape != (len(array),) or (len(rows) and int(rows.max()) >= len(memories)):
+            raise GuidanceError(f"{len(array)} states need as many numbers of sails below {len(memories)}")
+        commands = np.empty((len(array), len(COMMAND_FIELDS)), self.precision)
+        status = np.empty(len(array), np.int32)
+        self._steer(
+            len(array),
+            *(place.ctypes.data for place in (memories, rows, array)),
+            period,
+            commands.ctypes.data,
+            status.ctypes.data,
+        )
+        named = dict(zip(COMMAND_FIELDS, commands.T.astype(np.float64), strict=True))
+        return Steered(**named, status=status)
+
+
+class CSteering:
+    """Memories of a number of sails, as ``sailnet_steer`` keeps them on board.
+
+    Args:
+        guidance: gives the commands.
+        count: number of sails.
+    """
+
+    def __init__(self, guidance: CGuidance, count: int) -> None:
+        self._guidance = guidance
+        self.memories = guidance.started(count)
+
+    def native(self) -> tuple[int, int, Precision]:
+        """Address of the function that steers, of these memories, and the precision of both."""
+        return self._guidance.steer_address, self.memories.ctypes.data, self._guidance.precision
+
+    def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+        """See :class:`sailnet.guidance.interface.Steering`."""
+        return self._guidance.steer(self.memories, states, period, sails)
+
+
+def _declared(
+    library: ctypes.CDLL, name: str, result: type | None, *arguments: type
+) -> "ctypes._NamedFuncPointer":
+    function = library[name]
+    function.restype, function.argtypes = result, arguments
+    return function

@@ -1,0 +1,192 @@
+"""What every exported guidance says about itself, whatever the back end that flies it."""
+
+import hashlib
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from sailnet import __version__
+from sailnet.errors import GuidanceError, NetworkError
+from sailnet.guidance.interface import Commands, GuidanceStatus
+from sailnet.mission.mission import Mission
+from sailnet.networks.approach import APPROACH_INPUTS
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import Network
+from sailnet.networks.trained_domain import TrainedDomain
+from sailnet.physics.arrays import Array
+
+METADATA_KEY = "sailnet_guidance"
+"""The key of an ONNX file's ``metadata_props`` that holds the facts as JSON."""
+
+
+@dataclass(frozen=True)
+class GuidanceFacts:
+    """Where an exported guidance comes from, and the constants its status codes depend on.
+
+    Attributes:
+        version: of the sailnet that exported it.
+        mission: name of the mission.
+        mission_digest: ``Mission.digest()``; another digest is another problem.
+        networks_digest: SHA-256 over the weights and scaling of all networks, hex.
+        datasets: digest of the data set of each network, as its trainer recorded it.
+        phi_max: bound on the cone angle [rad], Eq. (3).
+        arrival_threshold: a shorter predicted time of flight is an arrival [TU].
+        arrival_tolerance: arrived means each of r, u, v within this of the target [AU, AU/TU].
+        largest_time_of_flight: the networks were trained on no longer one [TU].
+        beta: the mission's normalised characteristic acceleration.
+        beta_min, beta_max: range of it the networks were trained on.
+        target_state: (r, u, v) on the target orbit.
+        state_min, state_max: box of states (r, u, v) the time-of-flight network was trained on.
+        domain: the tube of trained states within it.
+    """
+
+    version: str
+    mission: str
+    mission_digest: str
+    networks_digest: str
+    datasets: Mapping[str, str]
+    phi_max: float
+    arrival_threshold: float
+    arrival_tolerance: float
+    largest_time_of_flight: float
+    beta: float
+    beta_min: float
+    beta_max: float
+    target_state: tuple[float, float, float]
+    state_min: tuple[float, float, float]
+    state_max: tuple[float, float, float]
+    domain: TrainedDomain
+
+    def contains(self, states: ArrayLike, beta: ArrayLike) -> NDArray[np.bool_]:
+        """(n,) whether the networks were trained on such states and sails; never on what is not finite.
+
+        beta within its range, the state within the box, and within the tube or at the target. The range
+        and the box are rounded as the states are.
+
+        Args:
+            states: (n, 3) rows r [AU], u, v [AU/TU].
+            beta: (n,) normalised characteristic accelerations.
+        """
+        state, sail = np.asarray(states), np.asarray(beta)
+        low, high = np.array(self.state_min, state.dtype), np.array(self.state_max, state.dtype)
+        inside = ((state >= low) & (state <= high)).all(axis=1)
+        inside &= (sail >= sail.dtype.type(self.beta_min)) & (sail <= sail.dtype.type(self.beta_max))
+        # What is outside is not evaluated any further.
+        known = np.where(inside[:, None], state, self.target_state).astype(float)
+        sails = np.where(inside, sail, self.beta).astype(float)
+        at_target = (np.abs(known - self.target_state) <= self.arrival_tolerance).all(axis=1)
+        within = self.domain.excess(known, sails, self.target_state) <= 0.0
+        return np.asarray(inside & (at_target | within))
+
+    def commands(
+        self, states: ArrayLike, beta: ArrayLike, cone_angle: ArrayLike, time_of_flight: ArrayLike
+    ) -> Commands:
+        """What networks gave for these states, with the status of each: the rules of ``sailnet_guidance.h``.
+
+        The threshold of arrival is rounded as the time of flight is. A state that is not finite gets the safe
+        command.
+
+        Args:
+            states: (n, 3) rows r [AU], u, v [AU/TU].
+            beta: (n,) normalised characteristic accelerations.
+            cone_angle: (n,) [rad].
+            time_of_flight: (n,) [TU].
+        """
+        state, angle, tau = np.asarray(states), np.asarray(cone_angle), np.asarray(time_of_flight)
+        valid = np.isfinite(state).all(axis=1)
+        status = np.full(len(state), GuidanceStatus.OK, np.int32)
+        status[tau < tau.dtype.type(self.arrival_threshold)] = GuidanceStatus.ARRIVED
+        status[~self.contains(state, beta)] = GuidanceStatus.OUTSIDE_DOMAIN
+        status[~valid] = GuidanceStatus.INVALID_INPUT
+        return Commands(
+            cone_angle=np.where(valid, angle, 0.0).astype(np.float64),
+            time_of_flight=np.where(valid, tau, self.largest_time_of_flight).astype(np.float64),
+            status=status,
+        )
+
+    def to_json(self) -> str:
+        """One line of JSON."""
+        return json.dumps(asdict(self), sort_keys=True)
+
+    @classmethod
+    def from_json(cls, text: str) -> "GuidanceFacts":
+        """Read what ``to_json`` wrote.
+
+        Raises:
+            GuidanceError: it is not that.
+        """
+        try:
+            content = json.loads(text)
+            for name in ("target_state", "state_min", "state_max"):
+                content[name] = tuple(content[name])
+            content["domain"] = TrainedDomain.parse(content["domain"])
+            return cls(**content)
+        except (ValueError, KeyError, TypeError, NetworkError) as error:
+            raise GuidanceError(f"the guidance does not say what it is: {error}; export it again") from error
+
+
+def describe(networks: GuidanceNetworks, mission: Mission, alpha: Network | None = None) -> GuidanceFacts:
+    """Facts of networks flown by the rules of ``mission``.
+
+    Args:
+        networks: the trio.
+        mission: the mission that is flown.
+        alpha: the network that flies instead of ``alpha_pre`` and ``lambda_v``, for the baseline.
+
+    Raises:
+        NetworkError: the networks do not say what states they were trained on.
+    """
+    tau = networks.tau
+    flown = (tau, networks.alpha_pre, networks.lambda_v) if alpha is None else (tau, alpha)
+    # Over approach coordinates tau is given in units of s, by its logarithm.
+    longest = (
+        tau.input_max[APPROACH_INPUTS.index("s")] * np.exp(tau.output_max)
+        if networks.approach
+        else tau.output_max
+    )
+    lowest, highest = networks.state_range
+    beta_min, beta_max = networks.beta_range
+    return GuidanceFacts(
+        version=__version__,
+        mission=mission.name,
+        mission_digest=mission.digest(),
+        networks_digest=_digest(flown),
+        datasets={n.name: str(n.provenance.get("dataset", "not recorded")) for n in flown},
+        phi_max=mission.problem.phi_max,
+        arrival_threshold=mission.flight.arrival_threshold,
+        arrival_tolerance=mission.flight.arrival_tolerance,
+        largest_time_of_flight=float(longest),
+        beta=mission.sail.beta,
+        beta_min=beta_min,
+        beta_max=beta_max,
+        target_state=mission.problem.target_state,
+        state_min=_triple(lowest),
+        state_max=_triple(highest),
+        domain=networks.domain,
+    )
+
+
+def _triple(values: Array) -> tuple[float, float, float]:
+    r, u, v = (float(value) for value in values)
+    return r, u, v
+
+
+def round_down(value: float, precision: DTypeLike) -> float:
+    """The largest number of this precision that does not exceed ``value``."""
+    nearest = np.asarray(value, precision)
+    below = np.nextafter(nearest, np.asarray(-np.inf, precision))
+    return float(nearest if float(nearest) <= value else below)
+
+
+def _digest(networks: Iterable[Network]) -> str:
+    content = hashlib.sha256()
+    for network in sorted(networks, key=lambda network: network.name):
+        scaling = np.array([network.output_min, network.output_max])
+        arrays: tuple[Array, ...] = (*network.weights, *network.biases, network.input_min, network.input_max)
+        for array in (*arrays, scaling):
+            content.update(f"{network.name} {array.shape}".encode())
+            content.update(np.ascontiguousarray(array, dtype="<f8").tobytes())
+    return content.hexdigest()

@@ -1,0 +1,155 @@
+"""Guidance: states in, commands and status codes out, whatever the back end that computes them."""
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Literal, Protocol, runtime_checkable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sailnet.errors import GuidanceError
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+
+Precision = Literal["float32", "float64"]
+
+Layout = Literal["flight", "host"]
+"""Of the exported C: the file that goes on board, or the same on vectors, for simulation."""
+
+
+class GuidanceStatus(IntEnum):
+    """What the guidance says about its command, as in ``sailnet_guidance.h``."""
+
+    OK = 0
+    ARRIVED = 1
+    OUTSIDE_DOMAIN = 2
+    INVALID_INPUT = 3
+
+
+@dataclass(frozen=True)
+class Commands:
+    """Commands for n sails.
+
+    Attributes:
+        cone_angle: (n,) [rad], always within the mission's bound, Eq. (3).
+        time_of_flight: (n,) predicted time of flight to the target orbit [TU].
+        status: (n,) values of GuidanceStatus.
+    """
+
+    cone_angle: Array
+    time_of_flight: Array
+    status: NDArray[np.int32]
+
+
+@dataclass(frozen=True)
+class Steered:
+    """What n sails are to do; arrays of length n.
+
+    Attributes:
+        cone_angle: to hold [rad], within the mission's bound.
+        hold: for how long [TU]: the period, or less where the flight ends.
+        time_of_flight: predicted to the target orbit [TU].
+        beta: estimate of the normalised characteristic acceleration.
+        status: values of ``GuidanceStatus``: ``ARRIVED`` where the flight ends, else of the command.
+    """
+
+    cone_angle: Array
+    hold: Array
+    time_of_flight: Array
+    beta: Array
+    status: NDArray[np.int32]
+
+    @property
+    def arrived(self) -> NDArray[np.bool_]:
+        """(n,) the flight ends after ``hold``."""
+        return np.asarray(self.status == GuidanceStatus.ARRIVED)
+
+
+class Steering(Protocol):
+    """Memories of a number of sails, and the guidance that steers them."""
+
+    def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+        """Steer some of the sails.
+
+        A state that is not finite gets the safe command for a period, and nothing is learnt from it; a
+        period that is not positive, or longer than steering takes, gets it with ``hold`` 0.
+
+        Args:
+            states: (n, 3) r, u, v now, after what was commanded last was held.
+            period: guidance period [TU].
+            sails: (n,) which of the sails these are.
+        """
+
+
+@runtime_checkable
+class NativeSteering(Steering, Protocol):
+    """Steering that C can do without Python in between."""
+
+    def native(self) -> tuple[int, int, Precision]:
+        """Address of a ``sailnet_steer_batch``, of its memories, and the precision of both."""
+
+
+class Guidance(Protocol):
+    """Something that flies: the exported C, an ONNX graph, or a test double."""
+
+    @property
+    def mission(self) -> Mission:
+        """The mission it was made for."""
+
+    @property
+    def networks_digest(self) -> str:
+        """SHA-256 over the weights that fly: equal means the same networks, whatever the back end."""
+
+    @property
+    def beta_range(self) -> tuple[float, float]:
+        """Smallest and largest beta the networks were trained for."""
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
+        """Command the sails at (n, 3) states (r, u, v) [AU, AU/TU, AU/TU].
+
+        Any numbers give a bounded command, NaN and infinities included; see GuidanceStatus.
+
+        Args:
+            states: rows r, u, v.
+            beta: (n,) or one normalised characteristic acceleration, clamped to ``beta_range``; the
+                mission's by default, and in place of NaN.
+
+        Raises:
+            GuidanceError: ``states`` or ``beta`` has another shape.
+        """
+
+    def steering(self, count: int) -> Steering:
+        """Steering of ``count`` sails that start knowing nothing but the mission's beta."""
+
+
+def as_states(states: ArrayLike, precision: Precision) -> NDArray[np.floating]:
+    """(n, 3) contiguous array of one precision; numbers beyond its range become infinite.
+
+    Raises:
+        GuidanceError: another shape, or not numbers.
+    """
+    try:
+        with np.errstate(over="ignore"):
+            array = np.ascontiguousarray(states, dtype=precision)
+    except (TypeError, ValueError) as error:
+        raise GuidanceError(f"states must be numbers in an (n, 3) array: {error}") from error
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise GuidanceError(f"states must be an (n, 3) array of (r, u, v), not of shape {array.shape}")
+    return array
+
+
+def as_betas(
+    beta: ArrayLike | None, count: int, nominal: float, precision: Precision
+) -> NDArray[np.floating]:
+    """(count,) contiguous array of one precision; NaN, like no beta at all, becomes ``nominal``.
+
+    Raises:
+        GuidanceError: neither one number nor as many as there are states.
+    """
+    try:
+        with np.errstate(over="ignore"):
+            given = np.asarray(nominal if beta is None else beta, precision)
+        array = np.broadcast_to(given, count)
+    except (TypeError, ValueError) as error:
+        raise GuidanceError(f"beta must be one number, or one for each of {count} states: {error}") from error
+    return np.ascontiguousarray(np.where(np.isnan(array), np.asarray(nominal, precision), array))

@@ -1,0 +1,1 @@
+"""What a mission file says: sail, transfer, flight, recipes, disturbances."""

@@ -1,0 +1,81 @@
+"""The tables of a mission file that say how data sets are made and networks trained."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from sailnet.mission.sections import Count, Interval, NotNegative, Ordered, Positive, Section
+
+
+class DomainRecipe(Section):
+    """Optimal trajectories from everywhere in the generalisation set, widened by a margin.
+
+    ``margin`` is added on both sides of r, u and v [AU, AU/TU, AU/TU], for states that disturbances
+    lead to; ``spacing`` is the time between samples [TU].
+    """
+
+    margin: Annotated[tuple[NotNegative, NotNegative, NotNegative], Field(strict=False)]
+    trajectories: Count
+    spacing: Positive
+    seed: Annotated[int, Field(ge=0)]
+
+
+class BoxRecipe(Ordered):
+    """The paper's box of arrival costates, Eq. (22), and how each extremal is sampled."""
+
+    lambda_r: Interval
+    lambda_u: Interval
+    arrival_cone_angle: Literal["positive", "negative"]
+    duration: Positive
+    max_radius: Positive
+    max_jumps: Annotated[int, Field(ge=0)]
+    nominal_exclusion: NotNegative
+    trajectories: Count
+    samples_per_trajectory: Annotated[int, Field(ge=2)]
+    seed: Annotated[int, Field(ge=0)]
+
+
+class WideRecipe(Ordered):
+    """Optimal trajectories for a range of sails, and approaches to the target from every side.
+
+    For each of ``levels`` values of beta between ``beta`` times the mission's: fastest extremals from
+    ``starts`` states of the generalisation set widened by ``margin`` [AU, AU/TU, AU/TU], sampled every
+    ``spacing`` [TU]; and ``approaches`` extremals of at most ``approach_time`` [TU] around theirs.
+    """
+
+    beta: Interval
+    levels: Annotated[int, Field(ge=2)]
+    margin: Annotated[tuple[NotNegative, NotNegative, NotNegative], Field(strict=False)]
+    starts: Count
+    spacing: Positive
+    approaches: Count
+    approach_time: Positive
+    seed: Annotated[int, Field(ge=0)]
+
+
+class Recipes(Section):
+    """How data sets are made: for guidance, aimed at a domain, and where there is one the paper's box."""
+
+    wide: WideRecipe
+    domain: DomainRecipe
+    box: BoxRecipe | None = None
+
+
+class TrainingRecipe(Section):
+    """Network size and Levenberg-Marquardt settings."""
+
+    hidden: Annotated[tuple[Count, ...], Field(strict=False, min_length=1)]
+    train_samples: Count
+    curvature_samples: Count
+    validation_samples: Count
+    epochs: Count
+    patience: Count
+    goal: Positive
+    seed: Annotated[int, Field(ge=0)]
+
+
+class Training(Section):
+    """Recipes for networks of the paper's form, and for those of approach coordinates on wide data."""
+
+    paper: TrainingRecipe
+    wide: TrainingRecipe

@@ -1,0 +1,71 @@
+"""The tables of a mission file: sail, orbits, flight, and the states that guidance is made for."""
+
+from typing import Annotated
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, field_validator
+
+from sailnet.physics.arrays import Array
+
+Positive = Annotated[float, Field(gt=0.0)]
+NotNegative = Annotated[float, Field(ge=0.0)]
+Count = Annotated[int, Field(gt=0)]
+
+
+class Section(BaseModel):
+    """A table of a TOML file: no unknown keys, no NaN, nothing converted silently."""
+
+    # allow_inf_nan: a NaN would pass every comparison that is written as a rejection.
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, strict=True)
+
+
+class Sail(Section):
+    """The sail: characteristic acceleration and attitude constraint; 90 degrees mean no constraint."""
+
+    beta: Annotated[float, Field(gt=0.0, lt=1.0)]
+    max_cone_angle: Annotated[float, Field(gt=0.0, le=90.0)]
+    smoothing: Annotated[float, Field(ge=0.0, le=0.1)]
+
+
+class Orbits(Section):
+    """Departure and target, both circular and coplanar [AU]."""
+
+    departure_radius: Positive
+    target_radius: Positive
+
+
+class FlightRules(Section):
+    """Closed-loop flight [TU]."""
+
+    period: Positive
+    arrival_threshold: Positive
+    arrival_tolerance: Positive
+    longest: Positive
+
+
+class Ordered(Section):
+    """A table whose pairs of numbers are intervals."""
+
+    @field_validator("*", mode="after")
+    @classmethod
+    def _lower_before_upper(cls, value: object) -> object:
+        if isinstance(value, tuple) and len(value) == 2 and not value[0] < value[1]:
+            raise ValueError("the lower bound must be below the upper bound")
+        return value
+
+
+Interval = Annotated[tuple[float, float], Field(strict=False)]
+
+
+class Region(Ordered):
+    """A box of states (r, u, v) [AU, AU/TU, AU/TU]."""
+
+    r: Interval
+    u: Interval
+    v: Interval
+
+    @property
+    def corners(self) -> tuple[Array, Array]:
+        """(3,) the lowest and the highest state."""
+        low, high = np.array([self.r, self.u, self.v]).T
+        return low, high

@@ -1,0 +1,1 @@
+"""The networks: weights, what they read, where they may be trusted."""

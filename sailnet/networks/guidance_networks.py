@@ -1,0 +1,136 @@
+"""The three networks that make the guidance (Section 4.3, Fig. 6)."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sailnet.errors import NetworkError
+from sailnet.mission.mission import Mission
+from sailnet.networks.approach import APPROACH_INPUTS, approach_coordinates
+from sailnet.networks.network import EXTRAPOLATION, Network, load_network
+from sailnet.networks.trained_domain import TrainedDomain
+from sailnet.physics.arrays import Array
+from sailnet.physics.jumps import cone_angle_size, restore
+
+STATE_INPUTS = ("r", "u", "v")
+COMMAND_INPUTS = ("r", "u", "v", "tau")
+
+
+@dataclass(frozen=True)
+class GuidanceNetworks:
+    """Three networks which together turn a state into a cone angle, in one of two forms.
+
+    *The paper's* (Fig. 6): ``tau`` reads (r, u, v), the others (r, u, v, tau), and beta is the one trained
+    for. *Approach*: all read ``APPROACH_INPUTS``, which hold beta, and ``tau`` gives log(tau / s).
+
+    Attributes:
+        tau: time of flight.
+        alpha_pre: preprocessed cone angle; only its size is used, so that Eq. (23)'s signed target
+            and the single-valued |alpha| are both served.
+        lambda_v: costate; only its sign is used.
+    """
+
+    tau: Network
+    alpha_pre: Network
+    lambda_v: Network
+
+    def __post_init__(self) -> None:
+        read = (self.tau.inputs, self.alpha_pre.inputs, self.lambda_v.inputs)
+        if read not in ((STATE_INPUTS, COMMAND_INPUTS, COMMAND_INPUTS), (APPROACH_INPUTS,) * 3):
+            raise NetworkError(f"networks tau, alpha_pre and lambda_v do not fit together: they take {read}")
+        for network in (self.alpha_pre, self.lambda_v):
+            if network.mission.digest() != self.mission.digest():
+                raise NetworkError(
+                    f"networks do not belong together: {network.name} was trained for mission "
+                    f"{network.mission.name!r} with other parameters than {self.tau.name}"
+                )
+
+    @property
+    def mission(self) -> Mission:
+        """The mission the networks were trained for."""
+        return self.tau.mission
+
+    @property
+    def approach(self) -> bool:
+        """Whether the networks read approach coordinates, and with them beta."""
+        return self.tau.inputs == APPROACH_INPUTS
+
+    @property
+    def beta_range(self) -> tuple[float, float]:
+        """Smallest and largest beta the networks were trained for."""
+        if not self.approach:
+            return self.mission.sail.beta, self.mission.sail.beta
+        return float(self.tau.input_min[-1]), float(self.tau.input_max[-1])
+
+    @property
+    def state_range(self) -> tuple[Array, Array]:
+        """(3,) lowest and highest state (r, u, v) the networks were trained on.
+
+        Raises:
+            NetworkError: they do not say.
+        """
+        recorded = [self.tau.provenance.get(name) for name in ("state_min", "state_max")]
+        if recorded == [None, None] and not self.approach:
+            recorded = [self.tau.input_min.tolist(), self.tau.input_max.tolist()]
+        try:
+            box = np.array(recorded, float)
+            ordered = box.shape == (2, 3) and bool((box[0] < box[1]).all())
+        except (TypeError, ValueError):
+            ordered = False
+        if not ordered:
+            raise NetworkError(
+                "network tau does not say what states it was trained on (state_min, state_max): train again"
+            )
+        return box[0], box[1]
+
+    @property
+    def domain(self) -> TrainedDomain:
+        """The tube of states within that range the networks were trained on.
+
+        Raises:
+            NetworkError: they do not say.
+        """
+        if "domain" not in self.tau.provenance:
+            raise NetworkError(
+                "network tau does not say which states it was trained on: "
+                "add it with python -m training.hull DATASET NETWORKS_DIR"
+            )
+        return TrainedDomain.parse(self.tau.provenance["domain"])
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> tuple[Array, Array]:
+        """Cone angle [rad] and time of flight [TU] at (n, 3) states: the reference in NumPy.
+
+        Eq. (25): the sign of the cone angle is opposite to that of lambda_v.
+
+        Args:
+            states: rows r [AU], u, v [AU/TU].
+            beta: (n,) or one normalised characteristic acceleration, clamped to ``beta_range``; by
+                default the mission's. Without effect on networks of the paper's form.
+        """
+        state = np.asarray(states, float)
+        if self.approach:
+            lowest, highest = self.state_range
+            margin = EXTRAPOLATION * (highest - lowest)
+            within = np.clip(state, lowest - margin, highest + margin)
+            sail = np.clip(self.mission.sail.beta if beta is None else beta, *self.beta_range)
+            inputs = approach_coordinates(self.mission.problem, within, sail)
+            tau = inputs[:, 3] * np.exp(self.tau(inputs))
+        else:
+            tau = self.tau(state)
+            inputs = np.column_stack([state, tau])
+        size = cone_angle_size(self.alpha_pre(inputs), self.mission.problem.phi_max)
+        return restore(size, self.lambda_v(inputs)), tau
+
+
+def load_guidance_networks(folder: Path) -> GuidanceNetworks:
+    """Read ``tau``, ``alpha_pre`` and ``lambda_v`` (``.safetensors``) from a folder.
+
+    Raises:
+        NetworkError: one is missing or damaged, or they do not belong together.
+    """
+    tau, alpha_pre, lambda_v = (
+        load_network(folder / f"{name}.safetensors") for name in ("tau", "alpha_pre", "lambda_v")
+    )
+    return GuidanceNetworks(tau, alpha_pre, lambda_v)

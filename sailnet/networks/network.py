@@ -1,0 +1,154 @@
+"""The networks and how they are stored: safetensors files, which execute nothing when loaded.
+
+A network maps inputs to one output by min-max scaling to [0, 1], hidden layers of sigmoids, a
+linear layer and the inverse scaling. Three of them make the guidance (Section 4.3, Fig. 6).
+"""
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
+from safetensors import SafetensorError, safe_open
+from safetensors.numpy import save
+from scipy.special import expit
+
+from sailnet.artefacts.files import write_whole
+from sailnet.errors import MissionError, NetworkError
+from sailnet.mission.mission import Mission, parse_mission
+from sailnet.physics.arrays import Array
+
+SCHEMA = "sailnet-network/1"
+
+EXTRAPOLATION = 2.0
+"""Inputs are clamped to the trained range widened on each side by this many times its width.
+
+A flight that leaves the range is still steered by what the networks make of it, which brings most of
+them back; a clamp at the range itself does not. The clamp bounds what absurd inputs can do.
+"""
+
+
+@dataclass(frozen=True)
+class Network:
+    """A feedforward network with its scaling and provenance.
+
+    Attributes:
+        name: what it predicts: ``tau``, ``alpha_pre``, ``lambda_v`` or ``alpha``.
+        inputs: names of its inputs, in order.
+        weights: one (outputs, inputs) matrix a layer.
+        biases: one (outputs,) vector a layer.
+        input_min, input_max: (k,) range that is scaled to [0, 1].
+        output_min, output_max: range of the output that is scaled to [0, 1].
+        mission: the mission it was trained for.
+        provenance: seed, data-set digest, errors and whatever else the trainer records.
+    """
+
+    name: str
+    inputs: tuple[str, ...]
+    weights: tuple[Array, ...]
+    biases: tuple[Array, ...]
+    input_min: Array
+    input_max: Array
+    output_min: float
+    output_max: float
+    mission: Mission
+    provenance: Mapping[str, object]
+
+    def __post_init__(self) -> None:
+        widths = [len(self.inputs), *(len(b) for b in self.biases)]
+        shapes = [w.shape for w in self.weights]
+        if len(self.weights) != len(self.biases) or shapes != list(zip(widths[1:], widths[:-1], strict=True)):
+            raise NetworkError(f"network {self.name}: layer shapes {shapes} do not fit together")
+        if widths[-1] != 1 or self.input_min.shape != (widths[0],) or self.input_max.shape != (widths[0],):
+            raise NetworkError(f"network {self.name}: scaling does not fit the layers")
+        finite = all(np.isfinite(a).all() for a in (*self.weights, *self.biases))
+        if not finite or not np.all(self.input_min < self.input_max) or not self.output_min < self.output_max:
+            raise NetworkError(f"network {self.name}: weights or scaling are not finite and ordered")
+
+    @property
+    def clamp(self) -> tuple[Array, Array]:
+        """Lower and upper (k,) bounds the inputs are clamped to."""
+        margin = EXTRAPOLATION * (self.input_max - self.input_min)
+        return self.input_min - margin, self.input_max + margin
+
+    @property
+    def hidden(self) -> tuple[int, ...]:
+        """Sizes of the hidden layers."""
+        return tuple(len(b) for b in self.biases[:-1])
+
+    def __call__(self, inputs: ArrayLike) -> Array:
+        """Evaluate at (n, k) physical inputs, clamped as ``clamp`` says; returns (n,)."""
+        clamped = np.clip(np.asarray(inputs, float), *self.clamp)
+        layer = (clamped - self.input_min) / (self.input_max - self.input_min)
+        for weight, bias in zip(self.weights[:-1], self.biases[:-1], strict=True):
+            layer = expit(layer @ weight.T + bias)
+        scaled = (layer @ self.weights[-1].T + self.biases[-1])[:, 0]
+        return np.asarray(self.output_min + (self.output_max - self.output_min) * scaled)
+
+
+def save_network(network: Network, path: Path) -> None:
+    """Write a network; the file appears whole or not at all."""
+    tensors = {
+        "input_min": network.input_min,
+        "input_max": network.input_max,
+        "output_range": np.array([network.output_min, network.output_max]),
+    }
+    for i, (weight, bias) in enumerate(zip(network.weights, network.biases, strict=True)):
+        tensors[f"weight{i}"], tensors[f"bias{i}"] = weight, bias
+    tensors = {name: np.ascontiguousarray(value, dtype="<f8") for name, value in tensors.items()}
+    metadata = {
+        "schema": SCHEMA,
+        "name": network.name,
+        "inputs": ",".join(network.inputs),
+        "mission": network.mission.to_json(),
+        "provenance": json.dumps(dict(network.provenance), sort_keys=True),
+    }
+    metadata["sha256"] = _digest(tensors, metadata)
+    write_whole(path, lambda beside: beside.write_bytes(save(tensors, metadata)))
+
+
+def load_network(path: Path) -> Network:
+    """Read a network.
+
+    Raises:
+        NetworkError: the file is missing, damaged, of another schema, or holds impossible values.
+    """
+    try:
+        with safe_open(path, framework="numpy") as stored:
+            metadata = dict(stored.metadata() or {})
+            tensors = {name: stored.get_tensor(name) for name in stored.keys()}  # noqa: SIM118
+    except (OSError, SafetensorError, UnicodeDecodeError) as error:
+        raise NetworkError(f"cannot read network {path}: {error}") from error
+    if metadata.get("schema") != SCHEMA:
+        raise NetworkError(f"{path} has schema {metadata.get('schema')!r}, this version reads {SCHEMA!r}")
+    expected = metadata.pop("sha256", None)
+    if expected != _digest(tensors, metadata):
+        raise NetworkError(f"{path} is damaged: its checksum does not match; train or copy it again")
+    layers = sum(name.startswith("weight") for name in tensors)
+    try:
+        return Network(
+            name=metadata["name"],
+            inputs=tuple(metadata["inputs"].split(",")),
+            weights=tuple(tensors[f"weight{i}"] for i in range(layers)),
+            biases=tuple(tensors[f"bias{i}"] for i in range(layers)),
+            input_min=tensors["input_min"],
+            input_max=tensors["input_max"],
+            output_min=float(tensors["output_range"][0]),
+            output_max=float(tensors["output_range"][1]),
+            mission=parse_mission(json.loads(metadata["mission"]), str(path)),
+            provenance=json.loads(metadata["provenance"]),
+        )
+    except (KeyError, IndexError, ValueError, MissionError) as error:
+        raise NetworkError(f"{path} is not a complete network: {error}") from error
+
+
+def _digest(tensors: Mapping[str, Array], metadata: Mapping[str, str]) -> str:
+    content = hashlib.sha256(json.dumps(dict(metadata), sort_keys=True).encode())
+    for name in sorted(tensors):
+        content.update(name.encode())
+        content.update(str(tensors[name].shape).encode())
+        content.update(np.ascontiguousarray(tensors[name]).tobytes())
+    return content.hexdigest()

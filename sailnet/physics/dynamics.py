@@ -1,0 +1,80 @@
+"""Motion of an ideal solar sail about the Sun, Eq. (1), written once as heyoka expressions.
+
+The propagators, the plain NumPy evaluation and the tests are all derived from :func:`motion`.
+Units: AU, TU (the Sun's gravitational parameter is 1), radians.
+"""
+
+from functools import cache
+from typing import Any
+
+import heyoka as hy
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sailnet.physics.arrays import Array
+
+Expression = Any
+"""A heyoka expression; the package ships no type information."""
+
+r, u, v = hy.make_vars("r", "u", "v")
+alpha = hy.make_vars("alpha")
+theta = hy.make_vars("theta")
+beta = hy.make_vars("beta")
+
+
+def motion(beta: Expression, alpha: Expression) -> dict[str, Expression]:
+    """Eq. (1): time derivatives of r, theta, u and v under cone angle ``alpha``."""
+    cos_alpha, sin_alpha = hy.cos(alpha), hy.sin(alpha)
+    pressure = beta * cos_alpha**2 / r**2
+    return {
+        "r": u,
+        "theta": v / r,
+        "u": pressure * cos_alpha + v**2 / r - 1.0 / r**2,
+        "v": pressure * sin_alpha - u * v / r,
+    }
+
+
+def _runge_kutta_4(state: list[Expression], step: Expression) -> list[Expression]:
+    names = ["r", "theta", "u", "v"]
+    slopes = motion(beta, alpha)
+
+    def slope(at: list[Expression]) -> list[Expression]:
+        substitution = dict(zip([r, theta, u, v], at, strict=True))
+        return [hy.subs(slopes[name], substitution) for name in names]
+
+    def advance(by: Expression, k: list[Expression]) -> list[Expression]:
+        return [x + by * dx for x, dx in zip(state, k, strict=True)]
+
+    k1 = slope(state)
+    k2 = slope(advance(step / 2.0, k1))
+    k3 = slope(advance(step / 2.0, k2))
+    k4 = slope(advance(step, k3))
+    return [
+        x + step / 6.0 * (a + 2.0 * b + 2.0 * c + d)
+        for x, a, b, c, d in zip(state, k1, k2, k3, k4, strict=True)
+    ]
+
+
+@cache
+def _compiled_step() -> Any:
+    step = hy.make_vars("step")
+    return hy.cfunc(
+        _runge_kutta_4([r, theta, u, v], step), vars=[r, theta, u, v, alpha, beta, step], compact_mode=True
+    )
+
+
+def runge_kutta_step(states: Array, alpha: ArrayLike, beta: ArrayLike, step: ArrayLike) -> Array:
+    """One fourth-order Runge-Kutta step of Eq. (1), the cone angle held.
+
+    Args:
+        states: (4, n) rows r, theta, u, v.
+        alpha: (n,) or one cone angle [rad].
+        beta: (n,) or one normalised characteristic acceleration.
+        step: (n,) or one duration [TU].
+
+    Returns:
+        (4, n) states at the end.
+    """
+    inputs = np.empty((7, states.shape[1]))
+    inputs[:4], inputs[4], inputs[5], inputs[6] = states, alpha, beta, step
+    return np.asarray(_compiled_step()(inputs))

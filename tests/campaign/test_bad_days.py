@@ -1,0 +1,134 @@
+"""Bad days of a campaign: a worker killed, a full disk; nothing is lost, and nothing half looks whole."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from sailnet.campaign.plan import load_plan
+from sailnet.campaign.run import fly_plan
+from sailnet.campaign.store import open_results
+from sailnet.campaign.work import Columns, Job
+from sailnet.cli import main
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.mission import load_mission
+from tests.data.test_resume import children, mounted
+from tests.paths import ROOT
+
+TOML = """schema = 1
+name = "many"
+title = "Many"
+flights = 150
+sample = 0
+[[series]]
+name = "a"
+periods = [0.006, 0.007, 0.008, 0.009, 0.01, 0.011, 0.012, 0.013]
+"""
+
+
+@pytest.fixture(scope="module")
+def campaign(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """The campaign's file, and the digest of its results when nothing happens."""
+    folder = tmp_path_factory.mktemp("many")
+    (folder / "many.toml").write_text(TOML)
+    mission, plan = load_mission("earth_mars"), load_plan(folder / "many.toml")
+    return folder / "many.toml", fly_plan(mission, load_guidance(mission), plan, folder / "x.h5").digest
+
+
+def start(file: Path, output: Path, *options: str) -> subprocess.Popen[str]:
+    command = ["evaluate", "--campaign", str(file), "--output", str(output), "--json", *options]
+    return subprocess.Popen(
+        [sys.executable, "-m", "sailnet.cli", *command],
+        cwd=ROOT, env=os.environ | {"PYTHONPATH": str(ROOT)}, text=True, start_new_session=True,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    )  # fmt: skip
+
+
+def finish(run: subprocess.Popen[str]) -> tuple[int, str]:
+    _, said = run.communicate(timeout=120)
+    assert "Traceback" not in said
+    return run.returncode, said
+
+
+def parts(output: Path) -> dict[str, int]:
+    """Finished batches, and when each was written."""
+    found = (output / ".many.h5.parts").glob("*.safetensors")
+    return {path.name: path.stat().st_mtime_ns for path in found}
+
+
+def until(output: Path, run: subprocess.Popen[str], count: int) -> None:
+    give_up = time.monotonic() + 60
+    while len(parts(output)) < count:
+        assert run.poll() is None
+        assert time.monotonic() < give_up
+        time.sleep(0.001)
+
+
+def test_a_killed_worker_costs_no_finished_flight(
+    campaign: tuple[Path, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One worker, whom another replaces; then everything at once; what is left is flown by this process."""
+    file, expected = campaign
+    run = start(file, tmp_path, "--workers", "2")
+    until(tmp_path, run, 1)
+    before = parts(tmp_path)
+    os.kill(children(run)[0], signal.SIGKILL)
+    until(tmp_path, run, len(before) + 3)  # more than the other had at hand
+    os.killpg(run.pid, signal.SIGKILL)
+    run.communicate()
+    kept = parts(tmp_path)
+    assert before.items() < kept.items()
+    assert not (tmp_path / "many.h5").exists()
+    flown: list[int] = []
+    carry_out = Job.carry_out
+
+    def counted(job: Job, number: int) -> Columns:
+        flown.append(number)
+        return carry_out(job, number)
+
+    monkeypatch.setattr(Job, "carry_out", counted)
+    mission, facts = load_mission("earth_mars"), {"backend": "c", "precision": "float64"}
+    found = fly_plan(mission, load_guidance(mission), load_plan(file), tmp_path / "many.h5", facts=facts)
+    assert found.digest == expected
+    assert sorted(flown) == sorted(set(range(8)) - {int(name.split(".")[0]) for name in kept})
+    assert [path.name for path in tmp_path.iterdir()] == ["many.h5"]
+
+
+@pytest.mark.mount
+def test_a_disk_that_fills(
+    campaign: tuple[Path, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """In the middle of the flights, and of the report; with room the same command goes on."""
+    file, expected = campaign
+    with mounted(tmp_path / "disk", "-t", "tmpfs", "-o", "size=200k", "tmpfs") as disk:
+        status, said = finish(start(file, disk))
+        kept = parts(disk)
+        assert status == 1
+        assert 0 < len(kept) < 8
+        assert f"error: cannot write {disk / '.many.h5.parts'}" in said
+        assert "No space left" in said
+        assert f"{len(kept)} finished batches wait" in said
+        assert [path.name for path in disk.iterdir()] == [".many.h5.parts"]
+        left = {path.name for path in (disk / ".many.h5.parts").iterdir()}
+        assert left - kept.keys() <= {"lock", "run.json"}
+
+        subprocess.run(["mount", "-o", "remount,size=700k", str(disk)], check=True)
+        status, said = finish(start(file, disk))
+        assert status == 1
+        assert said.startswith(f"error: {disk / 'many.h5'} is written, but not its report: ")
+        assert "No space left" in said
+        found = open_results(disk / "many.h5")
+        assert found.digest == expected
+        assert not list(disk.rglob("*.html"))
+        written = (disk / "many.h5").stat().st_mtime_ns
+
+        subprocess.run(["mount", "-o", "remount,size=30m", str(disk)], check=True)
+        assert main(["evaluate", "--campaign", str(file), "--output", str(disk), "--json"]) == 0
+        assert json.loads(capsys.readouterr().out)["digest"] == expected
+        assert (disk / "many.h5").stat().st_mtime_ns == written
+        assert (disk / "many" / "index.html").exists()

@@ -1,0 +1,415 @@
+"""Campaigns: what is flown, the same whoever flies it; nothing lost, nothing damaged goes unnoticed."""
+
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import fields
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sailnet.campaign.plan import Plan, load_plan, parse_plan, ready_campaigns
+from sailnet.campaign.run import fly_plan
+from sailnet.campaign.scores import scores_of
+from sailnet.campaign.store import Results, open_results
+from sailnet.campaign.work import MOST_RECORDS
+from sailnet.cli import main
+from sailnet.errors import CampaignError, SailnetError
+from sailnet.expert.fastest import solve
+from sailnet.flight.closed_loop import Flights, fly, fly_recorded
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission, load_mission
+from sailnet.montecarlo import BATCH, fly_campaign, random_starts
+from sailnet.workers.executors import Workers, processes
+from tests.paths import ROOT
+
+MISSION = load_mission("earth_mars")
+GUIDANCE = load_guidance(MISSION)
+CASE = (1.05, 0.15, 1.03)
+
+
+def short(longest: float) -> Mission:
+    """Flights that take longer fail, soon."""
+    return MISSION.model_copy(update={"flight": MISSION.flight.model_copy(update={"longest": longest})})
+
+
+def plan_of(**changes: Any) -> Plan:
+    content: dict[str, Any] = {"schema": 1, "name": "small", "title": "Small", "seed": 5, "sample": 2}
+    content["series"] = [
+        {"name": "calm", "starts": [CASE, (1.0, 0.0, 1.0)], "periods": [0.02, 0.05], "optima": 1},
+        {"name": "rough", "flights": 40, "periods": [0.05], "disturbance": {"beta_noise": 0.15}},
+    ]
+    return parse_plan(content | changes, "small")
+
+
+@pytest.fixture(scope="module")
+def small(tmp_path_factory: pytest.TempPathFactory) -> Results:
+    """Some arrive and some do not: nothing that takes longer than 7.5 TU does."""
+    return fly_plan(short(7.5), GUIDANCE, plan_of(failures=4), tmp_path_factory.mktemp("small") / "small.h5")
+
+
+def assert_same(one: Any, other: Any) -> None:
+    for item in fields(one):
+        np.testing.assert_array_equal(getattr(one, item.name), getattr(other, item.name), err_msg=item.name)
+
+
+def test_flights_are_those_of_fly(small: Results) -> None:
+    starts, mission = [CASE, (1.0, 0.0, 1.0)], small.mission
+    for period in (0.02, 0.05):
+        rows = small.rows(0, period)
+        assert_same(small.as_flights(rows), fly(mission, GUIDANCE, starts, period=period))
+    rows = small.rows(1, 0.05)
+    noise = Disturbance(beta_noise=0.15, seed=5)
+    expected = fly(mission, GUIDANCE, random_starts(mission, 40, 5), disturbance=noise, period=0.05)
+    assert_same(small.as_flights(rows), expected)
+    assert small.flights["number"][rows].tolist() == list(range(40))
+    assert 0 < expected.arrived.sum() < 40
+
+
+def test_trajectories_of_a_sample_and_of_failures_are_kept(small: Results) -> None:
+    mission, rows = small.mission, small.rows(1, 0.05)
+    arrived = small.flights["arrived"][rows]
+    failed = [number for number in np.flatnonzero(arrived == 0).tolist() if number >= 2]
+    assert len(failed) > 4
+    kept = [row for row in small.kept.tolist() if row in set(rows.tolist())]
+    assert [row - rows[0] for row in kept] == [0, 1, *failed[:4]]
+    # At its second period a series leaves failures alone.
+    second = set(small.rows(0, 0.05).tolist())
+    assert not any(small.flights["arrived"][row] for row in small.kept.tolist() if row in second)
+    number = failed[3]
+    start = random_starts(mission, 1, 5, first=number)
+    noise = Disturbance(beta_noise=0.15, seed=5)
+    _, (again,) = fly_recorded(mission, GUIDANCE, start, disturbance=noise, period=0.05, first=number)
+    assert_same(small.history(small.kept.tolist().index(rows[0] + number)), again)
+
+
+def test_long_trajectories_are_thinned_and_keep_their_ends(tmp_path: Path) -> None:
+    series = [{"name": "long", "starts": [CASE], "periods": [0.002]}]
+    found = fly_plan(short(3.5), GUIDANCE, plan_of(series=series), tmp_path / "x.h5")
+    time = found.history(0).time
+    assert len(time) == MOST_RECORDS
+    assert (time[0], time[-1]) == (0.0, pytest.approx(3.5, abs=0.003))
+    assert np.diff(time).min() > 0.0
+    np.testing.assert_allclose(np.diff(time)[-299:], 0.002, rtol=1e-9)
+
+
+def test_optima_are_the_experts_for_all_periods_of_the_first_flights(small: Results) -> None:
+    optimal = small.flights["optimal_time"]
+    for period in (0.02, 0.05):
+        first, second = small.rows(0, period)
+        assert optimal[first] == solve(MISSION.problem, CASE).time_of_flight
+        assert np.isnan(optimal[second])
+    assert np.isnan(optimal[small.rows(1, 0.05)]).all()
+
+
+def test_optima_go_to_series_with_the_same_starts_alone(tmp_path: Path) -> None:
+    """As many as each asks for."""
+    other = (1.0, 0.0, 1.0)
+    series = [
+        {"name": "two", "starts": [CASE, other], "optima": 2},
+        {"name": "one of them", "starts": [CASE, other], "optima": 1},
+        {"name": "others", "starts": [other, CASE], "optima": 2},
+        {"name": "none", "starts": [CASE, other]},
+    ]
+    plan = plan_of(series=series, periods=[0.05], sample=0, failures=0)
+    optimal = fly_plan(short(0.1), GUIDANCE, plan, tmp_path / "x.h5").flights["optimal_time"]
+    first, second = (solve(MISSION.problem, state).time_of_flight for state in (CASE, other))
+    nan = float("nan")
+    expected = [first, second, first, nan, second, first, nan, nan]
+    np.testing.assert_allclose(optimal, expected, rtol=1e-12)
+
+
+def test_flights_of_later_batches_have_their_own_starts_and_numbers(tmp_path: Path) -> None:
+    """Of listed starts too; and a trajectory is that of its flight."""
+    starts = [CASE, (1.0, 0.0, 1.0), (1.1, 0.18, 0.93)]
+    series = [
+        {"name": "listed", "starts": starts, "flights": BATCH + 4, "disturbance": {"beta_noise": 0.1}},
+    ]
+    plan = plan_of(series=series, periods=[0.05], sample=0, failures=5 * (BATCH + 4))
+    found = fly_plan(short(0.3), GUIDANCE, plan, tmp_path / "x.h5")
+    expected = np.array(starts)[np.arange(BATCH + 4) % 3]
+    np.testing.assert_array_equal(found.as_flights(np.arange(BATCH + 4)).starts, expected)
+    noise, number = Disturbance(beta_noise=0.1, seed=5), BATCH + 2
+    _, (again,) = fly_recorded(
+        short(0.3), GUIDANCE, expected[[number]], disturbance=noise, period=0.05, first=number
+    )
+    assert_same(found.history(found.kept.tolist().index(number)), again)
+
+
+def test_a_flight_that_never_stopped_counts_at_no_threshold(tmp_path: Path) -> None:
+    """However near it is when its time is up."""
+    plan = plan_of(series=[{"name": "near", "starts": [CASE], "periods": [0.05]}], thresholds=[1.0])
+    (score,) = scores_of(fly_plan(short(6.0), GUIDANCE, plan, tmp_path / "x.h5"))
+    assert score.error_quantiles[1.0] < 1.0
+    assert (score.within[1.0].count, score.too_long) == (0, 1)
+
+
+def test_scores_are_those_of_the_campaign_command(small: Results) -> None:
+    score = scores_of(small)[-1]
+    campaign = fly_campaign(small.mission, GUIDANCE, 40, Disturbance(beta_noise=0.15, seed=5), period=0.05)
+    assert score.arrived.count == campaign.arrived == score.within[1e-3].count
+    assert score.arrived.interval == campaign.confidence_interval
+    assert score.within[1e-4].count == round(40 * campaign.share_within(1e-4))
+    assert score.error_quantiles[1.0] == campaign.flights.terminal_error.max()
+    assert score.too_long == int((~campaign.flights.stopped).sum()) > 0
+    assert score.nearest.count >= score.arrived.count
+    gap = scores_of(small)[0].gap_quantiles
+    first = small.rows(0, 0.02)[0]
+    assert gap[0.5] == small.flights["time_of_flight"][first] / small.flights["optimal_time"][first] - 1
+
+
+def threads(share_files: bool) -> Workers:
+    """Without sharing files, as on a cluster."""
+    return Workers(lambda: ThreadPoolExecutor(2), 4, share_files)
+
+
+def test_the_same_to_the_last_bit_for_any_workers(tmp_path: Path) -> None:
+    series = [
+        {"name": "calm", "flights": BATCH + 20},
+        {"name": "noisy", "flights": 30, "disturbance": {"beta_noise": 0.1, "r_noise": 1e-6}},
+    ]
+    plan = plan_of(series=series, periods=[0.05], failures=20)
+    digests = {fly_plan(short(7.5), GUIDANCE, plan, tmp_path / "alone.h5").digest}
+    for name, share_files in (("threads", True), ("cluster", False)):
+        pool = threads(share_files)
+        found = fly_plan(short(7.5), GUIDANCE, plan, tmp_path / f"{name}.h5", workers=pool)
+        digests.add(found.digest)
+    with processes(2) as pool:
+        digests.add(fly_plan(short(7.5), GUIDANCE, plan, tmp_path / "processes.h5", workers=pool).digest)
+    assert len(digests) == 1
+    other = fly_plan(short(7.5), GUIDANCE, plan.changed(None, 6), tmp_path / "other.h5")
+    assert other.digest not in digests
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "alone.h5", "cluster.h5", "other.h5", "processes.h5", "threads.h5",
+    ]  # fmt: skip
+
+
+TOML = """schema = 1
+name = "many"
+title = "Many"
+flights = 40
+sample = 0
+failures = 0
+[[series]]
+name = "a"
+periods = [0.005, 0.006, 0.007, 0.008, 0.009, 0.01, 0.012, 0.015]
+"""
+
+
+def start(folder: Path, file_size: int = 0) -> subprocess.Popen[str]:
+    def limit() -> None:
+        if file_size:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (file_size, file_size))
+
+    (folder / "many.toml").write_text(TOML)
+    return subprocess.Popen(
+        [
+            sys.executable, "-m", "sailnet.cli", "evaluate", "--campaign", str(folder / "many.toml"),
+            "--output", str(folder / "out"), "--json",
+        ],
+        cwd=ROOT, env=os.environ | {"PYTHONPATH": str(ROOT)}, text=True, start_new_session=True,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limit,
+    )  # fmt: skip
+
+
+def parts(folder: Path) -> dict[str, int]:
+    """Finished batches, and when each was written."""
+    found = (folder / "out" / ".many.h5.parts").glob("*.safetensors")
+    return {path.name: path.stat().st_mtime_ns for path in found}
+
+
+def test_interrupted_and_killed_it_goes_on(tmp_path: Path) -> None:
+    """Ctrl-C, then SIGKILL, then a file that is too large; what was flown is not flown again."""
+
+    def until(count: int, run: subprocess.Popen[str]) -> None:
+        give_up = time.monotonic() + 60
+        while len(parts(tmp_path)) < count and run.poll() is None:
+            assert time.monotonic() < give_up
+            time.sleep(0.001)
+
+    run = start(tmp_path)
+    until(2, run)
+    run.send_signal(signal.SIGINT)
+    _, said = run.communicate(timeout=60)
+    assert run.returncode == 130
+    kept = parts(tmp_path)
+    assert 2 <= len(kept) < 8
+    folder = tmp_path / "out" / ".many.h5.parts"
+    assert said == f"{len(kept)} finished batches wait in {folder}: the same command goes on\ninterrupted\n"
+
+    run = start(tmp_path)
+    until(len(kept) + 2, run)
+    run.kill()
+    run.communicate()
+    more = parts(tmp_path)
+    assert len(more) < 8
+    assert kept.items() < more.items()
+    assert not (tmp_path / "out" / "many.h5").exists()
+
+    run = start(tmp_path, file_size=60_000)
+    _, said = run.communicate(timeout=60)
+    assert run.returncode == 1
+    assert f"error: cannot write results {tmp_path / 'out' / 'many.h5'}" in said
+    assert "Traceback" not in said
+    assert more.items() < parts(tmp_path).items()
+    assert len(parts(tmp_path)) == 8
+
+    damaged = folder / sorted(more)[0]
+    damaged.write_bytes(damaged.read_bytes()[:-3])
+    plan = load_plan(tmp_path / "many.toml")
+    whole = fly_plan(MISSION, GUIDANCE, plan, tmp_path / "whole.h5")
+    facts = {"backend": "c", "precision": "float64"}
+    finished = fly_plan(MISSION, GUIDANCE, plan, tmp_path / "out" / "many.h5", facts=facts)
+    assert finished.digest == whole.digest
+    assert not folder.exists()
+
+
+def test_what_is_flown_already_is_not_flown_again(tmp_path: Path) -> None:
+    plan = plan_of(series=[{"name": "one", "starts": [CASE], "periods": [0.05]}])
+    path = tmp_path / "x.h5"
+    fly_plan(MISSION, GUIDANCE, plan, path)
+    written = path.stat().st_mtime_ns
+    fly_plan(MISSION, GUIDANCE, plan, path)
+    assert path.stat().st_mtime_ns == written
+    fly_plan(MISSION, GUIDANCE, plan, path, restart=True)
+    again = path.stat().st_mtime_ns
+    assert again > written
+    fly_plan(MISSION, GUIDANCE, plan.changed(None, 6), path)
+    assert path.stat().st_mtime_ns > again
+
+
+def test_damage_is_noticed(tmp_path: Path) -> None:
+    path = tmp_path / "x.h5"
+    plan = plan_of(series=[{"name": "one", "starts": [CASE], "periods": [0.05]}])
+    fly_plan(MISSION, GUIDANCE, plan, path)
+    raw = path.read_bytes()
+    expected = open_results(path).digest
+    noticed = 0
+    for position in np.random.default_rng(3).integers(0, len(raw), 60).tolist():
+        path.write_bytes(raw[:position] + bytes([raw[position] ^ 16]) + raw[position + 1 :])
+        try:
+            found = open_results(path).digest
+        except CampaignError:
+            noticed += 1
+        else:
+            assert found == expected  # unused bytes
+    assert noticed > 10
+    for length in (0, 100, len(raw) // 2, len(raw) - 1):
+        path.write_bytes(raw[:length])
+        with pytest.raises(CampaignError, match=r"x\.h5"):
+            open_results(path)
+    with pytest.raises(CampaignError, match="cannot read results"):
+        open_results(tmp_path / "none.h5")
+
+
+@pytest.mark.parametrize("name", ready_campaigns())
+def test_ready_campaigns_can_be_flown(name: str) -> None:
+    plan = load_plan(name)
+    assert plan.name == name
+    for series in plan.whole:
+        series.disturbances(MISSION, plan.seed)
+    assert {series.count for series in plan.changed(7, None).whole} <= {1, 7}
+    if name != "paper":
+        assert {series.count for series in plan.whole} == {10_000}
+
+
+def test_ready_campaigns_are_those_that_were_promised() -> None:
+    promised = {"paper", "generalisation", "beta-bias", "beta-noise", "navigation", "actuation", "everything"}
+    assert set(ready_campaigns()) == promised
+
+
+def broken(change: Callable[[dict[str, Any]], object]) -> str:
+    content = json.loads(plan_of().to_json())
+    change(content)
+    with pytest.raises(CampaignError) as caught:
+        parse_plan(content, "mine")
+    return str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda c: c.update(colour="red"), "colour: unknown key"),
+        (
+            lambda c: c["series"][0].update(colour="red"),
+            "series.0.colour: unknown key; allowed here are distu",
+        ),
+        (lambda c: c["series"][0].update(disturbance={"wind": 1.0}), "no disturbance wind"),
+        (lambda c: c["series"][0].update(disturbance={"beta_bias": -2.0}), "beta_bias must be above -1"),
+        (lambda c: c["series"][0].update(disturbance={"seed": 1}), "seed is the campaign's own"),
+        (lambda c: c["series"][0].update(name="rough"), "same name"),
+        (lambda c: c["series"][1].pop("flights"), "how many flights of 'rough'"),
+        (lambda c: c["series"][0].update(periods=[0.02, 0.01]), "must increase"),
+        (lambda c: c["series"][0].update(periods=[]), "series.0.periods"),
+        (lambda c: c.update(thresholds=[float("nan")]), "thresholds"),
+        (lambda c: c["series"][0].update(starts=[[-1.0, 0.0, 1.0]]), "starts"),
+        (lambda c: c.update(seed=-1), "seed = -1"),
+        (lambda c: c.pop("title"), "title: this key is missing"),
+        (lambda c: c.update(name="../x"), "name"),
+        (lambda c: c["series"].clear(), "series"),
+    ],
+)
+def test_a_campaign_that_cannot_be_is_explained(
+    change: Callable[[dict[str, Any]], object], says: str
+) -> None:
+    said = broken(change)
+    assert says in said
+    assert "campaign mine cannot be flown" in said
+
+
+def error_of(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
+    assert main(["evaluate", *arguments]) == 1
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    return captured.err
+
+
+def test_the_command_explains_what_it_cannot_do(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = ("--output", str(tmp_path / "out"))
+    assert "known are actuation, beta-bias" in error_of(capsys, "--campaign", "weather", *out)
+    assert "cannot read campaign" in error_of(capsys, "--campaign", str(tmp_path / "no.toml"), *out)
+    (tmp_path / "bad.toml").write_text("name = ")
+    assert "not valid TOML" in error_of(capsys, "--campaign", str(tmp_path / "bad.toml"), *out)
+    said = error_of(capsys, "--campaign", "paper", "--beta-noise", "0.1", "--period", "0.01", *out)
+    assert "put --period, --beta-noise into its TOML" in said
+    assert "flights = 0" in error_of(capsys, "--campaign", "generalisation", "--flights", "0", *out)
+    assert "earth_pluto" in error_of(capsys, "--campaign", "paper", "--mission", "earth_pluto", *out)
+    damaged = tmp_path / "networks"
+    shutil.copytree(str(resources.files("sailnet") / "shipped" / "earth_mars"), damaged)
+    library = damaged / "guidance_f64.so"
+    library.write_bytes(library.read_bytes()[:-9])
+    assert "damaged" in error_of(capsys, "--campaign", "paper", "--networks", str(damaged), *out)
+    (tmp_path / "file").write_text("in the way")
+    said = error_of(capsys, "--campaign", "paper", "--output", str(tmp_path / "file" / "x"))
+    assert said.startswith(f"error: cannot write results {tmp_path / 'file' / 'x' / 'paper.h5'}")
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_flight_that_cannot_be_keeps_what_was_flown(tmp_path: Path) -> None:
+    series = [
+        {"name": "fine", "starts": [CASE], "periods": [0.05]},
+        {"name": "too fast", "starts": [CASE], "periods": [1e-8]},
+    ]
+    with pytest.raises(SailnetError, match="guidance period of 1e-08"):
+        fly_plan(MISSION, GUIDANCE, plan_of(series=series), tmp_path / "x.h5")
+    assert len(list((tmp_path / ".x.h5.parts").glob("*.safetensors"))) == 1
+
+
+def test_flights_read_back_are_what_was_stored(small: Results) -> None:
+    rows = np.arange(len(small.flights["series"]))
+    flights = small.as_flights(rows)
+    assert isinstance(flights, Flights)
+    np.testing.assert_array_equal(flights.ends[:, 2], small.flights["end_v"])
+    np.testing.assert_array_equal(flights.terminal_error[:, 1], small.flights["error_u"])
+    assert flights.arrived.dtype == bool

@@ -1,0 +1,165 @@
+"""The sailnet command: results, exit status, and nothing but JSON on stdout."""
+
+import json
+import subprocess
+import sys
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+
+def _run(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "sailnet.cli", *arguments], capture_output=True, text=True, timeout=120
+    )
+
+
+def _json(*arguments: str) -> dict[str, Any]:
+    done = _run(*arguments, "--json")
+    assert done.returncode == 0, done.stderr
+    parsed = json.loads(done.stdout)
+    assert isinstance(parsed, dict)
+    return parsed
+
+
+def test_solve_prints_the_optimum() -> None:
+    result = _json("solve", "1", "0", "1")
+    assert set(result) == {
+        "time_of_flight", "cone_angle", "costates", "jumps", "residual", "next_time_of_flight",
+    }  # fmt: skip
+    assert result["next_time_of_flight"] is None
+    assert result["time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
+    assert result["costates"] == pytest.approx([-7.23123, -4.31783, -7.73808], abs=1e-4)
+    assert result["jumps"] == 0
+    assert result["residual"] <= 1e-9
+
+
+def test_solve_takes_another_sail_and_target() -> None:
+    changes = ("--phi-max", "45", "--smoothing", "0")
+    assert _json("solve", "1", "0", "1", *changes)["time_of_flight"] == pytest.approx(7.138440, abs=1e-6)
+    both = ("--beta", "0.4", "--target-radius", "0.723", "--phi-max", "30", "--smoothing", "0")
+    assert _json("solve", "1", "0", "1", *both)["time_of_flight"] == pytest.approx(3.908616, abs=1e-6)
+
+
+def test_solve_without_a_state_prints_the_nominal() -> None:
+    result = _json("solve", "--mission", "earth_venus")
+    assert result["state"] == [1.0, 0.0, 1.0]
+    times = [result[f"{name}time_of_flight"] for name in ("unconstrained_", "constrained_", "")]
+    assert times == pytest.approx([3.521272, 3.528815, 3.528958], abs=1e-6)
+
+
+def test_beyond_the_tested_range_solve_says_so_on_stderr() -> None:
+    done = _run("solve", "1", "0", "1", "--phi-max", "90", "--smoothing", "0", "--beta", "0.45", "--json")
+    assert done.stderr == "note: beta = 0.45 is outside the tested range, 0.05 to 0.4\n"
+    assert json.loads(done.stdout)["residual"] <= 1e-9
+
+
+def test_solve_reads_a_mission_file(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    shipped = (resources.files("sailnet") / "mission" / "missions" / "earth_mars.toml").read_text("utf-8")
+    path.write_text(shipped.replace('"earth_mars"', '"mine"').replace("60.0", "45.0"))
+    result = _json("solve", "1", "0", "1", "--mission", str(path), "--smoothing", "0")
+    assert result["time_of_flight"] == pytest.approx(7.138440, abs=1e-6)
+
+
+def test_guide_prints_a_command() -> None:
+    result = _json("guide", "1.05", "0.15", "1.03")
+    assert set(result) == {"cone_angle", "time_of_flight", "status"}
+    assert result["status"] == "ok"
+    assert result["time_of_flight"] == pytest.approx(6.1552, abs=0.02)
+    assert abs(result["cone_angle"]) <= 1.0471975512
+
+
+def test_guide_looks_at_the_sail() -> None:
+    times = [_json("guide", "1", "0", "1", "--beta", beta)["time_of_flight"] for beta in ("0.15", "0.19")]
+    assert times[0] > times[1] + 0.3  # a stronger sail is there sooner
+
+
+@pytest.mark.parametrize("number", ["-1e-3", "-0.05", "-5e-2"])
+def test_negative_numbers_are_numbers(number: str) -> None:
+    assert _json("guide", "1.2", number, "0.95")["status"] == "ok"
+
+
+def test_fly_reaches_the_target_with_both_back_ends() -> None:
+    keys = {"arrived", "time_of_flight", "terminal_error", "max_cone_angle", "optimal_time_of_flight"}
+    keys |= {"beta_error", "beta_estimate", "ending", "nearest_error"}
+    ends = []
+    for backend in ("c", "onnx"):
+        result = _json("fly", "1", "0", "1", "--backend", backend)
+        assert set(result) == keys
+        assert result["arrived"] is True
+        assert result["ending"] == "stopped"
+        assert max(result["terminal_error"]) < 1e-5
+        assert result["beta_estimate"] == pytest.approx(0.16892, rel=1e-6)
+        assert result["optimal_time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
+        ends.append([*result["terminal_error"], result["time_of_flight"]])
+    assert ends[0] == pytest.approx(ends[1], abs=1e-9)
+
+
+def test_evaluate_counts_arrivals() -> None:
+    result = _json("evaluate", "--flights", "20", "--seed", "6", "--period", "0.02")
+    counts = {"flights", "arrived", "success_share", "attitude_violations"}
+    assert set(result) == counts | {"confidence_interval", "error_quantiles"}
+    assert result["flights"] == 20
+    assert result["success_share"] == result["arrived"] / 20
+    assert result["attitude_violations"] == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (("solve", "nan", "0", "1"), "finite"),
+        (("guide", "inf", "0", "1"), "finite"),
+        (("guide", "-1", "0", "1"), "R > 0"),
+        (("guide", "1", "0", "1", "--beta", "nan"), "beta from 0.135136 to 0.202704"),
+        (("guide", "1", "0", "1", "--beta", "0.3"), "beta from 0.135136 to 0.202704"),
+        (("fly", "1", "-inf", "1"), "finite"),
+        (("solve", "1", "0", "1", "--mission", "earth_pluto"), "earth_mars"),
+        (("solve", "1", "0"), "all of R U V"),
+        (("solve", "1", "0", "1", "--phi-max", "95"), "sail.max_cone_angle = 95.0"),
+        (("solve", "1", "0", "1", "--phi-max", "nan"), "sail.max_cone_angle = nan"),
+        (("solve", "--beta", "-0.1"), "sail.beta = -0.1"),
+        (("solve", "1", "0", "1", "--smoothing", "-1e-3"), "sail.smoothing = -0.001"),
+        (("solve", "1", "0", "1", "--target-radius", "inf"), "transfer.target_radius = inf"),
+        (("solve", "--target-radius", "1"), "on the target orbit already"),
+        (("guide", "1", "0", "1", "--networks", "no/such/folder"), "no/such/folder"),
+        (("fly", "1", "0", "1", "--beta-bias", "-2"), "bias"),
+        (("fly", "1", "0", "1", "--period", "0"), "period"),
+        (("fly", "1", "0", "1", "--rate-limit", "-1"), "rate_limit must be from 0"),
+        (("fly", "1", "0", "1", "--delay", "nan"), "delay must be a finite number"),
+        (("fly", "1", "0", "1", "--optics", "mirror"), "jpl"),
+        (("evaluate", "--flights", "0"), "flights"),
+        (("evaluate", "--flights", "-3"), "flights"),
+    ],
+)
+def test_bad_input_is_explained(arguments: tuple[str, ...], says: str) -> None:
+    done = _run(*arguments, "--json")
+    assert done.returncode != 0
+    assert done.stdout == ""
+    assert says in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize("state", [("1e300", "0", "1"), ("5", "3", "-7")])
+def test_absurd_states_get_a_safe_command_and_say_so(state: tuple[str, str, str]) -> None:
+    result = _json("guide", *state)
+    assert result["status"] == "outside_domain"
+    assert abs(result["cone_angle"]) <= 1.0471975512
+
+
+def test_a_mission_file_with_an_unknown_key_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text('schema = 1\nname = "mine"\ncolour = "red"\n')
+    done = _run("solve", "1", "0", "1", "--mission", str(path))
+    assert done.returncode != 0
+    assert "colour" in done.stderr
+
+
+@pytest.mark.parametrize("command", ["solve", "guide", "fly", "evaluate", "papers"])
+def test_help_has_an_example(command: str) -> None:
+    done = _run(command, "--help")
+    assert done.returncode == 0
+    assert f"sailnet {command}" in done.stdout
+    assert "example" in done.stdout

@@ -1,0 +1,277 @@
+"""Bad days of a long generation: whatever happens, the same command ends with the same content."""
+
+import os
+import resource
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+import pytest
+
+from sailnet.artefacts.resumable import Parts, claim
+from sailnet.dataset import Block, open_dataset
+from sailnet.errors import DatasetError
+from sailnet.mission.mission import load_mission
+from tests.paths import ROOT
+from tests.small_datasets import INVENTED, invented_shard, undisturbed
+
+TRAJECTORIES = 1000
+SHARDS = TRAJECTORIES // INVENTED
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory: pytest.TempPathFactory) -> str:
+    return undisturbed(load_mission("earth_mars"), tmp_path_factory.mktemp("whole") / "x.h5", TRAJECTORIES)
+
+
+def start(
+    output: Path, *options: str, variables: Mapping[str, str] = MappingProxyType({}), file_size: int = 0
+) -> subprocess.Popen[str]:
+    """The command, with processes of its own to kill and interrupt."""
+
+    def limit() -> None:
+        if file_size:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (file_size, file_size))
+
+    return subprocess.Popen(
+        [sys.executable, "-m", "tests.generation_run", str(output), "--workers", "2", "--quiet", *options],
+        cwd=ROOT,
+        env=os.environ | {"PYTHONPATH": str(ROOT)} | dict(variables),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        preexec_fn=limit,
+    )
+
+
+def finish(run: subprocess.Popen[str]) -> tuple[int, str]:
+    """Exit status and what was said on stderr."""
+    _, said = run.communicate(timeout=60)
+    assert "Traceback" not in said
+    return run.returncode, said
+
+
+def folder_of(output: Path) -> Path:
+    return output.parent / f".{output.name}.parts"
+
+
+def shards_of(output: Path) -> set[int]:
+    return {int(path.stem) for path in folder_of(output).glob("*.safetensors")}
+
+
+def until_shards(output: Path, wanted: int) -> None:
+    until = time.monotonic() + 30
+    while len(shards_of(output)) < wanted:
+        assert time.monotonic() < until
+        time.sleep(0.002)
+
+
+def children(process: subprocess.Popen[str]) -> list[int]:
+    """Worker processes, not multiprocessing's tracker of resources."""
+    listed = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+    return [int(pid) for pid in listed if b"spawn_main" in Path(f"/proc/{pid}/cmdline").read_bytes()]
+
+
+def alive(pid: int) -> bool:
+    status = Path(f"/proc/{pid}/stat")
+    return status.exists() and status.read_text().rpartition(")")[2].split()[0] != "Z"
+
+
+def completes(output: Path, expected: str, variables: Mapping[str, str] = MappingProxyType({})) -> None:
+    """The same command again ends well, with the content of an undisturbed run, and tidies up."""
+    assert finish(start(output, variables=variables)) == (0, "")
+    with open_dataset(output) as found:
+        found.verify()
+        assert found.digest == expected
+    assert sorted(path.name for path in output.parent.iterdir()) == [output.name]
+
+
+@pytest.mark.parametrize("finished", [0, 9])
+def test_killed_between_shards(finished: int, tmp_path: Path, expected: str) -> None:
+    output, log = tmp_path / "out" / "x.h5", tmp_path / "log"
+    run = start(output)
+    until_shards(output, finished)
+    workers = children(run)
+    run.kill()
+    run.communicate()
+    assert not output.exists()
+    until = time.monotonic() + 10
+    while any(alive(pid) for pid in workers):  # they do not outlive it
+        assert time.monotonic() < until
+        time.sleep(0.01)
+    kept = shards_of(output)
+    assert len(kept) >= finished
+    if kept:  # as a power cut may leave it
+        damaged = folder_of(output) / f"{kept.pop():08d}.safetensors"
+        damaged.write_bytes(damaged.read_bytes()[:-5])
+    completes(output, expected, {"SHARD_LOG": str(log)})
+    made_again = [int(line) for line in log.read_text().split()]
+    assert not kept & set(made_again)
+    assert len(made_again) == len(set(made_again))
+
+
+@pytest.mark.parametrize("moment", ["header", "rename", "removal"])
+def test_killed_at_the_end(moment: str, tmp_path: Path, expected: str) -> None:
+    output = tmp_path / "x.h5"
+    run = start(output, variables={"KILL_AT": moment})
+    run.communicate(timeout=60)
+    assert run.returncode == -signal.SIGKILL
+    assert output.exists() == (moment == "removal")
+    assert folder_of(output).exists()
+    completes(output, expected)
+
+
+def test_a_killed_worker_is_replaced(tmp_path: Path, expected: str) -> None:
+    output = tmp_path / "x.h5"
+    run = start(output)
+    until_shards(output, 3)
+    os.kill(children(run)[0], signal.SIGKILL)
+    assert finish(run) == (0, "")
+    with open_dataset(output) as found:
+        found.verify()
+        assert found.digest == expected
+
+
+def test_ctrl_c_keeps_what_is_finished_and_says_so(tmp_path: Path, expected: str) -> None:
+    output = tmp_path / "x.h5"
+    run = start(output)
+    until_shards(output, 5)
+    os.killpg(run.pid, signal.SIGINT)
+    status, said = finish(run)
+    assert status == 130
+    kept = len(shards_of(output))
+    assert kept >= 5
+    assert said == (
+        f"interrupted\n{kept} finished shards wait in {folder_of(output)}: the same command goes on\n"
+    )
+    completes(output, expected)
+
+
+def test_two_runs_on_one_output(tmp_path: Path, expected: str) -> None:
+    output = tmp_path / "x.h5"
+    first = start(output, variables={"SHARD_SECONDS": "0.3"})
+    until_shards(output, 1)
+    status, said = finish(start(output, "--restart"))
+    assert status == 1
+    assert said.startswith(f"error: another run is making {output}")
+    assert first.poll() is None
+    assert finish(first) == (0, "")
+    with open_dataset(output) as found:
+        assert found.digest == expected
+
+
+def test_a_limit_on_the_file_s_size(tmp_path: Path, expected: str) -> None:
+    """As a full disk, or a quota: a shard fits, the data set does not."""
+    output = tmp_path / "x.h5"
+    status, said = finish(start(output, file_size=500_000))
+    assert status == 1
+    assert said.startswith(f"error: cannot write data set {output}")
+    assert "File too large" in said
+    assert not output.exists()
+    assert shards_of(output)
+    completes(output, expected)
+
+
+@contextmanager
+def mounted(folder: Path, *arguments: str) -> Iterator[Path]:
+    folder.mkdir(exist_ok=True)
+    done = subprocess.run(["mount", *arguments, str(folder)], capture_output=True, text=True, check=False)
+    if done.returncode:
+        pytest.skip(f"cannot mount here: {done.stderr.strip()}")
+    try:
+        yield folder
+    finally:
+        subprocess.run(["umount", "-l", str(folder)], check=True)
+
+
+@pytest.mark.mount
+def test_a_full_disk(tmp_path: Path, expected: str) -> None:
+    tmpfs = ("-t", "tmpfs", "-o", "size=2m", "tmpfs")
+    with mounted(tmp_path / "disk", *tmpfs) as disk:
+        status, said = finish(start(disk / "x.h5"))
+        assert status == 1
+        assert said.startswith("error: cannot write")
+        assert "No space left" in said
+        assert not (disk / "x.h5").exists()
+        assert shards_of(disk / "x.h5")
+        subprocess.run(["mount", "-o", "remount,size=30m", str(disk)], check=True)
+        completes(disk / "x.h5", expected)
+
+
+@pytest.mark.mount
+def test_a_read_only_target(tmp_path: Path) -> None:
+    with mounted(tmp_path / "disk", "-t", "tmpfs", "-o", "ro", "tmpfs") as disk:
+        status, said = finish(start(disk / "x.h5"))
+        assert status == 1
+        assert said.startswith(f"error: cannot write data set {disk / 'x.h5'}")
+        assert "Read-only" in said
+
+
+@pytest.mark.parametrize("target", ["file/x.h5", "folder", "/proc/x.h5"])
+def test_a_target_that_cannot_be_is_refused_at_once(target: str, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("in the way")
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(DatasetError, match="cannot write data set"), claim(tmp_path / target, {}):
+        raise AssertionError("nothing begins")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder"]
+
+
+def leave(output: Path, run: Mapping[str, str], number: int, restart: bool = False) -> Parts:
+    """What a run of one shard that is interrupted leaves."""
+    with suppress(KeyboardInterrupt), claim(output, run, restart) as parts:
+        parts.store(number, invented_shard(0.0, number).to_columns())
+        raise KeyboardInterrupt
+    return parts
+
+
+def test_shards_of_something_else_are_not_mixed_in(tmp_path: Path) -> None:
+    output = tmp_path / "x.h5"
+    run, other = {"mission": "one", "heyoka": "1"}, {"mission": "two", "heyoka": "1"}
+    leave(output, run, 3)
+    with pytest.raises(DatasetError, match=r"another mission: .*--restart"), claim(output, other):
+        pass
+    parts = leave(output, run, 5)
+    assert parts.finished() == {3, 5}
+    assert parts.load(3) is not None
+    assert Parts(parts.folder, "another run").load(3) is None
+    (parts.folder / "00000004.safetensors").write_bytes((parts.folder / "00000003.safetensors").read_bytes())
+    assert parts.load(4) is None  # it says that it is another
+    assert leave(output, other, 1, restart=True).finished() == {1}
+    (parts.folder / "run.json").write_text("{")
+    with pytest.raises(DatasetError, match="--restart"), claim(output, other):
+        pass
+    assert parts.finished() == {1}
+
+
+def test_a_damaged_shard_is_none(tmp_path: Path) -> None:
+    parts = Parts(tmp_path, "run")
+    block = invented_shard(0.0, 0)
+    expected = block.to_columns()
+    parts.store(0, expected)
+    (path,) = tmp_path.iterdir()
+    raw = path.read_bytes()
+    found = parts.load(0)
+    assert found is not None
+    assert {k: v.tobytes() for k, v in expected.items()} == {k: v.tobytes() for k, v in found.items()}
+    again = Block.from_columns(found)
+    assert (again.samples.keys(), again.trajectories.keys()) == (
+        block.samples.keys(),
+        block.trajectories.keys(),
+    )
+    np.testing.assert_array_equal(again.samples["tau"], block.samples["tau"])
+    np.testing.assert_array_equal(again.lengths, block.lengths)
+    for position in (3, 20, 300, 900, len(raw) // 2, len(raw) - 1):
+        path.write_bytes(raw[:position] + bytes([raw[position] ^ 4]) + raw[position + 1 :])
+        assert parts.load(0) is None, position
+    for length in (0, 7, 100, len(raw) - 1):
+        path.write_bytes(raw[:length])
+        assert parts.load(0) is None, length
+    path.unlink()
+    assert parts.load(0) is None

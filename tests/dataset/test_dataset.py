@@ -1,0 +1,122 @@
+"""The data set file: what was written is read, whole and documented."""
+
+import dataclasses
+import gc
+import json
+import weakref
+from collections.abc import Iterator
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from sailnet.dataset import (
+    INTEGER,
+    SAMPLES,
+    TRAJECTORIES,
+    Block,
+    open_dataset,
+    write_dataset,
+)
+from sailnet.mission.mission import Mission
+from tests.paths import ROOT
+from tests.reference import Array
+from tests.small_datasets import pieces
+
+
+def test_what_was_written_is_read(small: Mission, shard: Block, stored: Path) -> None:
+    with open_dataset(stored, small) as found:
+        found.verify()
+        assert found.mission == small
+        assert found.provenance == {"seed": 1, "made": "here"}
+        assert (found.trajectories, found.samples) == (12, 12 * 31)
+        assert found.first_sample.tolist() == list(range(0, 12 * 31 + 1, 31))
+        columns = found.read(list(SAMPLES), 0, found.samples)
+        for name, values in shard.samples.items():
+            np.testing.assert_array_equal(columns[name], values[: 12 * 31])
+        np.testing.assert_array_equal(columns["trajectory"], np.repeat(np.arange(12), 31))
+        rows = found.read_trajectories(list(TRAJECTORIES))
+        for name, values in shard.trajectories.items():
+            np.testing.assert_array_equal(rows[name], values[:12])
+        part = found.read(["tau", "r"], 40, 50)
+        np.testing.assert_array_equal(part["tau"], columns["tau"][40:50])
+        assert list(part) == ["tau", "r"]
+
+
+def test_every_column_says_what_it_is_in_which_unit(stored: Path) -> None:
+    with h5py.File(stored) as file:
+        assert set(file) == {"samples", "trajectories"}
+        for group, schema in (("samples", SAMPLES), ("trajectories", TRAJECTORIES)):
+            assert set(file[group]) == set(schema)
+            for name, (unit, meaning) in schema.items():
+                column = file[group][name]
+                assert column.attrs["unit"].decode() == unit
+                assert column.attrs["meaning"].decode() == meaning
+                assert unit
+                assert meaning
+                assert column.dtype == np.dtype(INTEGER.get(name, "<f8"))
+                assert column.chunks
+                assert column.compression is None  # plain rows, for the sake of speed
+                assert len(column.attrs["sha256"]) == 64
+        assert json.loads(file.attrs["mission"])["name"] == "earth_mars"
+        assert file.attrs["samples"] == 12 * 31
+        assert file.attrs["trajectories"] == 12
+
+
+def test_the_readme_documents_every_column() -> None:
+    text = (ROOT / "data" / "README.md").read_text()
+    for schema in (SAMPLES, TRAJECTORIES):
+        for name, (unit, _) in schema.items():
+            assert any(f"`{name}`" in line and unit in line for line in text.splitlines()), name
+
+
+def test_all_metadata_is_under_hdf5_s_own_checksums(stored: Path) -> None:
+    """HDF5 crashes or hangs on flipped bits in the structures of its first format and in heaps."""
+    raw = stored.read_bytes()
+    assert raw[8] >= 2  # version of the superblock
+    for unprotected in (b"GCOL", b"TREE", b"SNOD"):
+        assert unprotected not in raw
+
+
+def test_the_block_size_leaves_no_trace(small: Mission, shard: Block, stored: Path, tmp_path: Path) -> None:
+    other = tmp_path / "other.h5"
+    write_dataset(other, small, pieces(shard, 1, 0, 11), {"seed": 2})
+    with open_dataset(other) as found, open_dataset(stored) as expected:
+        found.verify()
+        assert found.digest == expected.digest  # provenance is no content
+
+
+def test_the_digest_knows_the_content(small: Mission, shard: Block, stored: Path, tmp_path: Path) -> None:
+    samples = {name: np.array(column) for name, column in shard.samples.items()}
+    samples["u"][100] = np.nextafter(samples["u"][100], 1.0)
+    other = tmp_path / "other.h5"
+    write_dataset(other, small, pieces(dataclasses.replace(shard, samples=samples), 12), {})
+    with open_dataset(other) as found, open_dataset(stored) as expected:
+        assert found.digest != expected.digest
+
+
+def test_memory_holds_one_block_at_a_time(small: Mission, shard: Block, tmp_path: Path) -> None:
+    alive: list[weakref.ref[Block]] = []
+
+    def blocks() -> Iterator[Block]:
+        for _ in range(6):
+            gc.collect()
+            assert sum(reference() is not None for reference in alive) <= 1
+            block = next(pieces(shard, 12))
+            alive.append(weakref.ref(block))
+            yield block
+            del block
+
+    write_dataset(tmp_path / "x.h5", small, blocks(), {})
+    assert len(alive) == 6
+
+
+def test_blocks_are_not_changed_by_writing(small: Mission, shard: Block, tmp_path: Path) -> None:
+    block = next(pieces(shard, 12))
+    before = dataclasses.replace(
+        block, samples={name: np.array(column) for name, column in block.samples.items()}
+    )
+    write_dataset(tmp_path / "x.h5", small, iter([block]), {})
+    columns: list[tuple[Array, Array]] = [(block.samples[n], before.samples[n]) for n in before.samples]
+    for found, expected in columns:
+        np.testing.assert_array_equal(found, expected)

@@ -1,0 +1,196 @@
+"""Missions are validated when they are loaded; what is wrong is said by key, value and what is allowed."""
+
+import copy
+import json
+import math
+import tomllib
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sailnet.errors import MissionError
+from sailnet.mission.mission import load_mission, parse_mission, shipped_missions
+
+TEXT = (resources.files("sailnet") / "mission" / "missions" / "earth_mars.toml").read_text("utf-8")
+
+
+def changed(key: str, value: object) -> dict[str, Any]:
+    """Earth to Mars with one key, given as section.key, set to another value."""
+    content = copy.deepcopy(tomllib.loads(TEXT))
+    *sections, last = key.split(".")
+    place = content
+    for section in sections:
+        place = place[section]
+    place[last] = value
+    return content
+
+
+def without(key: str) -> dict[str, Any]:
+    content = changed(key, None)
+    *sections, last = key.split(".")
+    place = content
+    for section in sections:
+        place = place[section]
+    del place[last]
+    return content
+
+
+def test_earth_mars_ships() -> None:
+    assert "earth_mars" in shipped_missions()
+
+
+@pytest.mark.parametrize("name", shipped_missions())
+def test_every_shipped_mission_loads_under_its_own_name(name: str) -> None:
+    assert load_mission(name).name == name
+
+
+def test_earth_mars_is_the_paper_s_problem() -> None:
+    mission = load_mission("earth_mars")
+    assert mission.problem.beta == 0.16892
+    assert mission.problem.phi_max == pytest.approx(math.pi / 3, rel=1e-15)
+    assert mission.problem.delta == 1e-3
+    assert mission.departure_state == (1.0, 0.0, 1.0)
+    assert mission.problem.target_state[:2] == (1.524, 0.0)
+    assert mission.problem.target_state[2] == pytest.approx(0.810_041_961_26, abs=1e-11)
+    box = mission.dataset.box
+    assert box is not None
+    assert box.trajectories >= 18_324
+    assert box.trajectories * box.samples_per_trajectory >= 6_400_000
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "allowed"),
+    [
+        ("sail.beta", 0.0, "greater than 0"),
+        ("sail.beta", -0.16892, "greater than 0"),
+        ("sail.beta", 1.0, "less than 1"),
+        ("sail.beta", math.nan, "finite"),
+        ("sail.beta", math.inf, "finite"),
+        ("sail.beta", -math.inf, "finite"),
+        ("sail.max_cone_angle", 0.0, "greater than 0"),
+        ("sail.max_cone_angle", 90.5, "less than or equal to 90"),
+        ("sail.max_cone_angle", -5.0, "greater than 0"),
+        ("sail.max_cone_angle", "60", "number"),
+        ("sail.max_cone_angle", True, "number"),
+        ("sail.smoothing", -1e-9, "greater than or equal to 0"),
+        ("schema", 2, "1"),
+        ("schema", "1", "1"),
+        ("name", "Earth Mars", "pattern"),
+        ("transfer.target_radius", 0.0, "greater than 0"),
+        ("flight.period", -0.005, "greater than 0"),
+        ("dataset.box.lambda_r", [-20.0, -23.0], "lower bound"),
+        ("dataset.box.lambda_u", [5.0, 5.0], "lower bound"),
+        ("generalisation.v", [1.2, 0.8], "lower bound"),
+        ("dataset.box.arrival_cone_angle", "up", "'positive' or 'negative'"),
+        ("dataset.box.trajectories", 0, "greater than 0"),
+        ("dataset.box.trajectories", 1.5, "integer"),
+        ("dataset.box.samples_per_trajectory", 1, "greater than or equal to 2"),
+        ("training.paper.hidden", [], "at least 1"),
+    ],
+)
+def test_a_value_out_of_range_is_named_with_what_is_allowed(key: str, value: object, allowed: str) -> None:
+    with pytest.raises(MissionError) as caught:
+        parse_mission(changed(key, value), "the file")
+    message = str(caught.value)
+    assert f"{key} = {value!r}" in message
+    assert allowed in message
+    assert "the file" in message
+
+
+@pytest.mark.parametrize("value", [[math.nan, 1.0], [-23.0, math.inf]])
+def test_an_interval_must_be_finite(value: list[float]) -> None:
+    with pytest.raises(MissionError, match=r"dataset\.box\.lambda_r\.\d = (nan|inf): .*finite"):
+        parse_mission(changed("dataset.box.lambda_r", value), "the file")
+
+
+@pytest.mark.parametrize(
+    ("key", "neighbour"),
+    [("colour", "sail"), ("sail.mass", "max_cone_angle"), ("training.wide.layers", "hidden")],
+)
+def test_an_unknown_key_is_named_with_the_known_ones(key: str, neighbour: str) -> None:
+    with pytest.raises(MissionError) as caught:
+        parse_mission(changed(key, 1.0), "the file")
+    assert f"{key}: unknown key" in str(caught.value)
+    assert neighbour in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "key", ["schema", "name", "sail", "sail.beta", "dataset.box.seed", "training.paper.hidden"]
+)
+def test_a_missing_key_is_named(key: str) -> None:
+    with pytest.raises(MissionError, match=f"{key}: this key is missing"):
+        parse_mission(without(key), "the file")
+
+
+def test_every_mistake_is_reported_at_once() -> None:
+    content = changed("sail.beta", -1.0)
+    content["orbits"] = {}
+    del content["flight"]["period"]
+    with pytest.raises(MissionError) as caught:
+        parse_mission(content, "the file")
+    for part in ("sail.beta = -1.0", "orbits: unknown key", "flight.period: this key is missing"):
+        assert part in str(caught.value)
+
+
+def test_a_mission_loads_from_a_path(tmp_path: Path) -> None:
+    path = tmp_path / "venus.toml"
+    path.write_text(TEXT.replace('"earth_mars"', '"venus"').replace("1.524", "0.723"))
+    assert load_mission(path).problem.target_radius == 0.723
+    assert load_mission(str(path)).name == "venus"
+
+
+def test_a_missing_file_an_unknown_name_and_bad_toml(tmp_path: Path) -> None:
+    with pytest.raises(MissionError, match=r"cannot read mission file .*nowhere\.toml"):
+        load_mission(tmp_path / "nowhere.toml")
+    with pytest.raises(MissionError, match=r"no mission named 'earth_pluto': known are .*earth_mars"):
+        load_mission("earth_pluto")
+    broken = tmp_path / "broken.toml"
+    broken.write_text("[sail\nbeta = 0.1")
+    with pytest.raises(MissionError, match=r"broken\.toml is not valid TOML: .*line 1"):
+        load_mission(broken)
+    broken.write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(MissionError, match="cannot read mission file"):
+        load_mission(broken)
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("sail.beta", 0.17),
+        ("sail.max_cone_angle", 45.0),
+        ("sail.smoothing", 0.0),
+        ("transfer.target_radius", 1.5),
+        ("transfer.departure_radius", 1.01),
+        ("name", "other"),
+    ],
+)
+def test_the_digest_knows_the_problem(key: str, value: object) -> None:
+    assert parse_mission(changed(key, value), "x").digest() != load_mission("earth_mars").digest()
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [("training.wide.epochs", 3), ("dataset.box.seed", 1), ("flight.period", 0.01), ("title", "x")],
+)
+def test_the_digest_ignores_what_does_not_change_the_problem(key: str, value: object) -> None:
+    other = parse_mission(changed(key, value), "x")
+    assert other.digest() == load_mission("earth_mars").digest()
+
+
+def test_the_digest_knows_the_sections_it_is_asked_for() -> None:
+    other = parse_mission(changed("dataset.box.seed", 1), "x")
+    mission = load_mission("earth_mars")
+    assert other.digest("dataset") != mission.digest("dataset")
+    assert other.digest("training") == mission.digest("training")
+    assert mission.digest("training") != mission.digest()
+
+
+@pytest.mark.parametrize("name", shipped_missions())
+def test_json_round_trip(name: str) -> None:
+    mission = load_mission(name)
+    again = parse_mission(json.loads(mission.to_json()), "json")
+    assert again == mission
+    assert again.to_json() == mission.to_json()
+    assert again.digest("dataset", "training") == mission.digest("dataset", "training")

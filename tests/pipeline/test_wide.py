@@ -1,0 +1,130 @@
+"""The pipeline of the networks that fly, at toy size: wide data, networks, C, flights, model card."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sailnet.mission.mission import load_mission
+from sailnet.networks.guidance_networks import load_guidance_networks
+from tests.toy_pipeline import python, toy_mission
+
+TOY = {
+    "r": "[1.0, 1.02]",
+    "u": "[0.0, 0.02]",
+    "v": "[1.0, 1.02]",
+    "levels": "2",
+    "starts": "16",
+    "approaches": "80",
+    "hidden": "[8, 8]",
+    "train_samples": "3000",
+    "curvature_samples": "1500",
+    "validation_samples": "800",
+    "epochs": "25",
+    "longest": "12.0",
+}
+
+
+@pytest.fixture(scope="module")
+def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder as `make` builds it, for a small copy of the Earth-Mars mission under another name."""
+    build = tmp_path_factory.mktemp("toy")
+    mission = toy_mission(build, TOY)
+    python("-m", "data", build / "wide.h5", "--mission", mission, "--quiet")
+    python("-m", "training", build / "wide.h5", build / "networks", "--quiet")
+    python("-m", "export", build / "networks", build / "export", "--mission", mission)
+    flown = ("--mission", mission, "--networks", build / "export", "--flights", "6")
+    python("-m", "sailnet.acceptance", *flown, "--output", build / "acceptance.json")
+    timed = python(
+        "-m", "c_runtime.verification.bench", build / "export", "--networks", build / "networks", "--json"
+    )
+    (build / "bench.json").write_text(timed.stdout)
+    data = ("--dataset", build / "wide.h5", "--states", "500")
+    compared = python("-m", "export.agreement", build / "networks", build / "export", *data)
+    (build / "agreement.json").write_text(compared.stdout)
+    return build
+
+
+def test_the_networks_read_approach_coordinates_and_know_their_sails(toy: Path) -> None:
+    networks = load_guidance_networks(toy / "networks")
+    mission = load_mission(toy / "toy.toml")
+    assert networks.approach
+    assert networks.beta_range == pytest.approx((0.8 * mission.sail.beta, 1.2 * mission.sail.beta))
+    assert {path.stem for path in (toy / "networks").glob("*.safetensors")} == {
+        "tau",
+        "alpha_pre",
+        "lambda_v",
+    }
+    near = np.array([[1.5, -0.03, 0.82]])
+    tau = [float(networks.command(near, beta)[1][0]) for beta in networks.beta_range]
+    assert min(tau) > 0.0
+    assert tau[0] != pytest.approx(tau[1], rel=1e-3)  # they look at the sail
+
+
+def test_the_c_steers_like_the_reference_with_onnx(toy: Path) -> None:
+    ends = []
+    for backend in ("c", "onnx"):
+        done = python(
+            "-m", "sailnet.cli", "fly", "1.01", "0.01", "1.01", "--mission", toy / "toy.toml",
+            "--period", "0.02", "--networks", toy / "export", "--backend", backend,
+            "--beta-bias", "-0.1", "--json",
+        )  # fmt: skip
+        result = json.loads(done.stdout)
+        assert result["beta_error"] == -0.1
+        # Feedback through the estimate: whatever the networks are worth, the sail is recognised.
+        assert result["beta_estimate"] == pytest.approx(0.9 * 0.16892, rel=1e-3)
+        ends.append([*result["terminal_error"], result["time_of_flight"], result["beta_estimate"]])
+    assert ends[0] == pytest.approx(ends[1], abs=1e-9)
+
+
+def test_acceptance_reports_every_campaign(toy: Path) -> None:
+    result = json.loads((toy / "acceptance.json").read_text())
+    assert [record["name"] for record in result["campaigns"]] == [
+        "nominal",
+        "unknown bias",
+        "unknown bias and white noise",
+        "unknown bias and slow drift",
+    ]
+    for record in result["campaigns"]:
+        assert record["flights"] == 6
+        assert 0 <= record["arrived"] <= 6
+        assert record["attitude_violations"] == 0
+        assert len(record["did_not_arrive"]) == 6 - record["arrived"]
+
+
+def test_no_networks_no_acceptance(toy: Path, tmp_path: Path) -> None:
+    arguments = ("--mission", toy / "toy.toml", "--networks", tmp_path, "--output", tmp_path / "a.json")
+    done = python("-m", "sailnet.acceptance", *arguments, check=False)
+    assert done.returncode != 0
+    assert "error:" in done.stderr
+    assert not (tmp_path / "a.json").exists()
+
+
+def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(toy: Path, tmp_path: Path) -> None:
+    readme, paper = tmp_path / "README.md", tmp_path / "report.json"
+    readme.write_text(
+        "before\n<!-- results -->\nstale figures\n<!-- /results -->\n"
+        "between\n<!-- paper -->\n<!-- /paper -->\nafter\n"
+    )
+    row = {"quantity": "|x|", "paper": "1", "here": "2", "note": ""}
+    facts = {"machine": "m", "date": "d", "revision": "r"}
+    paper.write_text(json.dumps({"rows": [row], "software": facts, "seed": 2}))
+    arguments = ("--mission", toy / "toy.toml", "--readme", readme, "--paper", paper)
+    python("-m", "export.ship", toy, tmp_path / "shipped", *arguments)
+    text = readme.read_text()
+    assert text.startswith("before")
+    assert text.endswith("after\n")
+    assert "stale figures" not in text
+    assert "| 6, unknown bias and white noise |" in text
+    assert "| &#124;x&#124; | 1 | 2 |  |" in text
+    card = (tmp_path / "shipped" / "MODEL_CARD.md").read_text()
+    networks = load_guidance_networks(tmp_path / "shipped")
+    assert str(networks.tau.provenance["dataset"]) in card
+    assert f"{networks.lambda_v.provenance['test_mse']:.2e}" in card
+    assert "exported C" in card
+    assert "| 6, nominal |" in card
+    assert (tmp_path / "shipped" / "sailnet_guidance.c").exists()
+    done = python("-m", "export.ship", tmp_path, tmp_path / "nothing", *arguments, check=False)
+    assert done.returncode != 0
+    assert not (tmp_path / "nothing").exists()
