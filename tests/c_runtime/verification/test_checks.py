@@ -13,10 +13,11 @@ from c_runtime.builds import BUILDS
 from c_runtime.verification.checks import coverage, misra
 from c_runtime.verification.checks.flight_file import places, tags
 from tests.conftest import Exported
+from tests.paths import ROOT
 from tests.tools import missing, needs
 
-C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
-SHIPPED = C_RUNTIME.parent / "sailnet" / "shipped" / "earth_mars"
+C_RUNTIME = ROOT / "c_runtime"
+SHIPPED = ROOT / "sailnet" / "shipped" / "earth_mars"
 # What `make` calls for each, and the packages it is in.
 TARGETS = {
     "fuzz": (missing("clang"), ("clang", "libclang-rt-14-dev")),

@@ -29,9 +29,9 @@ from c_runtime.verification.targets.table import Limit, limits
 from sailnet.flight.closed_loop import History
 from sailnet.guidance.interface import GuidanceStatus, Precision
 from sailnet.networks.guidance_networks import load_guidance_networks
+from tests.paths import ROOT
 from tests.tools import needs
 
-ROOT = Path(__file__).parent.parent
 SHIPPED = ROOT / "sailnet" / "shipped" / "earth_mars"
 RESULTS = ROOT / "c_runtime" / "RESULTS.md"
 BEGIN, END = "<!-- targets -->", "<!-- /targets -->"
