@@ -33,7 +33,7 @@ from tests.random_networks import (
     random_network,
     save_guidance,
 )
-from training.hull import MARGIN, Extremes, add_domain, fit_domain
+from training.fit_domain import MARGIN, Extremes, add_domain, fit_domain
 from training.samples import split_trajectories
 
 MISSION = load_mission("earth_mars")
@@ -325,7 +325,7 @@ def test_networks_without_a_domain_are_refused() -> None:
     networks = random_guidance((4,), (4,), (4,))
     provenance = {name: value for name, value in networks.tau.provenance.items() if name != "domain"}
     bare = dataclasses.replace(networks, tau=dataclasses.replace(networks.tau, provenance=provenance))
-    with pytest.raises(NetworkError, match=r"add it with python -m training\.hull"):
+    with pytest.raises(NetworkError, match=r"add it with python -m training\.fit_domain"):
         describe(bare, MISSION)
 
 
@@ -336,7 +336,7 @@ def test_the_command_adds_the_domain_and_nothing_else(
         provenance = {"dataset": data.digest, "seed": SEED, "kept": "this"}
     before = dataclasses.replace(random_network("tau"), provenance=provenance)
     save_network(before, tmp_path / "tau.safetensors")
-    command = [sys.executable, "-m", "training.hull", str(stored), str(tmp_path)]
+    command = [sys.executable, "-m", "training.fit_domain", str(stored), str(tmp_path)]
     run = subprocess.run(command, capture_output=True, text=True, check=True)
     assert "samples of held-out trajectories are outside" in run.stdout
     after = load_network(tmp_path / "tau.safetensors")

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from c_runtime.verification.targets.reference import ReferenceGuidance
 from sailnet.errors import GuidanceError
 from sailnet.flight.closed_loop import History, fly_recorded
+from sailnet.flight.starts import random_starts
 from sailnet.guidance.interface import GuidanceStatus, Precision
 from sailnet.mission.disturbances import Disturbance
-from sailnet.montecarlo import random_starts
 from sailnet.physics.arrays import Array
 
 SEED = 20261121
