@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from export.domain import domain_tables
+from export.errors import ExportError
 from export.flight_tables import flight_tables, limits
 from export.host_tables import constants, stage_tables
 from export.numbers import LOG2_E, literal
@@ -26,8 +27,14 @@ def write_c(networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path) -> N
     """Write the flight file, its form for hosts, their header, and the batch entry that simulation adds.
 
     Raises:
-        ExportError: a weight does not fit single precision, or the networks do not fit each other.
+        ExportError: a weight does not fit single precision, the networks do not fit each other, or the
+            threshold of arrival is longer than steering holds a command.
     """
+    if facts.arrival_threshold > LARGEST_PERIOD:
+        raise ExportError(
+            f"arrival_threshold is {facts.arrival_threshold:g} TU, and no guidance period is longer than "
+            f"{LARGEST_PERIOD:g} TU: make it shorter"
+        )
     (folder / "sailnet_guidance.h").write_text(_header(networks, facts))
     (folder / "sailnet_guidance.c").write_text(_flight(networks, facts))
     (folder / "sailnet_guidance_host.c").write_text(_host(networks, facts))

@@ -86,8 +86,8 @@ typedef float sailnet_real;
 #define SAILNET_LEAST_COSINE2 SAILNET_REAL(0.05)
 
 /* The longest guidance period [TU]: half of the time over which the estimate forgets, some 29 days. One
-   measurement then counts for at most half, as it should, and the step that predicts it is exact to what
-   the sail does. It is also far below a flight: seconds, or days, passed for TU are told, not flown. */
+   measurement then counts for at most half, and the one step that predicts what the sail does costs it less
+   than a thousandth. It is also far below a flight: seconds, or days, passed for TU are told, not flown. */
 #define SAILNET_LARGEST_PERIOD SAILNET_REAL(0.5)
 
 /* Polar state in the orbital plane. */

@@ -14,7 +14,7 @@ from sailnet.guidance.backends import Backend, load_guidance
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import round_down
 from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Precision, Steering
-from sailnet.guidance.steering import ReferenceSteering
+from sailnet.guidance.steering import LARGEST_PERIOD, ReferenceSteering
 from sailnet.physics.arrays import Array
 from tests.conftest import Exported
 from tests.held_command import hold_command
@@ -22,7 +22,13 @@ from tests.random_networks import STATE_MAX, STATE_MIN
 
 MISSION = load_mission("earth_mars")
 PERIOD = 0.005
-PERIODS, NO_PERIODS = (0.005, 0.005, 0.005, 0.01, 0.1), (np.nan, -1.0, 0.0, np.inf)
+PERIODS, NO_PERIODS = (
+    (0.005, 0.005, 0.005, 0.01, 0.1, LARGEST_PERIOD),
+    (
+        *(np.nan, -1.0, 0.0, np.inf),
+        *(1.0001 * LARGEST_PERIOD, 432.0, 1e30),
+    ),
+)
 ALL = np.arange(1)
 
 every_precision = pytest.mark.parametrize("precision", ["float32", "float64"])
@@ -171,7 +177,7 @@ def test_any_bits_leave_steering_bounded(
         state = [data.draw(bits(precision)) for _ in range(3)]
         period = data.draw(bits(precision))
         steered = guidance.steer(memories, [state], period, ALL)
-        timed = np.isfinite(period) and period > 0.0
+        timed = 0.0 < period <= LARGEST_PERIOD
         assert low <= steered.beta[0] <= high
         assert abs(steered.cone_angle[0]) <= round_down(MISSION.problem.phi_max, precision)
         longest = max(period, MISSION.flight.arrival_threshold) if timed else 0.0
@@ -191,7 +197,7 @@ def test_any_numbers_leave_the_reference_bounded(approach_exported: Exported, da
     for _ in range(3):
         state, period = [data.draw(bits("float64")) for _ in range(3)], data.draw(bits("float64"))
         steered = reference.steer([state], period, ALL)
-        timed = np.isfinite(period) and period > 0.0
+        timed = 0.0 < period <= LARGEST_PERIOD
         assert low <= steered.beta[0] <= high
         assert 0.0 <= steered.hold[0] <= (max(period, MISSION.flight.arrival_threshold) if timed else 0.0)
 
