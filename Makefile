@@ -26,7 +26,7 @@ networks := $(run)/networks
 exported := $(run)/export
 learned  := $(run).h5
 
-.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship test test-tools tools peers checks lint clean
+.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship quick test test-tools tools peers checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -134,6 +134,10 @@ lint: | $(READY)
 	$(PYTHON) -m ruff format --check .
 	$(PYTHON) -m mypy
 	$(VENV)/bin/lint-imports --no-cache --no-logo
+
+# For someone at work: lint, and of every package the tests that take no second.
+quick: lint
+	$(PYTEST) -m "not (slow or $(TOOLS))"
 
 # Every test that needs no more than Python, make and a C compiler.
 test: lint
