@@ -20,7 +20,7 @@ PYTEST  := OMP_NUM_THREADS=1 $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
 # What a data set depends on, and what is compiled when the package is installed.
 physics  := $(wildcard sailnet/physics/*.py sailnet/expert/*.py)
-plant    := $(wildcard c_runtime/plant/*)
+plant    := $(wildcard c_runtime/simulation/plant/*.* c_runtime/simulation/plant/*/*)
 mission  := $(wildcard sailnet/mission/missions/$(MISSION).toml sailnet/mission/*.py)
 run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
@@ -42,8 +42,8 @@ paper:
 
 setup: $(READY)
 
-$(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance.c) \
-    c_runtime/shared_library.py $(plant)
+$(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance*.c) \
+    c_runtime/builds.py c_runtime/shared_library.py $(plant)
 	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }
 	@$(PYTHON) --version >/dev/null 2>&1 || $(PYTHON3) -m venv $(VENV) || \
@@ -69,7 +69,8 @@ $(networks)/trained: $(learned) $(wildcard sailnet/networks/*.py training/*.py) 
 
 # The paper compares with guidance by two networks: it needs the one for the signed cone angle.
 export: $(exported)/exported
-$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/include/* c_runtime/source/* c_runtime/source/*/*) | $(READY)
+$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/builds.py \
+    $(addsuffix /*.*,c_runtime/flight c_runtime/simulation c_runtime/simulation/host)) | $(READY)
 	$(PYTHON) -m export $(networks) $(exported) --mission $(MISSION) \
 	    $(if $(filter wide,$(RECIPE)),,--baseline $(networks)/alpha.safetensors)
 	@touch $@
@@ -82,7 +83,7 @@ evaluate: $(exported)/exported
 # source that flights depend on have changed: the command knows.
 accept: $(exported)/exported
 	$(VENV)/bin/sailnet evaluate --campaign acceptance --mission $(MISSION) --networks $(exported) \
-	    --flights $(FLIGHTS) --seed $(SEED) --workers 2 --output $(run) --overwrite
+	    --flights $(FLIGHTS) --seed $(SEED) --workers 2 --output $(run) --overwrite $(if $(RESTART),--restart)
 
 # Every other campaign with the networks that ship: results, pages, pictures; then the tables of them. One that
 # was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
@@ -94,8 +95,8 @@ campaigns: | $(READY)
 	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.score_tables $(BUILD)/campaigns sailnet/campaign/RESULTS.md)
 
 bench: $(run)/bench.json
-$(run)/bench.json: $(exported)/exported $(wildcard c_runtime/bench/*) | $(READY)
-	$(PYTHON) -m c_runtime.bench $(exported) --networks $(networks) --json > $@
+$(run)/bench.json: $(exported)/exported $(wildcard c_runtime/verification/bench/*) | $(READY)
+	$(PYTHON) -m c_runtime.verification.bench $(exported) --networks $(networks) --json > $@
 
 $(run)/agreement.json: $(exported)/exported | $(READY)
 	$(PYTHON) -m export.agreement $(networks) $(exported) --dataset $(learned) > $@
@@ -103,7 +104,7 @@ $(run)/agreement.json: $(exported)/exported | $(READY)
 # Of the paper's form only: RECIPE=box. What is flown already is only drawn anew.
 report: $(run)/bench.json $(run)/agreement.json
 	$(PYTHON) -m sailnet.report --mission $(MISSION) --build $(run) --dataset $(learned) --output $(run)/report \
-	    --seed $(SEED) --overwrite
+	    --seed $(SEED) --overwrite $(if $(RESTART),--restart)
 
 # Make the networks of the last run the ones that come with the package; their figures go into the model
 # card and, with those of the last `make paper`, into RESULTS.md; a few into the README.

@@ -63,12 +63,12 @@ CAMPAIGNS = {
 
 def python_loop(mission: Mission, guidance: Guidance, starts: Array) -> tuple[Array, Array, int]:
     """(n, 3) ends, (n,) times of flight and the number of periods, without disturbances."""
-    count, held = len(starts), mission.flight.period
+    count, period = len(starts), mission.flight.period
     states = np.zeros((4, count))
     states[[0, 2, 3]] = starts.T
     duration, steering, flying, periods = np.zeros(count), guidance.steering(count), np.arange(count), 0
     while len(flying) and duration.max() < mission.flight.longest:
-        steered = steering.steer(states[[0, 2, 3]][:, flying].T, held, flying)
+        steered = steering.steer(states[[0, 2, 3]][:, flying].T, period, flying)
         states[:, flying] = runge_kutta_step(
             states[:, flying], steered.cone_angle, mission.sail.beta, steered.hold
         )

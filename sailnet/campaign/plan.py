@@ -7,8 +7,9 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import AfterValidator, Field, ValidationError, model_validator
 
-from sailnet.errors import CampaignError, SailnetError
+from sailnet.errors import CampaignError, GuidanceError, SailnetError
 from sailnet.flight.starts import random_starts
+from sailnet.guidance.steering import refuse_long_period
 from sailnet.mission.disturbances import Disturbance, disturbance_from
 from sailnet.mission.explanation import explain
 from sailnet.mission.mission import Mission
@@ -28,6 +29,17 @@ def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
 
 
 Increasing = Annotated[tuple[Positive, ...], Field(strict=False, min_length=1), AfterValidator(_increasing)]
+
+
+def _short_enough(values: tuple[float, ...]) -> tuple[float, ...]:
+    try:
+        refuse_long_period(max(values))
+    except GuidanceError as error:
+        raise ValueError(str(error)) from error
+    return values
+
+
+Periods = Annotated[Increasing, AfterValidator(_short_enough)]
 
 
 def _known(table: dict[str, Any]) -> dict[str, Any]:
@@ -58,7 +70,7 @@ class Series(Section):
     mission: str | None = None
     flights: Count | None = None
     starts: Starts | None = None
-    periods: Increasing | None = None
+    periods: Periods | None = None
     disturbance: Annotated[dict[str, Any], AfterValidator(_known)] = Field(default_factory=dict)
     optima: Annotated[int, Field(ge=0)] | None = None
 
@@ -104,7 +116,7 @@ class Plan(Section):
     seed: Seed = 2
     flights: Count | None = None
     starts: Starts = "generalisation"
-    periods: Increasing | None = None
+    periods: Periods | None = None
     optima: Annotated[int, Field(ge=0)] = 0
     thresholds: Increasing = (1e-4, 1e-3, 1e-2)
     sample: Annotated[int, Field(ge=0)] = 10

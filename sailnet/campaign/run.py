@@ -47,7 +47,7 @@ def fly_plan(
         workers: who flies; this process by default.
         restart: fly everything anew, whatever there is.
         overwrite: replace a finished file of another mission, campaign or guidance.
-        facts: about the guidance, beside its networks: back end and precision.
+        facts: about the guidance, beside its networks: back end, precision and layout.
 
     Raises:
         SailnetError: the file holds something else that is finished, or cannot be written; a flight that

@@ -29,7 +29,12 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     mission, plan = load_mission(options.mission), load_plan(options.campaign)
     plan = plan.changed(options.flights, options.seed)
     need_pictures()
-    guidance = load_guidance(mission, options.backend, options.precision, options.networks)
+    guidance = load_guidance(
+        mission, options.backend, options.precision, options.networks, layout=options.layout
+    )
+    facts = {"backend": options.backend, "precision": options.precision}
+    if options.backend == "c":
+        facts["layout"] = options.layout
     stored: Path = options.output / f"{plan.name}.h5"
     folder: Path = options.output / plan.name
     alone = options.workers == 1 and options.scheduler is None
@@ -42,7 +47,7 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
             workers=pool,
             restart=options.restart,
             overwrite=options.overwrite,
-            facts={"backend": options.backend, "precision": options.precision},
+            facts=facts,
         )
     scores = scores_of(results)
     if not options.json:

@@ -41,6 +41,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--flights", type=int, metavar="N", help="random starts (default: 1000)")
     parser.add_argument("--seed", type=int, default=2, help="of noise and random starts (%(default)s)")
+    parser.add_argument("--restart", action="store_true", help="throw away what was flown before")
     parser.add_argument(
         "--overwrite", action="store_true", help="replace flights of other networks, or of another seed"
     )
@@ -78,15 +79,16 @@ def _run(options: argparse.Namespace) -> None:
     need_pictures()
     mission = load_mission(options.mission)
     plan = load_plan("paper").changed(options.flights, options.seed)
-    folder, output, overwrite = options.build / "networks", options.output, options.overwrite
+    folder, output = options.build / "networks", options.output
+    anew = {"restart": options.restart, "overwrite": options.overwrite}
     names = [name for name in NETWORKS if (folder / f"{name}.safetensors").exists()]
     networks = {name: load_network(folder / f"{name}.safetensors") for name in names}
     guidance = load_guidance(mission, "c", "float64", options.build / "export")
     baseline = OnnxGuidance(mission, options.build / "export" / "baseline_f64.onnx")
     timings, agreement = _optional(options.build / "bench.json"), _optional(options.build / "agreement.json")
-    results = fly_plan(mission, guidance, plan, output / f"{plan.name}.h5", overwrite=overwrite)
+    results = fly_plan(mission, guidance, plan, output / f"{plan.name}.h5", **anew)
     cases = two_network_plan(plan)
-    two_results = fly_plan(mission, baseline, cases, output / f"{cases.name}.h5", overwrite=overwrite)
+    two_results = fly_plan(mission, baseline, cases, output / f"{cases.name}.h5", **anew)
     two = flown_cases(two_results, baseline)
     with open_dataset(options.dataset, mission) as data:
         rows = [

@@ -414,6 +414,7 @@ def broken(change: Callable[[dict[str, Any]], object]) -> str:
         (lambda c: c["series"][0].update(name="rough"), "same name"),
         (lambda c: c["series"][1].pop("flights"), "how many flights of 'rough'"),
         (lambda c: c["series"][0].update(periods=[0.02, 0.01]), "must increase"),
+        (lambda c: c["series"][0].update(periods=[0.02, 432.0]), "the longest is 0.5 TU, 29 days"),
         (lambda c: c["series"][0].update(periods=[]), "series.0.periods"),
         (lambda c: c.update(thresholds=[float("nan")]), "thresholds"),
         (lambda c: c["series"][0].update(starts=[[-1.0, 0.0, 1.0]]), "starts"),

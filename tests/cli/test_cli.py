@@ -111,12 +111,12 @@ def test_negative_numbers_are_numbers(number: str) -> None:
     assert _json("guide", "1.2", number, "0.95")["status"] == "ok"
 
 
-def test_fly_reaches_the_target_with_both_back_ends() -> None:
+def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
     keys = {"arrived", "time_of_flight", "terminal_error", "max_cone_angle", "optimal_time_of_flight"}
     keys |= {"beta_error", "beta_estimate", "ending", "nearest_error"}
     ends = []
-    for backend in ("c", "onnx"):
-        result = _json("fly", "1", "0", "1", "--backend", backend)
+    for options in (("--backend", "onnx"), ("--layout", "host"), ()):
+        result = _json("fly", "1", "0", "1", *options)
         assert set(result) == keys
         assert result["arrived"] is True
         assert result["ending"] == "stopped"
@@ -124,7 +124,9 @@ def test_fly_reaches_the_target_with_both_back_ends() -> None:
         assert result["beta_estimate"] == pytest.approx(0.16892, rel=1e-6)
         assert result["optimal_time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
         ends.append([*result["terminal_error"], result["time_of_flight"]])
-    assert ends[0] == pytest.approx(ends[1], abs=1e-9)
+    for other in ends[:2]:
+        assert ends[2] == pytest.approx(other, abs=1e-9)
+        assert ends[2] != other
 
 
 def test_evaluate_counts_arrivals() -> None:
@@ -156,6 +158,8 @@ def test_evaluate_counts_arrivals() -> None:
         (("guide", "1", "0", "1", "--networks", "no/such/folder"), "no/such/folder"),
         (("fly", "1", "0", "1", "--beta-bias", "-2"), "bias"),
         (("fly", "1", "0", "1", "--period", "0"), "period"),
+        (("fly", "1", "0", "1", "--period", "86400"), "the longest is 0.5 TU, 29 days"),
+        (("evaluate", "--flights", "2", "--period", "0.51"), "Periods are in TU, of 5,022,643 s"),
         (("fly", "1", "0", "1", "--rate-limit", "-1"), "rate_limit must be from 0"),
         (("fly", "1", "0", "1", "--delay", "nan"), "delay must be a finite number"),
         (("fly", "1", "0", "1", "--optics", "mirror"), "jpl"),

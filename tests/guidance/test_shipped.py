@@ -1,5 +1,7 @@
 """The networks that come with the package: what the README promises of them."""
 
+from typing import get_args
+
 import numpy as np
 import pytest
 
@@ -10,7 +12,7 @@ from sailnet.campaign.scores import attitude_violations
 from sailnet.expert.fastest import solve
 from sailnet.flight.closed_loop import fly
 from sailnet.guidance.backends import Backend, load_guidance
-from sailnet.guidance.interface import Precision
+from sailnet.guidance.interface import Layout, Precision
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission, shipped_missions
 from sailnet.networks.guidance_networks import load_guidance_networks
@@ -47,14 +49,15 @@ def test_every_back_end_and_precision_ends_on_the_target(
     assert flight.terminal_error.max() < (5e-6 if precision == "float64" else 3e-4)
 
 
-def test_c_and_onnx_fly_to_the_same_place(mission: Mission) -> None:
+def test_both_layouts_and_onnx_fly_to_the_same_place(mission: Mission) -> None:
     starts = np.array([*CASES.values(), NOISE_START])
     noise = Disturbance(beta_noise=NOISE, seed=8)
-    ends = [
-        fly(mission, load_guidance(mission, backend), starts, disturbance=noise).ends
-        for backend in ("c", "onnx")
-    ]
-    np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-9)
+    guidances = [load_guidance(mission, layout=layout) for layout in get_args(Layout)]
+    guidances.append(load_guidance(mission, "onnx"))
+    flight, *others = (fly(mission, guidance, starts, disturbance=noise).ends for guidance in guidances)
+    for ends in others:
+        np.testing.assert_allclose(ends, flight, rtol=0, atol=1e-9)
+        assert not np.array_equal(ends, flight)
 
 
 @pytest.mark.parametrize(

@@ -38,7 +38,8 @@ def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     python("-m", "export", build / "networks", build / "export", "--mission", mission)
     flown = ("--mission", mission, "--networks", build / "export", "--flights", "6", "--output", build)
     python("-m", "sailnet.cli", "evaluate", "--campaign", "acceptance", *flown)
-    timed = python("-m", "c_runtime.bench", build / "export", "--networks", build / "networks", "--json")
+    bench = "c_runtime.verification.bench"
+    timed = python("-m", bench, build / "export", "--networks", build / "networks", "--json")
     (build / "bench.json").write_text(timed.stdout)
     data = ("--dataset", build / "wide.h5", "--states", "500")
     compared = python("-m", "export.agreement", build / "networks", build / "export", *data)

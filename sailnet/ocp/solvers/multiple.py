@@ -20,6 +20,7 @@ from sailnet.ocp.propagation.switching import zero_crossings
 from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.continuation import Schedule, follow
 from sailnet.ocp.solvers.newton import solve_equations
+from sailnet.ocp.solvers.one_thread import on_one_thread
 from sailnet.ocp.solvers.options import check_at_least, check_positive, check_smoothed
 from sailnet.ocp.solvers.shooting import GOAL
 from sailnet.physics.arrays import Array
@@ -130,6 +131,7 @@ class Options:
         check_at_least(self, 1, "pieces", "iterations", "samples")
 
 
+@on_one_thread
 def solve(problem: Problem, guess: Solution, *, options: Options | None = None) -> Solution:
     """Solve an autonomous problem by multiple shooting.
 

@@ -15,6 +15,7 @@ from sailnet.ocp.definition.solution import ConvergenceError, Solution, Step
 from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.continuation import Schedule, follow
 from sailnet.ocp.solvers.newton import Root
+from sailnet.ocp.solvers.one_thread import on_one_thread
 from sailnet.ocp.solvers.options import check_at_least, check_positive, check_smoothed
 from sailnet.ocp.solvers.ponn.bases import Basis, Chebyshev
 from sailnet.ocp.solvers.ponn.network import Network
@@ -141,6 +142,7 @@ class Trainer:
         )
 
 
+@on_one_thread
 def solve(
     problem: Problem, guess: Solution | RandomWeights | None = None, *, options: Options | None = None
 ) -> Solution:

@@ -17,6 +17,7 @@ from sailnet.ocp.definition.solution import ConvergenceError, Solution, Step
 from sailnet.ocp.propagation.switching import structure_of
 from sailnet.ocp.propagation.tangents import LostError
 from sailnet.ocp.solvers.arcs import LAWFUL, Arcs
+from sailnet.ocp.solvers.one_thread import on_one_thread
 from sailnet.ocp.solvers.options import check_at_least, check_positive
 from sailnet.ocp.solvers.ponn.bases import Basis, Chebyshev
 from sailnet.ocp.solvers.ponn.network import Network
@@ -62,6 +63,7 @@ class Options:
         check_at_least(self, 1, "order", "iterations", "samples")
 
 
+@on_one_thread
 def solve(problem: Problem, guess: Solution, *, options: Options | None = None) -> Solution:
     """Solve the limit problem by a network on every arc of a given structure.
 
