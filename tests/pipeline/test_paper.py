@@ -23,6 +23,7 @@ TOY = {
     "curvature_samples": "1500",
     "validation_samples": "800",
     "epochs": "15",
+    "longest": "12.0",
 }
 
 
