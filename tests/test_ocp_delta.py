@@ -212,6 +212,7 @@ def test_no_control_has_less_than_the_least_hamiltonian(seed: int) -> None:
     s = np.linspace(0.0, 1.0, 21)
     criteria = found.evaluate(z, s)[1]
     finite = np.isfinite(criteria.delta_s_h)
+    assert finite.any()
     assert np.all(
         criteria.delta_s_h[finite] >= -1e-9 * (1.0 + np.abs(criteria.hamiltonian[finite]).sum(axis=1))
     )
@@ -374,8 +375,7 @@ def test_sensitivities_are_those_of_flights(
         return np.concatenate([[linear.cost], linear.errors])
 
     linear = linearised(flyer, z, 100, softness)
-    if controls.switched:
-        assert switches(controls, z)
+    assert bool(switches(controls, z)) == bool(controls.switched)
     expected = np.array([(values(z + h) - values(z - h)) / 2e-5 for h in 1e-5 * np.eye(len(z))]).T
     found = np.vstack([linear.cost_slope, linear.error_slopes])
     for row, wanted in zip(found, expected, strict=True):
