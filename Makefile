@@ -13,6 +13,9 @@ PYTHON3 ?= python3
 VENV    ?= .venv
 PYTHON  := $(VENV)/bin/python
 READY   := $(VENV)/.ready
+# Markers of tests that need more than a bare machine has; pyproject.toml says what each is.
+TOOLS   := emulator or browser or analyser or peer or install or mount or cuda
+PYTEST  := $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
 # What a data set depends on; what flights depend on.
 physics  := $(wildcard sailnet/physics/*.py sailnet/expert/*.py)
@@ -23,7 +26,7 @@ networks := $(run)/networks
 exported := $(run)/export
 learned  := $(run).h5
 
-.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship test checks lint clean
+.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship test test-tools tools peers checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -109,9 +112,13 @@ ship: $(run)/acceptance.json $(run)/bench.json $(run)/agreement.json
 	    $(addprefix --paper ,$(wildcard $(BUILD)/box/report/report.json))
 
 # The expert, generation, coverage and training beside their peers; some twenty minutes.
-# torch-levenberg-marquardt takes part if it is installed: pip install -c constraints.txt -e '.[benchmarks]'.
+# torch-levenberg-marquardt takes part if it is installed: make peers.
 benchmarks: | $(READY)
 	$(PYTHON) -m benchmarks --seed $(SEED)
+
+# Packages that ours are compared with.
+peers: | $(READY)
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[benchmarks]'
 
 # Every figure that the four papers on optimal control print, beside ours and a second method's, and a page with
 # every solution drawn; some minutes.
@@ -124,9 +131,21 @@ lint: | $(READY)
 	$(PYTHON) -m ruff check .
 	$(PYTHON) -m ruff format --check .
 	$(PYTHON) -m mypy
+	$(VENV)/bin/lint-imports --no-cache --no-logo
 
+# Every test that needs no more than Python, make and a C compiler.
 test: lint
-	$(PYTHON) -m pytest -n $(JOBS) --dist worksteal
+	$(PYTEST) -m "not ($(TOOLS))"
+
+# The others. A tool that is missing is named with the line that installs it; where CI=true that fails.
+test-tools: | $(READY)
+	$(PYTEST) -m "$(TOOLS)"
+
+# Debian's packages that test-tools and checks call: apt-get install $(make -s tools).
+tools:
+	@echo clang libclang-rt-14-dev g++ libc6-dev-i386 valgrind cppcheck frama-c-base chromium \
+	    gcc-arm-none-eabi qemu-system-arm gcc-sparc64-linux-gnu qemu-system-sparc gcc-riscv64-unknown-elf \
+	    qemu-system-misc gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
 
 # Proof, fuzzing, memcheck, MISRA, coverage and warnings of the C that ships; a tool that is missing is named.
 checks: | $(READY)

@@ -3,13 +3,14 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.dataset import JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG, Block
+from sailnet.dataset import JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG, SAMPLES, Block
 from sailnet.physics.arrays import Array
 from sailnet.physics.jumps import preprocess
 from sailnet.physics.pontryagin import guidance_law
 from sailnet.physics.transfer import Transfer
 
-COLUMNS = ("r", "u", "v", "lambda_r", "lambda_u", "lambda_v", "tau", "alpha", "alpha_pre", "beta")
+PROPAGATED = ("r", "u", "v", "lambda_r", "lambda_u", "lambda_v")
+"""Of a state and its costates, in the order in which they are propagated."""
 
 AT_ONCE = 20_000
 """Samples worked on at once: few enough to stay in the processor's cache."""
@@ -33,17 +34,18 @@ def block_of(
         jump_time: (n,) time to go at the jump, NaN without one.
         lengths: (n,) samples of each trajectory.
     """
-    columns = np.empty((len(COLUMNS), len(tau)))
+    columns = {name: np.empty(len(tau)) for name in SAMPLES if name != "trajectory"}
+    columns["tau"][:], columns["beta"][:] = tau, transfer.beta
     jump = np.repeat(jump_time, lengths)
     for start in range(0, len(tau), AT_ONCE):
         rows = slice(start, start + AT_ONCE)
-        columns[:6, rows] = states[rows].T
-        alpha = guidance_law(transfer, *columns[4:6, rows])
-        columns[6, rows], columns[7, rows] = tau[rows], alpha
-        columns[8, rows] = preprocess(alpha, tau[rows], jump[rows])
-    columns[9] = transfer.beta
+        for name, values in zip(PROPAGATED, states[rows].T, strict=True):
+            columns[name][rows] = values
+        alpha = guidance_law(transfer, columns["lambda_u"][rows], columns["lambda_v"][rows])
+        columns["alpha"][rows] = alpha
+        columns["alpha_pre"][rows] = preprocess(alpha, tau[rows], jump[rows])
     return Block(
-        dict(zip(COLUMNS, columns, strict=True)),
+        columns,
         {
             "lambda_r0": costates[:, 0],
             "lambda_u0": costates[:, 1],

@@ -17,6 +17,7 @@ from sailnet.physics.transfer import Transfer
 from tests.random_networks import random_guidance, random_network, save_guidance
 from tests.reference import Array
 from tests.small_datasets import NOMINAL, pieces, with_recipe
+from tests.tools import pytest_runtest_makereport, pytest_runtest_setup  # noqa: F401 (hooks)
 
 
 @pytest.fixture(scope="session")

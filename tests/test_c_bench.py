@@ -23,6 +23,7 @@ from sailnet.errors import GuidanceError
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import Network
 from tests.conftest import Exported
+from tests.tools import needs_peer
 
 QUICK = ("--batches", "2", "--milliseconds", "0.05")
 
@@ -127,13 +128,10 @@ def test_every_build_and_peer_is_in_the_table(
     assert {"onnxruntime, C API, float32", "onnxruntime, Python, float64"} <= found["ratios"].keys()
 
 
+@needs_peer("emlearn")
 @pytest.mark.usefixtures("native_only")
-def test_emlearn_takes_part_where_it_is_installed(
-    exported: Exported, capsys: pytest.CaptureFixture[str]
-) -> None:
-    with np.errstate():  # emlearn changes it
-        pytest.importorskip("emlearn")
-    before = np.geterr()
+def test_emlearn_takes_part(exported: Exported, capsys: pytest.CaptureFixture[str]) -> None:
+    before = np.geterr()  # importing emlearn changes it
     found = _report(exported, capsys)
     assert {"emlearn", "emlearn, -ffast-math"} <= {row["what"] for row in found["rows"]}
     assert "emlearn, float32" in found["ratios"]

@@ -11,10 +11,18 @@ import pytest
 from c_runtime.checks import coverage, misra
 from c_runtime.checks.flight_file import defines, places, tags
 from tests.conftest import Exported
+from tests.tools import missing, needs
 
 C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
 SHIPPED = C_RUNTIME.parent / "sailnet" / "shipped" / "earth_mars"
-TARGETS = ("fuzz", "valgrind", "misra", "coverage-c", "warnings")
+# What `make` calls for each, and the packages it is in.
+TARGETS = {
+    "fuzz": (missing("clang"), ("clang", "libclang-rt-14-dev")),
+    "valgrind": (missing("valgrind"), ("valgrind",)),
+    "misra": (missing("cppcheck"), ("cppcheck",)),
+    "coverage-c": (missing("gcc", "gcov"), ("gcc",)),
+    "warnings": (missing("gcc", "g++", "clang"), ("gcc", "g++", "clang", "libc6-dev-i386")),
+}
 BUDGET = (
     "FUZZ_RUNS=3000",
     "MEMCHECK_RUNS=300",
@@ -22,8 +30,13 @@ BUDGET = (
 )
 
 
+def needs_tools_of(target: str) -> pytest.MarkDecorator:
+    absent, packages = TARGETS[target]
+    return needs("analyser", absent, *packages)
+
+
 def make(target: str, exported: Path, build: Path, *settings: str) -> subprocess.CompletedProcess[str]:
-    """Run a target of c_runtime; skips the test if its tool is not here."""
+    """Run a target of c_runtime; skips the test if a library of its tools is not here."""
     command = ["make", "-s", target, f"EXPORTED={exported}", f"BUILD={build}", "REQUIRE=", *BUDGET, *settings]
     run = subprocess.run(
         command, cwd=C_RUNTIME, capture_output=True, text=True, check=False, errors="replace", timeout=300
@@ -34,7 +47,7 @@ def make(target: str, exported: Path, build: Path, *settings: str) -> subprocess
     return run
 
 
-@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("target", [pytest.param(name, marks=needs_tools_of(name)) for name in TARGETS])
 def test_nothing_is_found(exported: Exported, tmp_path: Path, target: str) -> None:
     builds = "f64" if exported.networks.approach else "f32_compact"
     run = make(target, exported.folder, tmp_path, f"BUILDS={builds}")
@@ -155,7 +168,9 @@ MUTANTS = {
 }
 
 
-@pytest.mark.parametrize("mutant", MUTANTS)
+@pytest.mark.parametrize(
+    "mutant", [pytest.param(name, marks=needs_tools_of(mutant[0])) for name, mutant in MUTANTS.items()]
+)
 def test_defects_are_found(approach_exported: Exported, tmp_path: Path, mutant: str) -> None:
     target, old, new, message = MUTANTS[mutant]
     folder = mutated(approach_exported.folder, tmp_path / "exported", old, new)
@@ -164,6 +179,7 @@ def test_defects_are_found(approach_exported: Exported, tmp_path: Path, mutant: 
     assert message in run.stdout + run.stderr
 
 
+@needs_tools_of("fuzz")
 def test_a_knot_beyond_the_last_is_found(tmp_path: Path) -> None:
     """Of the networks that ship: the tube of random ones holds every state."""
     old = "before < SAILNET_KNOTS - 2 ? before : SAILNET_KNOTS - 2;"
@@ -173,6 +189,7 @@ def test_a_knot_beyond_the_last_is_found(tmp_path: Path) -> None:
     assert "out of bounds" in run.stdout
 
 
+@needs_tools_of("misra")
 def test_a_listed_deviation_that_is_gone_fails(approach_exported: Exported, tmp_path: Path) -> None:
     listed = (C_RUNTIME / "MISRA.md").read_text()
     row = "| 12.1 | advisory |"

@@ -1,4 +1,4 @@
-import shutil
+import shlex
 import subprocess
 from pathlib import Path
 
@@ -6,25 +6,19 @@ import pytest
 
 from c_runtime.shared_library import BUILDS
 from tests.conftest import Exported
+from tests.tools import every_compiler, missing, needs
 
 C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
 FAST = "-O3 -march=native -fno-trapping-math -fno-tree-vectorize -ffp-contract=fast"
 # Undefined behaviour ends the program; needs no library of the sanitizer.
 TRAPPING = "-O1 -fsanitize=undefined -fsanitize-undefined-trap-on-error"
-COMPILERS = [name for name in ("gcc", "clang", "clang-14") if shutil.which(name)]
-
-every_compiler = pytest.mark.parametrize("compiler", COMPILERS)
 every_build = pytest.mark.parametrize("defines", BUILDS.values(), ids=BUILDS)
-
-
-def test_there_is_a_compiler() -> None:
-    assert COMPILERS
 
 
 @every_compiler
 @pytest.mark.parametrize("flags", ["-O2", FAST, TRAPPING])
-def test_unit_tests_in_c(exported: Exported, tmp_path: Path, compiler: str, flags: str) -> None:
+def test_unit_tests_in_c(exported: Exported, tmp_path: Path, compiler: list[str], flags: str) -> None:
     run = subprocess.run(
         [
             "make",
@@ -32,7 +26,7 @@ def test_unit_tests_in_c(exported: Exported, tmp_path: Path, compiler: str, flag
             "test",
             f"EXPORTED={exported.folder}",
             f"BUILD={tmp_path}",
-            f"CC={compiler}",
+            f"CC={shlex.join(compiler)}",
             f"CFLAGS={flags}",
         ],
         cwd=C_RUNTIME,
@@ -48,11 +42,11 @@ def test_unit_tests_in_c(exported: Exported, tmp_path: Path, compiler: str, flag
 @every_build
 @pytest.mark.parametrize("level", ["-O2", "-O3"])
 def test_flight_file_compiles_without_a_warning(
-    exported: Exported, tmp_path: Path, compiler: str, defines: tuple[str, ...], level: str
+    exported: Exported, tmp_path: Path, compiler: list[str], defines: tuple[str, ...], level: str
 ) -> None:
     for file in ("sailnet_guidance.c", "sailnet_batch.c"):
         command = [
-            compiler,
+            *compiler,
             "-std=c99",
             level,
             *defines,
@@ -65,7 +59,7 @@ def test_flight_file_compiles_without_a_warning(
         subprocess.run(command, cwd=exported.folder, check=True)
 
 
-@pytest.mark.skipif(not shutil.which("g++"), reason="no C++ compiler (apt install g++)")
+@needs("analyser", missing("g++"), "g++")
 @every_build
 def test_flight_file_is_cplusplus_too(exported: Exported, tmp_path: Path, defines: tuple[str, ...]) -> None:
     command = ["g++", "-x", "c++", "-std=c++11", *defines, *WARNINGS, "-c", "sailnet_guidance.c"]
@@ -73,8 +67,8 @@ def test_flight_file_is_cplusplus_too(exported: Exported, tmp_path: Path, define
 
 
 @every_compiler
-def test_fast_math_is_refused(exported: Exported, compiler: str) -> None:
-    command = [compiler, "-std=c99", "-ffast-math", "-fsyntax-only", "sailnet_guidance.c"]
+def test_fast_math_is_refused(exported: Exported, compiler: list[str]) -> None:
+    command = [*compiler, "-std=c99", "-ffast-math", "-fsyntax-only", "sailnet_guidance.c"]
     run = subprocess.run(command, cwd=exported.folder, capture_output=True, text=True, check=False)
     assert run.returncode != 0
     assert "guards against NaN" in run.stderr
@@ -83,10 +77,10 @@ def test_fast_math_is_refused(exported: Exported, compiler: str) -> None:
 @every_compiler
 @every_build
 def test_flight_file_needs_nothing_and_writes_nothing_static(
-    exported: Exported, tmp_path: Path, compiler: str, defines: tuple[str, ...]
+    exported: Exported, tmp_path: Path, compiler: list[str], defines: tuple[str, ...]
 ) -> None:
     object_file = tmp_path / "guidance.o"
-    command = [compiler, "-std=c99", "-O2", *defines, "-c", "sailnet_guidance.c", "-o", str(object_file)]
+    command = [*compiler, "-std=c99", "-O2", *defines, "-c", "sailnet_guidance.c", "-o", str(object_file)]
     subprocess.run(command, cwd=exported.folder, check=True)
     symbols = subprocess.run(["nm", object_file], capture_output=True, text=True, check=True).stdout
     kinds = {line.split()[-1]: line.split()[-2] for line in symbols.splitlines()}

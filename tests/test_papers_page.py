@@ -35,6 +35,7 @@ from sailnet.report.flight_page import LIBRARY
 from sailnet.report.problem_views import VIEWS, view_of
 from sailnet.report.solution_charts import expected_hamiltonian, solution_charts
 from tests.browser import told
+from tests.tools import needs_browser
 
 
 def _stalled() -> list[Row]:
@@ -95,6 +96,7 @@ setTimeout(() => {
 """
 
 
+@needs_browser()
 @pytest.mark.parametrize("width", [1280, 390])
 def test_every_solution_has_its_charts(made: Made, tmp_path: Path, width: int) -> None:
     said = told(made.folder / "index.html", tmp_path, width, LOOK)
@@ -112,6 +114,7 @@ def test_every_solution_has_its_charts(made: Made, tmp_path: Path, width: int) -
     assert said["small"] == 0
 
 
+@needs_browser()
 def test_a_link_of_the_table_opens_its_solution(made: Made, tmp_path: Path) -> None:
     text = (made.folder / "index.html").read_text("utf-8")
     places = re.findall(r'<td data-head="(?:problem|solver)"><a href="#([a-z0-9-]+)">', text)

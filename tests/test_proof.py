@@ -1,6 +1,5 @@
 """The proof of bounded, finite commands holds for either form of networks, and guards taken away break it."""
 
-import shutil
 from pathlib import Path
 
 import pytest
@@ -11,8 +10,9 @@ from c_runtime.proof.lemmas import check_lemmas
 from c_runtime.proof.mutants import MUTANTS, Mutant, caught, mutate
 from c_runtime.shared_library import PRECISIONS, PROVED_BUILDS
 from tests.conftest import Exported
+from tests.tools import missing, needs
 
-with_frama_c = pytest.mark.skipif(not shutil.which(FRAMA_C), reason="no frama-c (apt install frama-c-base)")
+with_frama_c = needs("analyser", missing(FRAMA_C), "frama-c-base")
 
 
 @with_frama_c

@@ -29,25 +29,23 @@ from c_runtime.targets.table import BEGIN, END, Limit, limits, table, write_tabl
 from sailnet.flight.closed_loop import History
 from sailnet.guidance.interface import GuidanceStatus, Precision
 from sailnet.networks.guidance_networks import load_guidance_networks
+from tests.tools import needs
 
 ROOT = Path(__file__).parent.parent
 SHIPPED = ROOT / "sailnet" / "shipped" / "earth_mars"
 README = ROOT / "c_runtime" / "README.md"
 
-every_target = pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.name)
+
+def needs_tools_of(target: Target) -> pytest.MarkDecorator:
+    return needs("emulator", missing_tools(target), *target.packages)
 
 
-def needs(target: Target) -> None:
-    missing = missing_tools(target)
-    if missing:
-        pytest.skip(f"no {', '.join(missing)}: apt-get install {' '.join(target.packages)}")
-
-
-def any_target() -> Target:
-    for target in TARGETS:
-        if not missing_tools(target):
-            return target
-    pytest.skip(f"no target's tools: apt-get install {' '.join(TARGETS[0].packages)}")
+every_target = pytest.mark.parametrize(
+    "target", [pytest.param(target, id=target.name, marks=needs_tools_of(target)) for target in TARGETS]
+)
+# The first whose tools are here.
+ANY_TARGET = next((target for target in TARGETS if not missing_tools(target)), TARGETS[0])
+needs_any_target = needs_tools_of(ANY_TARGET)
 
 
 @pytest.fixture(scope="module")
@@ -68,13 +66,11 @@ def flown(flights: list[History], monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture(scope="module")
 def bench(reference: ReferenceGuidance, tmp_path_factory: pytest.TempPathFactory) -> Bench:
-    needs(any_target())
     return Bench(reference, SHIPPED, tmp_path_factory.mktemp("targets"))
 
 
 @every_target
 def test_flight_file_runs_as_the_reference_says(bench: Bench, target: Target) -> None:
-    needs(target)
     for precision in target.precisions:
         exact = bench.measure(target, precision, "compact", False)
         assert exact.wrong == ()
@@ -96,7 +92,7 @@ def test_flight_file_runs_as_the_reference_says(bench: Bench, target: Target) ->
             assert fused.other_bits > 0
 
 
-@pytest.mark.skipif(bool(missing_tools(HOST)), reason=f"apt-get install {' '.join(HOST.packages)}")
+@needs_tools_of(HOST)
 def test_layouts_agree_on_the_host(bench: Bench) -> None:
     for precision in HOST.precisions:
         for layout in ("compact", "simd"):
@@ -130,7 +126,6 @@ int main(void)
 
 @every_target
 def test_instructions_of_a_known_loop_are_counted(target: Target, tmp_path: Path) -> None:
-    needs(target)
     text, register, expected = LOOPS[target.folder]
     source, program, counted = (tmp_path / name for name in ("loop.c", "program", "counted"))
     source.write_text(
@@ -149,11 +144,12 @@ def run_command(folder: Path, target: Target, *options: str) -> int:
     return command.main([str(SHIPPED), "--build", str(folder), "--targets", target.name, *options])
 
 
+@needs_any_target
 @pytest.mark.usefixtures("flown")
 def test_a_mutated_golden_vector_fails(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    target = any_target()
+    target = ANY_TARGET
 
     def mutated(*arguments: object) -> Golden:
         golden = golden_commands(*arguments)  # type: ignore[arg-type]
@@ -167,9 +163,10 @@ def test_a_mutated_golden_vector_fails(
     assert {row["exceeded"] for row in rows} == {1}
 
 
+@needs_any_target
 @pytest.mark.usefixtures("flown")
 def test_a_mutated_status_fails(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    target = any_target()
+    target = ANY_TARGET
 
     def mutated(*arguments: object) -> Golden:
         golden = golden_steering(*arguments)  # type: ignore[arg-type]
@@ -180,11 +177,12 @@ def test_a_mutated_status_fails(monkeypatch: pytest.MonkeyPatch, tmp_path: Path)
     assert run_command(tmp_path, target) == 1
 
 
+@needs_any_target
 @pytest.mark.usefixtures("flown")
 def test_a_whole_run_rewrites_the_table_of_a_readme(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    target = any_target()
+    target = ANY_TARGET
     readme = tmp_path / "README.md"
     readme.write_text(re.sub(rf"{BEGIN}.*{END}", f"{BEGIN}\nstale\n{END}", README.read_text(), flags=re.S))
     before, after = readme.read_text().split(f"{BEGIN}\nstale\n{END}")
@@ -218,7 +216,7 @@ def test_a_missing_tool_is_named(
     status: int,
 ) -> None:
     monkeypatch.setenv("CI", ci)
-    absent = dataclasses.replace(TARGETS[0], compiler="no-such-gcc")
+    absent = dataclasses.replace(TARGETS[0], compiler="no-such-gcc", emulator=("sh",))
     monkeypatch.setattr(command, "TARGETS", (absent,))
     assert run_command(tmp_path, absent, *options) == status
     (line,) = capsys.readouterr().out.strip().splitlines()
@@ -269,8 +267,8 @@ def test_golden_vectors_cover_what_can_happen(
     np.testing.assert_array_equal(commands.inputs.view(np.uint8), again.inputs.view(np.uint8))
 
 
+@needs_tools_of(HOST)
 def test_sizes_are_told_apart(tmp_path: Path) -> None:
-    needs(HOST)
     source, compiled = tmp_path / "file.c", tmp_path / "file.o"
     source.write_text(
         "extern int elsewhere(void); const int table[100] = {1}; static int zero[10]; int set[5] = {7};\n"

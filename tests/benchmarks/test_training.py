@@ -19,6 +19,7 @@ from benchmarks.training import (
     race,
     table,
 )
+from tests.tools import needs_peer
 from training.layers import Layers, forward
 from training.least_squares import LeastSquares
 from training.train import Problems
@@ -26,6 +27,7 @@ from training.train import Problems
 torch.set_num_threads(1)
 
 LAYERS = Layers((2, 3, 3, 1))
+PEERS = {"torch-levenberg-marquardt": needs_peer("torch_levenberg_marquardt")}
 
 
 def _problem(samples: int, seed: int) -> LeastSquares:
@@ -46,10 +48,8 @@ def test_module_computes_the_same_network_and_gives_its_parameters_back(run: Pro
     torch.testing.assert_close(module(run.test.inputs[:-1].T)[:, 0], expected, rtol=1e-13, atol=1e-13)
 
 
-@pytest.mark.parametrize("who", list(CONTESTANTS))
+@pytest.mark.parametrize("who", [pytest.param(who, marks=PEERS.get(who, ())) for who in CONTESTANTS])
 def test_contestants_lower_the_error_from_the_same_start(who: str, run: Problems) -> None:
-    if who == "torch-levenberg-marquardt":
-        pytest.importorskip("torch_levenberg_marquardt")
     *_, last = islice(CONTESTANTS[who](run.train, 5, 1e9), 200)
     assert run.train.loss(last) < 0.2 * run.train.loss(LAYERS.initial(5))
 

@@ -99,6 +99,7 @@ def test_a_killed_worker_costs_no_finished_flight(
     assert [path.name for path in tmp_path.iterdir()] == ["many.h5"]
 
 
+@pytest.mark.mount
 def test_a_disk_that_fills(
     campaign: tuple[Path, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

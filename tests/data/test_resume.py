@@ -191,6 +191,7 @@ def mounted(folder: Path, *arguments: str) -> Iterator[Path]:
         subprocess.run(["umount", "-l", str(folder)], check=True)
 
 
+@pytest.mark.mount
 def test_a_full_disk(tmp_path: Path, expected: str) -> None:
     tmpfs = ("-t", "tmpfs", "-o", "size=2m", "tmpfs")
     with mounted(tmp_path / "disk", *tmpfs) as disk:
@@ -204,6 +205,7 @@ def test_a_full_disk(tmp_path: Path, expected: str) -> None:
         completes(disk / "x.h5", expected)
 
 
+@pytest.mark.mount
 def test_a_read_only_target(tmp_path: Path) -> None:
     with mounted(tmp_path / "disk", "-t", "tmpfs", "-o", "ro", "tmpfs") as disk:
         status, said = finish(start(disk / "x.h5"))

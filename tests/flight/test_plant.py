@@ -1,7 +1,6 @@
 """The plant in C: its motion, its random numbers, its closed loop, each against something else."""
 
 import math
-import shutil
 import subprocess
 from functools import cache
 from itertools import pairwise
@@ -29,6 +28,7 @@ from tests.held_angle import hold_angle
 from tests.held_command import hold_command
 from tests.paths import ROOT
 from tests.pilots import MISSION, Constant, Pilot, Wobble
+from tests.tools import every_compiler
 
 EVERYTHING = Disturbance(
     beta_bias=-0.03,
@@ -348,17 +348,15 @@ def test_what_does_not_fit_the_period_is_refused(disturbance: Disturbance, perio
         fly(MISSION, Constant(0.0), [(1.0, 0.0, 1.0)], disturbance=disturbance, period=period)
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@every_compiler
 def test_the_plant_compiles_without_a_warning_and_stands_the_sanitizers(
-    compiler: str, tmp_path: Path
+    compiler: list[str], tmp_path: Path
 ) -> None:
-    if shutil.which(compiler) is None:
-        pytest.skip(f"{compiler} is not installed")
     program = tmp_path / "plant"
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
     checked = ["-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
     folder = ROOT / "c_runtime"
     files = [str(folder / "test" / "test_plant.c"), *map(str, plant_sources())]
-    command = [compiler, *strict, *checked, "-I", str(folder / "plant"), *files, "-lm"]
+    command = [*compiler, *strict, *checked, "-I", str(folder / "plant"), *files, "-lm"]
     subprocess.run([*command, "-o", str(program)], check=True, timeout=120)
     assert subprocess.run([str(program)], check=False, timeout=60).returncode == 0

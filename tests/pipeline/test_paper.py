@@ -1,10 +1,7 @@
 """The whole pipeline at toy size: mission file, data set, networks, C and ONNX, flights, report."""
 
 import json
-import os
 import re
-import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +11,8 @@ from sailnet.expert.fastest import sample, solve
 from sailnet.mission.mission import load_mission
 from sailnet.report.figures import Optimum
 from sailnet.report.reproduction import FOUR, reproduction_charts
+from tests.browser import browse
+from tests.tools import needs_browser
 from tests.toy_pipeline import python, toy_mission
 
 TOY = {
@@ -126,42 +125,19 @@ def test_a_data_set_of_another_mission_does_not_train(toy: Path) -> None:
     assert not list((toy / "elsewhere").glob("*.safetensors"))
 
 
-def _browser() -> str:
-    for name in ("chromium", "chromium-browser", "google-chrome"):
-        if path := shutil.which(name):
-            return path
-    pytest.skip("no Chromium: apt-get install chromium runs the page in a real browser")
-
-
-def _browse(page: Path, profile: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    quiet = (
-        "--disable-background-networking",
-        "--disable-component-update",
-        "--disable-sync",
-        "--no-first-run",
-    )
-    sandbox = ("--no-sandbox",) if os.geteuid() == 0 else ()
-    return subprocess.run(
-        [
-            _browser(), "--headless", "--disable-gpu", "--disable-quic", *quiet, *sandbox,
-            f"--user-data-dir={profile}", "--enable-logging=stderr", "--v=0", *arguments, page.as_uri(),
-        ],
-        capture_output=True, text=True, timeout=120,
-    )  # fmt: skip
-
-
+@needs_browser()
 def test_the_page_shows_in_a_browser_without_complaint(toy: Path, tmp_path: Path) -> None:
     page = toy / "report" / "index.html"
-    done = _browse(page, tmp_path / "profile", "--dump-dom")
-    assert "CONSOLE" not in done.stderr
+    shown = browse(tmp_path / "profile", page.as_uri())
     for name in ("trajectories", "commands", "predictions", "jump", "training", "campaign"):
-        assert f'id="{name}"' in done.stdout
-    assert done.stdout.count("<svg") == 6
-    assert done.stdout.count("<tr>") > 25
+        assert f'id="{name}"' in shown
+    assert shown.count("<svg") == 6
+    assert shown.count("<tr>") > 25
     # Self-contained: nothing is fetched when it is opened.
     assert not re.findall(r'(?:src|href)="(?!#)', page.read_text())
 
 
+@needs_browser()
 @pytest.mark.parametrize("width", [1280, 500])
 def test_the_page_fits_desktop_and_phone(toy: Path, tmp_path: Path, width: int) -> None:
     """At both widths the body is no wider than the window; the page measures itself."""
@@ -170,7 +146,7 @@ def test_the_page_fits_desktop_and_phone(toy: Path, tmp_path: Path, width: int) 
         "<script>document.title = document.documentElement.scrollWidth + '/' + innerWidth</script></body>"
     )
     page.write_text((toy / "report" / "index.html").read_text().replace("</body>", script))
-    done = _browse(page, tmp_path / "profile", "--dump-dom", f"--window-size={width},900")
-    measured = re.search(r"<title>(\d+)/(\d+)</title>", done.stdout)
+    shown = browse(tmp_path / "profile", f"--window-size={width},900", page.as_uri())
+    measured = re.search(r"<title>(\d+)/(\d+)</title>", shown)
     assert measured is not None
     assert int(measured[1]) <= int(measured[2])

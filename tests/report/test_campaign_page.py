@@ -35,6 +35,7 @@ from sailnet.report.flight_page import LIBRARY, chart_page
 from sailnet.report.opened import opened_groups
 from sailnet.report.packed import TOGETHER, pack_flights
 from tests.browser import browse, told
+from tests.tools import needs_browser
 
 MISSION = load_mission("earth_mars")
 GUIDANCE = load_guidance(MISSION)
@@ -91,6 +92,7 @@ setTimeout(() => {
 """
 
 
+@needs_browser()
 @pytest.mark.parametrize("width", [1280, 390])
 def test_charts_appear_and_a_failure_opens(flown: tuple[Results, Path], tmp_path: Path, width: int) -> None:
     """On a desktop and on a phone."""
@@ -119,6 +121,7 @@ def test_charts_appear_and_a_failure_opens(flown: tuple[Results, Path], tmp_path
     np.testing.assert_allclose(np.log10(said["off"]), np.log10(columns["off_r"]), atol=decades / 30_000)
 
 
+@needs_browser()
 def test_a_link_to_a_flight_opens_it(flown: tuple[Results, Path], tmp_path: Path) -> None:
     results, folder = flown
     row = int(results.kept[0])
@@ -273,19 +276,26 @@ def test_a_flight_is_shown_with_what_differs() -> None:
     assert set(few["time"]) < set(columns["time"])
 
 
+NOISY_FLIGHT = ("fly", "1.05", "0.15", "1.03", "--period", "0.02", "--beta-noise", "0.1")
+
+
 def test_fly_plots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    case = ("fly", "1.05", "0.15", "1.03", "--period", "0.02", "--beta-noise", "0.1")
-    picture, page = tmp_path / "x" / "f.png", tmp_path / "f.html"
-    assert main([*case, "--plot", str(picture)]) == 0
+    picture = tmp_path / "x" / "f.png"
+    assert main([*NOISY_FLIGHT, "--plot", str(picture)]) == 0
     with Image.open(picture) as drawn:
         assert min(drawn.size) > 1000
-    assert main([*case, "--plot", str(page), "--json"]) == 0
+    assert main([*NOISY_FLIGHT, "--plot", "f.svg"]) == 1
+    assert "FILE.png or FILE.html" in capsys.readouterr().err
+    assert main([*NOISY_FLIGHT, "--plot", str(picture / "in" / "f.png")]) == 1
+    assert "cannot write" in capsys.readouterr().err
+
+
+@needs_browser()
+def test_fly_plots_a_page(tmp_path: Path) -> None:
+    page = tmp_path / "f.html"
+    assert main([*NOISY_FLIGHT, "--plot", str(page), "--json"]) == 0
     text = browse(tmp_path / "profile", page.as_uri())
     assert text.count('data-drawn="yes"') == 6  # beta too
-    assert main([*case, "--plot", "f.svg"]) == 1
-    assert "FILE.png or FILE.html" in capsys.readouterr().err
-    assert main([*case, "--plot", str(picture / "in" / "f.png")]) == 1
-    assert "cannot write" in capsys.readouterr().err
 
 
 def test_charts_say_null_for_what_is_no_number(tmp_path: Path) -> None:

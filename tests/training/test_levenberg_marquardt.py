@@ -149,6 +149,7 @@ def test_start_is_set_by_the_seed_and_spreads_the_neurons() -> None:
         assert float(spread.median()) > 0.02
 
 
+@pytest.mark.cuda
 @pytest.mark.skipif(not torch.cuda.is_available(), reason="no CUDA device")
 def test_cuda_takes_the_same_steps() -> None:
     layers = Layers((3, 8, 8, 1))
