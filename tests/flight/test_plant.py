@@ -17,7 +17,6 @@ from scipy.stats import kstest
 from c_runtime.shared_library import plant_sources
 from sailnet.errors import SailnetError
 from sailnet.flight.closed_loop import Ending, Flights, fly, fly_recorded
-from sailnet.flight.plant import hold_angle
 from sailnet.flight.plant_library import plant
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.interface import Commands, Guidance, Precision, Steered, Steering
@@ -25,6 +24,7 @@ from sailnet.mission.disturbances import Disturbance
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import motion
 from sailnet.physics.optics import OPTICS, Optics
+from tests.held_angle import hold_angle
 from tests.held_command import hold_command
 from tests.paths import ROOT
 from tests.pilots import MISSION, Constant, Pilot, Wobble

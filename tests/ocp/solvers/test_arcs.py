@@ -45,13 +45,16 @@ def test_goddard_table_1(thrust: float, time: float, altitude: float, structure:
     assert limit["h"][-1] == pytest.approx(altitude, abs=6e-7)
     assert limit["h"][-1] > printed["h"][-1]
     np.testing.assert_allclose(limit.hamiltonian, 0.0, atol=1e-9)
+    singular = 0
     for first, second in zip(limit.switches[:-1], limit.switches[1:], strict=True):
         middle = np.argmin(np.abs(limit.time - 0.5 * (first.time + second.time)))
         if -0.99 < limit["u"][middle] < 0.99:
+            singular += 1
             h, v, m = limit.state[middle]
             # The singular surface.
             drag = 310 * v**2 * np.exp(500 * (1 - h))
             assert m / h**2 == pytest.approx((1 + v / goddard.EXHAUST_VELOCITY) * drag, rel=1e-8)
+    assert singular == structure.count("s")
 
 
 def test_arcs_have_the_exact_jacobian() -> None:
