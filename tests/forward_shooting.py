@@ -34,5 +34,5 @@ def shoot_forward(
         end = fly(transfer, start, [0.0, abs(unknowns[3])], backward=False).states[-1, :3]
         return np.append(end - target, h)
 
-    found = root(error, np.append(costates, time), options={"xtol": 1e-13, "eps": 1e-12})
+    found = root(error, np.append(costates, time), options={"xtol": 1e-11, "eps": 1e-12})
     return Forward(float(found.x[3]), found.x[:3], float(np.max(np.abs(found.fun))))

@@ -136,7 +136,7 @@ def fly(
             events=events,
             rtol=3e-14,
             atol=1e-13,
-            max_step=0.05,
+            max_step=0.1,
         )
         covered = (times >= t) & (times <= flown.t[-1])
         if flown.sol is None:
