@@ -96,8 +96,11 @@ def test_arcs_refuse_a_root_that_the_law_would_not_fly() -> None:
 def test_arcs_that_do_not_meet_say_so() -> None:
     smooth = collocation.solve(goddard.problem(3.5), options=down_to(1e-3))
     wrong = arcs.Options([(0.0, "+"), (0.02, "-")], iterations=15)
-    with pytest.raises(ConvergenceError, match="do not meet; another structure may"):
+    with pytest.raises(ConvergenceError, match=r"arcs \+ - on goddard: the guess itself fails"):
         arcs.solve(goddard.problem(3.5), smooth, options=wrong)
+    with pytest.raises(ConvergenceError, match="do not meet; another structure may") as caught:
+        arcs.solve(goddard.problem(3.5), smooth, options=arcs.Options(iterations=1))
+    assert caught.value.residuals["largest"] > 1e-10
 
 
 def test_arcs_of_a_transfer_are_its_limit(transfer: Solution) -> None:
