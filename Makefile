@@ -17,16 +17,16 @@ READY   := $(VENV)/.ready
 TOOLS   := emulator or browser or analyser or peer or install or mount or cuda
 PYTEST  := $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
-# What a data set depends on; what flights depend on.
+# What a data set depends on, and what is compiled when the package is installed.
 physics  := $(wildcard sailnet/physics/*.py sailnet/expert/*.py)
-closed   := $(wildcard sailnet/physics/*.py sailnet/guidance/*.py sailnet/flight/*.py sailnet/campaign/*.py)
+plant    := $(wildcard c_runtime/simulation/plant/*.* c_runtime/simulation/plant/*/*)
 mission  := $(wildcard sailnet/mission/missions/$(MISSION).toml sailnet/mission/*.py)
 run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
 exported := $(run)/export
 learned  := $(run).h5
 
-.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship test test-tools tools peers mutation checks lint clean
+.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship quick test test-tools tools peers mutation checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -41,8 +41,8 @@ paper:
 
 setup: $(READY)
 
-$(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance.c) \
-    c_runtime/shared_library.py $(wildcard c_runtime/plant/*)
+$(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance*.c) \
+    c_runtime/builds.py c_runtime/shared_library.py $(plant)
 	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }
 	@$(PYTHON) --version >/dev/null 2>&1 || $(PYTHON3) -m venv $(VENV) || \
@@ -52,8 +52,8 @@ $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/s
 
 # A run that was killed goes on where it was; RESTART=1 throws away what it left.
 dataset: $(learned)
-$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) sailnet/networks/approach.py \
-    $(wildcard sailnet/dataset/*.py data/*.py) | $(READY)
+$(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $(physics) \
+    sailnet/networks/approach.py $(wildcard sailnet/dataset/*.py data/*.py) | $(READY)
 	$(PYTHON) -m data $@ --mission $(MISSION) --recipe $* $(if $(RESTART),--restart)
 
 # Share of optimal trajectories from fresh random starts that lie near samples.
@@ -62,13 +62,14 @@ coverage: $(BUILD)/domain.h5
 
 # --resume: a run that was killed goes on, and networks that are finished are kept.
 train: $(networks)/trained
-$(networks)/trained: $(learned) $(wildcard sailnet/networks/*.py) $(wildcard training/*.py) | $(READY)
+$(networks)/trained: $(learned) $(wildcard sailnet/networks/*.py training/*.py) | $(READY)
 	$(PYTHON) -m training $< $(networks) --resume
 	@touch $@
 
 # The paper compares with guidance by two networks: it needs the one for the signed cone angle.
 export: $(exported)/exported
-$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/include/* c_runtime/source/* c_runtime/source/*/*) | $(READY)
+$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/builds.py \
+    $(addsuffix /*.*,c_runtime/flight c_runtime/simulation c_runtime/simulation/host)) | $(READY)
 	$(PYTHON) -m export $(networks) $(exported) --mission $(MISSION) \
 	    $(if $(filter wide,$(RECIPE)),,--baseline $(networks)/alpha.safetensors)
 	@touch $@
@@ -77,38 +78,38 @@ evaluate: $(exported)/exported
 	$(VENV)/bin/sailnet evaluate --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED) \
 	    --workers 2
 
-# Everything a set of networks has to stand, and the table of it.
-accept: $(run)/acceptance.json
-$(run)/acceptance.json: $(exported)/exported $(closed) sailnet/acceptance.py | $(READY)
-	$(PYTHON) -m sailnet.acceptance --mission $(MISSION) --networks $(exported) --flights $(FLIGHTS) --seed $(SEED) \
-	    --output $@
+# Everything a set of networks has to stand, and the table of it. Flown anew only where the networks or the
+# source that flights depend on have changed: the command knows.
+accept: $(exported)/exported
+	$(VENV)/bin/sailnet evaluate --campaign acceptance --mission $(MISSION) --networks $(exported) \
+	    --flights $(FLIGHTS) --seed $(SEED) --workers 2 --output $(run) --overwrite $(if $(RESTART),--restart)
 
-# Every ready campaign with the networks that ship: results, pages, pictures; then the README's tables of
-# them. One that was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
+# Every other campaign with the networks that ship: results, pages, pictures; then the tables of them. One that
+# was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
 campaigns: | $(READY)
-	for name in $(basename $(notdir $(wildcard sailnet/campaigns/*.toml))); do \
-	    $(VENV)/bin/sailnet evaluate --campaign $$name --mission $(MISSION) --output $(BUILD)/campaigns \
+	for name in $(filter-out acceptance,$(basename $(notdir $(wildcard sailnet/campaign/campaigns/*.toml)))); do \
+	    $(VENV)/bin/sailnet evaluate --campaign $$name --overwrite --mission $(MISSION) --output $(BUILD)/campaigns \
 	        --workers 2 $(addprefix --flights ,$(CAMPAIGN_FLIGHTS)) || exit 1; \
 	done
-	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.readme $(BUILD)/campaigns README.md)
+	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.score_tables $(BUILD)/campaigns sailnet/campaign/RESULTS.md)
 
 bench: $(run)/bench.json
-$(run)/bench.json: $(exported)/exported $(wildcard c_runtime/bench/*) | $(READY)
-	$(PYTHON) -m c_runtime.bench $(exported) --networks $(networks) --json > $@
+$(run)/bench.json: $(exported)/exported $(wildcard c_runtime/verification/bench/*) | $(READY)
+	$(PYTHON) -m c_runtime.verification.bench $(exported) --networks $(networks) --json > $@
 
 $(run)/agreement.json: $(exported)/exported | $(READY)
 	$(PYTHON) -m export.agreement $(networks) $(exported) --dataset $(learned) > $@
 
-# Of the paper's form only: RECIPE=box.
-report: $(run)/report/index.html
-$(run)/report/index.html: $(run)/bench.json $(run)/agreement.json $(wildcard sailnet/*.py sailnet/report/*) | $(READY)
+# Of the paper's form only: RECIPE=box. What is flown already is only drawn anew.
+report: $(run)/bench.json $(run)/agreement.json
 	$(PYTHON) -m sailnet.report --mission $(MISSION) --build $(run) --dataset $(learned) --output $(run)/report \
-	    --seed $(SEED)
+	    --seed $(SEED) --overwrite $(if $(RESTART),--restart)
 
 # Make the networks of the last run the ones that come with the package; their figures go into the model
-# card and, with those of the last `make paper`, into the README.
-ship: $(run)/acceptance.json $(run)/bench.json $(run)/agreement.json
-	$(PYTHON) -m export.ship $(run) sailnet/shipped/$(MISSION) --mission $(MISSION) --readme README.md \
+# card and, with those of the last `make paper`, into RESULTS.md; a few into the README.
+ship: accept $(run)/bench.json $(run)/agreement.json
+	$(PYTHON) -m export.ship $(run) sailnet/shipped/$(MISSION) --mission $(MISSION) --readme README.md --results RESULTS.md \
+	    --picture docs/flight.png \
 	    $(addprefix --paper ,$(wildcard $(BUILD)/box/report/report.json))
 
 # The expert, generation, coverage and training beside their peers; some twenty minutes.
@@ -129,7 +130,8 @@ peers: | $(READY)
 # Every figure that the four papers on optimal control print, beside ours and a second method's, and a page with
 # every solution drawn; some minutes.
 papers: | $(READY)
-	$(VENV)/bin/sailnet papers --output build/papers --readme sailnet/ocp/README.md
+	$(VENV)/bin/sailnet papers --output build/papers --readme sailnet/papers/RESULTS.md
+	$(PYTHON) -m sailnet.papers.logistic sailnet/papers/RESULTS.md
 	@echo
 	@echo "The report: build/papers/index.html"
 
@@ -138,6 +140,10 @@ lint: | $(READY)
 	$(PYTHON) -m ruff format --check .
 	$(PYTHON) -m mypy
 	$(VENV)/bin/lint-imports --no-cache --no-logo
+
+# For someone at work: lint, and of every package the tests that take no second.
+quick: lint
+	$(PYTEST) -m "not (slow or $(TOOLS))"
 
 # Every test that needs no more than Python, make and a C compiler.
 test: lint

@@ -9,13 +9,12 @@ from setuptools.command.build_ext import build_ext
 ROOT = Path(__file__).parent.resolve()
 sys.path.insert(0, str(ROOT))
 
+from c_runtime.builds import BUILDS  # noqa: E402
 from c_runtime.shared_library import (  # noqa: E402
     CHECKSUMS,
     PLANT_LIBRARY,
-    PRECISIONS,
     compile_libraries,
     compile_plant,
-    library_name,
 )
 
 SHIPPED = sorted(path.parent.relative_to(ROOT) for path in ROOT.glob("sailnet/shipped/*/sailnet_guidance.c"))
@@ -33,7 +32,7 @@ class BuildGuidance(build_ext):
 
     def get_outputs(self) -> list[str]:
         """The files that ``run`` writes."""
-        names = [*(library_name(precision) for precision in PRECISIONS), CHECKSUMS]
+        names = [*(build.library for build in BUILDS.values()), CHECKSUMS]
         written = [folder / name for folder in SHIPPED for name in names]
         written += [PLANT / name for name in (PLANT_LIBRARY, CHECKSUMS)]
         return [str(self._base() / file) for file in written]

@@ -6,8 +6,8 @@ import numpy as np
 
 from benchmarks import scipy_peer
 from sailnet.expert.fastest import RESIDUAL_GOAL, solve, solve_states
+from sailnet.flight.starts import random_starts
 from sailnet.mission.mission import Mission
-from sailnet.montecarlo import random_starts
 
 
 def measure(mission: Mission, states: int, peers: int, seed: int) -> dict[str, float]:

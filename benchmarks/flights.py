@@ -17,14 +17,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet.artefacts.provenance import software
+from sailnet.campaign.random_flights import BATCH, fly_random_starts
 from sailnet.flight.closed_loop import fly
 from sailnet.flight.plant import SideBySide, rules
 from sailnet.flight.plant_library import STEER, plant
+from sailnet.flight.starts import random_starts
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.interface import Guidance, Precision, Steered
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission, load_mission
-from sailnet.montecarlo import BATCH, fly_campaign, random_starts
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import runge_kutta_step
 from sailnet.physics.optics import OPTICS
@@ -62,12 +63,12 @@ CAMPAIGNS = {
 
 def python_loop(mission: Mission, guidance: Guidance, starts: Array) -> tuple[Array, Array, int]:
     """(n, 3) ends, (n,) times of flight and the number of periods, without disturbances."""
-    count, held = len(starts), mission.flight.period
+    count, period = len(starts), mission.flight.period
     states = np.zeros((4, count))
     states[[0, 2, 3]] = starts.T
     duration, steering, flying, periods = np.zeros(count), guidance.steering(count), np.arange(count), 0
     while len(flying) and duration.max() < mission.flight.longest:
-        steered = steering.steer(states[[0, 2, 3]][:, flying].T, held, flying)
+        steered = steering.steer(states[[0, 2, 3]][:, flying].T, period, flying)
         states[:, flying] = runge_kutta_step(
             states[:, flying], steered.cone_angle, mission.sail.beta, steered.hold
         )
@@ -158,14 +159,14 @@ def campaign(
 
     before, started = used(), time.perf_counter()
     with workers(os.cpu_count() or 1) as pool:
-        flown = fly_campaign(mission, guidance, flights, disturbance, workers=pool)
+        flown = fly_random_starts(mission, guidance, flights, disturbance, workers=pool)
     wall = time.perf_counter() - started
     return {
         "flights": flights,
-        "arrived": flown.arrived,
+        "arrived": int(flown.arrived.sum()),
         "wall_seconds": wall,
         "cpu_seconds": used() - before,
-        "million_periods": int(flown.flights.periods.sum()) / 1e6,
+        "million_periods": int(flown.periods.sum()) / 1e6,
     }
 
 

@@ -11,8 +11,11 @@ from pathlib import Path
 from typing import Any
 
 from export.write import export
-from sailnet.acceptance import accept
 from sailnet.artefacts.files import write_whole
+from sailnet.campaign.acceptance import CAMPAIGN
+from sailnet.campaign.plan import load_plan
+from sailnet.campaign.run import fly_plan
+from sailnet.campaign.scores import score_record, scores_of
 from sailnet.dataset import open_dataset
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
@@ -32,11 +35,12 @@ def measure(
     )
     export(folder, folder / "export", mission, progress=False)
     guidance = load_guidance(mission, "c", "float64", folder / "export")
-    result = accept(mission, guidance, flights, flight_seed, pool)
+    plan = load_plan(CAMPAIGN).changed(flights, flight_seed)
+    results = fly_plan(mission, guidance, plan, folder / f"{CAMPAIGN}.h5", workers=pool, overwrite=True)
     return {
         "seed": seed,
         "test_mse": {network.name: network.provenance["test_mse"] for network in networks},
-        "acceptance": result,
+        "acceptance": [score_record(score) for score in scores_of(results)],
     }
 
 
@@ -48,15 +52,16 @@ def table(records: list[dict[str, Any]]) -> list[str]:
         "|---|---|---|---|---|---|---|---|",
     ]
     for record in records:
-        nominal, bias, noisy, drift = record["acceptance"]["campaigns"]
+        nominal, bias, noisy, drift = record["acceptance"][:4]
         gap = nominal["gap_quantiles"]
+        close = 100 * nominal["within"]["0.0001"] / nominal["flights"]
         worst = [
-            max(max(case["terminal_error"]) for case in record["acceptance"]["cases"] if case["case"] == name)
+            max(score["error_quantiles"]["1"] for score in record["acceptance"] if score["series"] == name)
             for name in ("Case 1", "Case 2")
         ]
         lines.append(
             f"| {record['seed']} | {', '.join(f'{value:.1e}' for value in record['test_mse'].values())} "
-            f"| {nominal['arrived']} of {nominal['flights']}, {100 * nominal['share_within_1e-4']:.2f} % "
+            f"| {nominal['arrived']} of {nominal['flights']}, {close:.2f} % "
             f"| {100 * gap['0.5']:.3f} %, {100 * gap['0.99']:.2f} % | {bias['arrived']} | {noisy['arrived']} "
             f"| {drift['arrived']} | {worst[0]:.1e}, {worst[1]:.1e} |"
         )

@@ -9,32 +9,29 @@ import shlex
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
-PRECISIONS = {"f32": (), "f64": ("-DSAILNET_FLOAT64",)}
-LAYOUTS = {"simd": (), "compact": ("-DSAILNET_COMPACT",)}
-BUILDS = {
-    f"{precision} {layout}": (*PRECISIONS[precision], *LAYOUTS[layout])
-    for precision in PRECISIONS
-    for layout in LAYOUTS
-}
-"""Every build of the flight file: what is tested is each of them."""
-
-PROVED_BUILDS = {
-    build: (*defines, *(("-DSAILNET_PLAIN",) if "simd" in build else ())) for build, defines in BUILDS.items()
-}
-"""The same, of single numbers where analysers cannot read vectors."""
+from c_runtime.builds import BATCH, BUILDS
 
 # Portable flags: what is installed may run on another machine than it was built on. The additions to -O3
-# keep NaN and infinity as they are: gcc makes maxima of clamps, makes no vectors but those that are written,
-# and may use FMA.
-FLAGS = ("-std=c99", "-O3", "-fno-trapping-math", "-fno-tree-vectorize", "-ffp-contract=fast")
+# keep NaN and infinity as they are: gcc makes maxima of clamps, and may use FMA.
+FLAGS = ("-std=c99", "-O3", "-fno-trapping-math", "-ffp-contract=fast")
 SHARED = ("-fPIC", "-shared")
 CHECKSUMS = "libraries.sha256"
 
 
 class CompilerError(Exception):
     """There is no C compiler, or it refused; the message says what to do."""
+
+
+@dataclass(frozen=True)
+class Library:
+    """C files that make a shared library, and options of the compiler beside the usual ones."""
+
+    sources: Sequence[Path]
+    options: tuple[str, ...] = ()
 
 
 def find_compiler() -> list[str]:
@@ -54,24 +51,24 @@ def find_compiler() -> list[str]:
     raise CompilerError("no C compiler found: install gcc or clang (Debian: apt install gcc), or set $CC")
 
 
-def library_name(precision: str) -> str:
-    """File name of the library of one precision, ``f32`` or ``f64``."""
-    return f"guidance_{precision}.so"
-
-
 def compile_libraries(sources: Path, target: Path) -> list[Path]:
-    """Compile the exported C in ``sources`` in both precisions; returns the files written.
+    """Compile the exported C in ``sources`` in every build; returns the files written.
 
     Raises:
         CompilerError: there is no compiler, or it refused the source.
     """
-    files = [sources / file for file in ("sailnet_guidance.c", "sailnet_batch.c")]
-    files.append(PLANT / "guidance" / "same_interface.c")  # refuses what the plant would misread
-    options = {library_name(precision): defines for precision, defines in PRECISIONS.items()}
-    return _compile(files, options, target)
+    beside = [
+        sources / BATCH,
+        PLANT / "guidance" / "same_interface.c",
+    ]  # refuses what the plant would misread
+    libraries = {
+        build.library: Library([sources / build.source, *beside], (*build.defines, *build.optimisation))
+        for build in BUILDS.values()
+    }
+    return _compile(libraries, target)
 
 
-PLANT = Path(__file__).parent / "plant"
+PLANT = Path(__file__).parent / "simulation" / "plant"
 PLANT_LIBRARY = "plant.so"
 
 
@@ -92,11 +89,12 @@ def compile_plant(target: Path) -> list[Path]:
     Raises:
         CompilerError: there is no compiler, or it refused the source.
     """
-    return _compile(plant_sources(), {PLANT_LIBRARY: (f'-DPLANT_SOURCES_DIGEST="{plant_digest()}"',)}, target)
+    define = f'-DPLANT_SOURCES_DIGEST="{plant_digest()}"'
+    return _compile({PLANT_LIBRARY: Library(plant_sources(), ("-fno-tree-vectorize", define))}, target)
 
 
-def _compile(files: list[Path], options: dict[str, tuple[str, ...]], target: Path) -> list[Path]:
-    """One library for each name with its own options, and the list of checksums.
+def _compile(libraries: Mapping[str, Library], target: Path) -> list[Path]:
+    """The libraries by their names, and the list of checksums.
 
     They are built beside the target and renamed into it.
     """
@@ -105,14 +103,14 @@ def _compile(files: list[Path], options: dict[str, tuple[str, ...]], target: Pat
     with tempfile.TemporaryDirectory(dir=target, prefix=".compile-") as name:
         beside = Path(name)
         lines = []
-        for made, own in options.items():
-            library = beside / made
-            headers = [f"-I{folder}" for folder in (files[0].parent, PLANT)]
-            inputs = [*headers, "-o", str(library), *map(str, files), "-lm"]
-            command = [*compiler, *FLAGS, *SHARED, *own, *inputs]
+        for made, library in libraries.items():
+            file = beside / made
+            headers = [f"-I{folder}" for folder in (library.sources[0].parent, PLANT)]
+            inputs = [*headers, "-o", str(file), *map(str, library.sources), "-lm"]
+            command = [*compiler, *FLAGS, *SHARED, *library.options, *inputs]
             run = subprocess.run(command, capture_output=True, text=True, check=False)
             if run.returncode:
                 raise CompilerError(f"the C compiler failed: {shlex.join(command)}\n{run.stderr.strip()}")
-            lines.append(f"{hashlib.sha256(library.read_bytes()).hexdigest()}  {library.name}\n")
+            lines.append(f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {made}\n")
         (beside / CHECKSUMS).write_text("".join(lines))
-        return [(beside / file).replace(target / file) for file in (*options, CHECKSUMS)]
+        return [(beside / file).replace(target / file) for file in (*libraries, CHECKSUMS)]

@@ -12,7 +12,7 @@ from tqdm import tqdm
 
 from data.generate import generate
 from data.recipes import RECIPES, prepare
-from sailnet.artefacts.provenance import environment, software
+from sailnet.artefacts.provenance import environment_of, software
 from sailnet.artefacts.resumable import Parts, claim
 from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.errors import DatasetError, SailnetError
@@ -22,7 +22,7 @@ from sailnet.workers.executors import workers
 from sailnet.workers.interruption import asked_to_stop
 
 PACKAGES = ("data",)
-"""Whose source the samples depend on, beside sailnet's."""
+"""Whose source workers elsewhere must have, beside sailnet's."""
 
 
 def _count(text: str) -> int:
@@ -91,7 +91,7 @@ def main() -> int:
     try:
         mission = load_mission(options.mission)
         made_of = {"mission": mission.digest("generalisation", "dataset"), "recipe": options.recipe}
-        with claim(options.output, made_of | environment(PACKAGES), options.restart) as parts:
+        with claim(options.output, made_of | environment_of("data.recipes"), options.restart) as parts:
             _run(options, mission, parts)
     except SailnetError as error:
         print(f"error: {error}", file=sys.stderr)
@@ -101,8 +101,8 @@ def main() -> int:
         status = 130
     else:
         return 0
-    if parts and (kept := len(parts.finished())):
-        print(f"{kept} finished shards wait in {parts.folder}: the same command goes on", file=sys.stderr)
+    if parts and (kept := parts.waiting("shard", "shards")):
+        print(kept, file=sys.stderr)
     return status
 
 

@@ -19,8 +19,9 @@ from data.flights import sample_evenly
 from sailnet.dataset import Dataset, open_dataset
 from sailnet.errors import SailnetError
 from sailnet.expert.fastest import solve_states
+from sailnet.flight.intervals import wilson_interval
+from sailnet.flight.starts import random_starts
 from sailnet.mission.mission import Mission
-from sailnet.montecarlo import random_starts, wilson_interval
 from sailnet.physics.arrays import Array
 
 SPACING = 0.02

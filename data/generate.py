@@ -4,11 +4,11 @@ A shard depends on the mission and its own number alone, so the content of the f
 on the workers, their number or the order they finish in, nor on what an earlier run had finished.
 """
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
-from itertools import count, tee
+from itertools import count
 
-from sailnet.artefacts.resumable import Parts
+from sailnet.artefacts.resumable import Columns, Parts, resumed
 from sailnet.dataset import Block
 from sailnet.errors import DatasetError
 from sailnet.workers.executors import Workers
@@ -41,7 +41,11 @@ def generate(
     """
     missing, futile = trajectories, 0
     numbers = count() if shards is None else range(shards)
-    blocks = workers.map(shard_of, numbers) if parts is None else _stored(shard_of, workers, parts, numbers)
+    blocks = (
+        workers.map(shard_of, numbers)
+        if parts is None
+        else map(Block.from_columns, resumed(partial(_columns_of, shard_of), numbers, parts, workers))
+    )
     for block in blocks:
         if not len(block.lengths):
             futile += 1
@@ -59,25 +63,5 @@ def generate(
             return
 
 
-def _stored(shard_of: ShardOf, workers: Workers, parts: Parts, numbers: Iterable[int]) -> Iterator[Block]:
-    finished = parts.finished()
-    # Two walks over the same numbers: one ahead, handing out work, one collecting.
-    ahead, numbers = tee(numbers)
-    remaining = (number for number in ahead if number not in finished)
-    # Workers of this machine write their shards themselves, which spares the way through a pipe.
-    make = partial(_make, shard_of, parts) if workers.share_files else shard_of
-    made = workers.map(make, remaining)
-    for number in numbers:
-        if number not in finished:
-            block = next(made)
-            if block is not None and workers.share_files is False:
-                parts.store(number, block.to_columns())
-        columns = parts.load(number)
-        if columns is None:  # damaged
-            columns = shard_of(number).to_columns()
-            parts.store(number, columns)
-        yield Block.from_columns(columns)
-
-
-def _make(shard_of: ShardOf, parts: Parts, number: int) -> None:
-    parts.ensure(number, lambda wanted: shard_of(wanted).to_columns())
+def _columns_of(shard_of: ShardOf, number: int) -> Columns:
+    return shard_of(number).to_columns()

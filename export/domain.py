@@ -1,8 +1,8 @@
-"""The trained domain as C tables, which ``c_runtime/source/domain.c`` evaluates."""
+"""The trained domain as C tables, which ``c_runtime/simulation/host/domain.inc`` evaluates."""
 
 import numpy as np
 
-from export.tables import literal
+from export.numbers import literal
 from sailnet.guidance.facts import GuidanceFacts
 from sailnet.networks.trained_domain import AXES, KNOTS, SMALLEST_SQUARE
 from sailnet.physics.arrays import Array

@@ -3,30 +3,36 @@
 from collections.abc import Mapping
 from typing import Any
 
-from sailnet.acceptance import acceptance_table
+from sailnet.campaign.acceptance import acceptance_table
+from sailnet.campaign.results import Results
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import Network
 
 TRIO = ("tau", "alpha_pre", "lambda_v")
 
 LIMITS = (
-    "**Limits.** Planar circular target orbit, ideal sail, perfect navigation. Trained on the fastest "
-    "extremals an indirect method finds; where two are equally fast the command is not smooth, and near "
-    "there a flight may take the slower way. A drift of beta of one per cent a TU is beyond the networks: "
-    "many flights miss. What they stand is below."
+    "**Limits.** Planar circular target orbit. Trained on flights of an ideal sail whose state is known: "
+    "what real optics, slow turning and errors of navigation cost is measured by the campaigns of the "
+    "package, not trained for. Trained on the fastest extremals an indirect method finds; where two are "
+    "equally fast the command is not smooth, and near there a flight may take the slower way. A drift of "
+    "beta of one per cent a TU is beyond the networks: many flights miss. What they stand is below."
 )
 
 Facts = Mapping[str, Any]
 """JSON that a command of the run left."""
 
 
-def made_by(command: str, facts: Facts) -> str:
+def made_by(command: str, software: Facts, seed: int) -> str:
     """The line that says where figures come from."""
-    software = facts["software"]
     return (
         f"Written by `make ship` from a run of `{command}` on {software['machine']}, {software['date']}, "
-        f"revision {software['revision']}, seed {facts['seed']}."
+        f"revision {software['revision']}, seed {seed}."
     )
+
+
+def accepted_by(acceptance: Results) -> str:
+    """The line that says where the figures of an acceptance campaign come from."""
+    return made_by("make", acceptance.provenance, acceptance.plan.seed)
 
 
 def _networks_table(networks: Mapping[str, Network]) -> list[str]:
@@ -88,7 +94,9 @@ def _agreement(records: list[Facts]) -> list[str]:
     ]
 
 
-def model_card(networks: GuidanceNetworks, acceptance: Facts, timings: Facts, agreement: list[Facts]) -> str:
+def model_card(
+    networks: GuidanceNetworks, acceptance: Results, timings: Facts, agreement: list[Facts]
+) -> str:
     """Markdown: what the networks are, what they were trained on, what they do and do not do."""
     mission = networks.mission
     tau = networks.tau
@@ -98,7 +106,7 @@ def model_card(networks: GuidanceNetworks, acceptance: Facts, timings: Facts, ag
         [
             f"# Model card: {mission.title}",
             "",
-            made_by("make", acceptance),
+            accepted_by(acceptance),
             "",
             *_networks_table(trio),
             "",
@@ -106,7 +114,7 @@ def model_card(networks: GuidanceNetworks, acceptance: Facts, timings: Facts, ag
             "`python -m data` from the mission's recipe. Test errors are over "
             f"{tau.provenance['test_samples']} samples of trajectories that took no part in training, scaled "
             "to [0, 1]; near arrival: those with less than 0.3 TU to go. Weights: SHA-256 "
-            f"`{acceptance['networks']}`.",
+            f"`{acceptance.networks}`.",
             "",
             _domain(networks),
             "",

@@ -15,13 +15,11 @@ class RowOrder:
     """Rows of one stage: the numbers of all its networks, one network after the other or side by side.
 
     Attributes:
-        stage: its name in the C, in capitals.
         networks: evaluated in step.
         rows: numbers of each network.
         alike: whether the networks have equally many layers.
     """
 
-    stage: str
     networks: int
     rows: int
     alike: bool
@@ -35,13 +33,12 @@ class RowOrder:
 
         Side by side, lane l of part m is neuron share m + l / networks of network l % networks.
         """
-        stage = self.stage
         apart = [
-            f"#define {stage}_SIDE_BY_SIDE 0",
-            f"#define {stage}_PARTS {stage}_NETWORKS",
-            f"#define {stage}_PART {stage}_WIDTH",
-            f"#define {stage}_OUTPUTS {stage}_NETWORKS",
-            f"#define {stage}_OUTPUT {stage}_WIDTH",
+            "#define STAGE_SIDE_BY_SIDE 0",
+            "#define STAGE_PARTS STAGE_NETWORKS",
+            "#define STAGE_PART STAGE_WIDTH",
+            "#define STAGE_OUTPUTS STAGE_NETWORKS",
+            "#define STAGE_OUTPUT STAGE_WIDTH",
         ]
         if not self._chosen:
             return "\n".join(apart)
@@ -54,18 +51,18 @@ class RowOrder:
         return "\n".join(
             [
                 f"#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == {LANES}",
-                f"#define {stage}_SIDE_BY_SIDE 1",
-                f"#define {stage}_SHARE {share}",
-                f"#define {stage}_PARTS {len(parts)}",
-                f"#define {stage}_PART SAILNET_LANES",
-                f"#define {stage}_OUTPUTS {stage}_ROWS",
-                f"#define {stage}_OUTPUT SAILNET_PER_16_BYTES",
-                f"#define {stage}_ROW({parameters}) {_nested(parts)}",
-                f"#define {stage}_OUTPUT_ROW({parameters}) {_nested(by_neuron)}",
+                "#define STAGE_SIDE_BY_SIDE 1",
+                f"#define STAGE_SHARE {share}",
+                f"#define STAGE_PARTS {len(parts)}",
+                "#define STAGE_PART SAILNET_LANES",
+                "#define STAGE_OUTPUTS STAGE_ROWS",
+                "#define STAGE_OUTPUT SAILNET_PER_16_BYTES",
+                f"#define STAGE_ROW({parameters}) {_nested(parts)}",
+                f"#define STAGE_OUTPUT_ROW({parameters}) {_nested(by_neuron)}",
                 "#else",
                 *apart,
-                f"#define {stage}_ROW({parameters}) {_nested(by_network)}",
-                f"#define {stage}_OUTPUT_ROW({parameters}) {_nested(by_network)}",
+                f"#define STAGE_ROW({parameters}) {_nested(by_network)}",
+                f"#define STAGE_OUTPUT_ROW({parameters}) {_nested(by_network)}",
                 "#endif",
             ]
         )
@@ -74,7 +71,7 @@ class RowOrder:
         """The initialiser of one row, of (networks, rows) literals."""
         if not self._chosen:
             return _nested(numbers)
-        return f"{self.stage}_{macro}({', '.join(', '.join(network) for network in numbers)})"
+        return f"STAGE_{macro}({', '.join(', '.join(network) for network in numbers)})"
 
 
 def _nested(rows: Sequence[Sequence[str]]) -> str:

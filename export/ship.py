@@ -1,6 +1,6 @@
 """``python -m export.ship``: make a finished run the networks that come with the package.
 
-Copies the weights, exports them into the package, and writes their model card and the README's tables
+Copies the weights, exports them into the package, and writes their model card and the tables of results
 from the files of the run: no figure is typed by hand.
 """
 
@@ -13,11 +13,13 @@ from pathlib import Path
 from typing import Any
 
 from export.errors import ExportError
-from export.model_card import TRIO, Facts, made_by, model_card
+from export.model_card import TRIO, Facts, accepted_by, made_by, model_card
+from export.picture import draw_departure
 from export.write import export
 from sailnet import SailnetError, load_mission
-from sailnet.acceptance import acceptance_table
 from sailnet.artefacts.files import fill_block, write_whole
+from sailnet.campaign.acceptance import CAMPAIGN, acceptance_table, headline_table
+from sailnet.campaign.results import open_results
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_networks import load_guidance_networks
 
@@ -40,20 +42,32 @@ def _read(path: Path, command: str) -> Any:
         raise ExportError(f"{path} is missing or damaged: {error}; run {command} first") from error
 
 
-def ship(build: Path, package: Path, mission: Mission, readme: Path | None, paper: Path | None) -> None:
-    """Fill ``package`` from the run in ``build``, and the README's results if it is given.
+def ship(
+    build: Path,
+    package: Path,
+    mission: Mission,
+    readme: Path | None = None,
+    results: Path | None = None,
+    paper: Path | None = None,
+    picture: Path | None = None,
+) -> None:
+    """Fill ``package`` from the run in ``build``, and the tables of two texts if they are given.
 
     Args:
-        build: folder with networks/, acceptance.json, bench.json and agreement.json.
+        build: folder with networks/, acceptance.h5, bench.json and agreement.json.
         package: where the networks, what is exported from them and their model card go.
         mission: whose rules of flight are built in.
-        readme: file whose blocks ``results`` and, with ``paper``, ``paper`` are written anew.
+        readme: file whose block ``summary`` is written anew: a few rows.
+        results: file whose blocks ``acceptance`` and, with ``paper``, ``paper`` are written anew.
         paper: report.json of a reproduction of the paper; reproduction.json beside it is shipped too.
+        picture: PNG of the flight from the mission's departure orbit.
 
     Raises:
-        ExportError: the run is incomplete.
+        SailnetError: the run is incomplete, or not this mission's.
     """
-    acceptance = _read(build / "acceptance.json", "make")
+    accepted = open_results(build / f"{CAMPAIGN}.h5")
+    if accepted.mission.digest() != mission.digest():
+        raise ExportError(f"{build} was flown for mission {accepted.mission.name!r}: run make accept again")
     timings, agreement = (_read(build / f"{name}.json", "make bench") for name in ("bench", "agreement"))
     folder = build / "networks"
     networks = load_guidance_networks(folder)
@@ -61,18 +75,23 @@ def ship(build: Path, package: Path, mission: Mission, readme: Path | None, pape
     for name in TRIO:
         source = folder / f"{name}.safetensors"
         write_whole(package / source.name, partial(shutil.copyfile, source))
-    card = model_card(networks, acceptance, timings, agreement)
+    card = model_card(networks, accepted, timings, agreement)
     write_whole(package / "MODEL_CARD.md", lambda beside: beside.write_text(card, encoding="utf-8"))
+    origin = accepted_by(accepted)
     if readme is not None:
-        fill_block(
-            readme, "results", "\n".join([made_by("make", acceptance), "", *acceptance_table(acceptance)])
-        )
-        if paper is not None:
-            report = _read(paper, "make paper")
-            fill_block(readme, "paper", "\n".join([made_by("make paper", report), "", _paper_table(report)]))
-            curves = paper.parent / REPRODUCTION
-            if curves.exists():
-                write_whole(package / curves.name, partial(shutil.copyfile, curves))
+        fill_block(readme, "summary", "\n".join([origin, "", *headline_table(accepted)]))
+    if results is not None:
+        fill_block(results, "acceptance", "\n".join([origin, "", *acceptance_table(accepted)]))
+    if paper is not None:
+        report = _read(paper, "make paper")
+        if results is not None:
+            made = made_by("make paper", report["software"], report["seed"])
+            fill_block(results, "paper", "\n".join([made, "", _paper_table(report)]))
+        curves = paper.parent / REPRODUCTION
+        if curves.exists():
+            write_whole(package / curves.name, partial(shutil.copyfile, curves))
+    if picture is not None:
+        draw_departure(picture, mission, package)
 
 
 def main() -> int:
@@ -86,11 +105,17 @@ def main() -> int:
     parser.add_argument("build", type=Path, help="folder of a finished run")
     parser.add_argument("package", type=Path, help="folder in the package")
     parser.add_argument("--mission", default="earth_mars", help="mission name or TOML file (%(default)s)")
-    parser.add_argument("--readme", type=Path, help="also write the results into this file")
+    parser.add_argument("--readme", type=Path, help="also write a few rows of results into this file")
+    parser.add_argument("--results", type=Path, help="and the whole tables into this one")
     parser.add_argument("--paper", type=Path, help="and those of this report.json, of `make paper`")
+    parser.add_argument("--picture", type=Path, help="also draw the flight from the departure orbit: a PNG")
     options = parser.parse_args()
     try:
-        ship(options.build, options.package, load_mission(options.mission), options.readme, options.paper)
+        mission = load_mission(options.mission)
+        ship(
+            options.build, options.package, mission,
+            options.readme, options.results, options.paper, options.picture,
+        )  # fmt: skip
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

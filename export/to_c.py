@@ -1,139 +1,106 @@
-"""The C file and its header, composed of the hand-written sources in ``c_runtime`` and the weights."""
+"""The C files and their header: the hand-written text in ``c_runtime``, the constants and the weights.
 
-import math
-import re
-from collections.abc import Sequence
+The order in which the text is put together is that of the templates: ``flight/sailnet_guidance.c.in`` and
+``simulation/sailnet_guidance_host.c.in``.
+"""
+
 from pathlib import Path
 
 import numpy as np
 
-from export.compact_tables import compact_tables
 from export.domain import domain_tables
-from export.tables import LOG2_E, constants, literal, stage_tables
+from export.errors import ExportError
+from export.flight_tables import flight_tables, limits
+from export.host_tables import constants, stage_tables
+from export.numbers import LOG2_E, literal
+from export.templates import filled, read
 from sailnet.guidance.facts import GuidanceFacts, round_down
-from sailnet.guidance.steering import LARGEST_SURPRISE, LEAST_COSINE2, MEMORY
+from sailnet.guidance.steering import LARGEST_PERIOD, LARGEST_SURPRISE, LEAST_COSINE2, MEMORY
 from sailnet.networks.guidance_networks import GuidanceNetworks
-from sailnet.networks.network import Network
+from sailnet.physics import units
 
-C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
+SIMULATION = ("sailnet_batch.h", "sailnet_batch.c")
+"""Files that are the same for all networks, for simulation."""
 
 
 def write_c(networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path) -> None:
-    """Write ``sailnet_guidance.c`` and ``.h``, and the batch entry that simulation adds to them.
+    """Write the flight file, its form for hosts, their header, and the batch entry that simulation adds.
 
     Raises:
-        ExportError: a weight does not fit single precision.
+        ExportError: a weight does not fit single precision, the networks do not fit each other, or the
+            threshold of arrival is longer than steering holds a command.
     """
-    (folder / "sailnet_guidance.h").write_text(_header(facts, networks.approach))
-    (folder / "sailnet_guidance.c").write_text(_source(networks, facts))
-    for part in ("include/sailnet_batch.h", "source/sailnet_batch.c"):
-        (folder / Path(part).name).write_text(_read(part))
+    if facts.arrival_threshold > LARGEST_PERIOD:
+        raise ExportError(
+            f"arrival_threshold is {facts.arrival_threshold:g} TU, and no guidance period is longer than "
+            f"{LARGEST_PERIOD:g} TU: make it shorter"
+        )
+    (folder / "sailnet_guidance.h").write_text(_header(networks, facts))
+    (folder / "sailnet_guidance.c").write_text(_flight(networks, facts))
+    (folder / "sailnet_guidance_host.c").write_text(_host(networks, facts))
+    for name in SIMULATION:
+        (folder / name).write_text(read(name))
 
 
-def _header(facts: GuidanceFacts, reads_beta: bool) -> str:
-    text = _read("include/sailnet_guidance.h.in")
+def _header(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
     r, u, v = facts.target_state
-    for key, value in {
-        "PROVENANCE": _provenance(facts),
-        "VERSION": facts.version,
-        "MISSION": facts.mission,
-        "MISSION_DIGEST": facts.mission_digest,
-        "NETWORKS_DIGEST": facts.networks_digest,
-        "PHI_MAX_FLOAT32": literal(round_down(facts.phi_max, np.float32)),
-        "PHI_MAX_FLOAT64": literal(facts.phi_max),
-        "ARRIVAL_THRESHOLD": literal(facts.arrival_threshold),
-        "ARRIVAL_TOLERANCE": literal(facts.arrival_tolerance),
-        "TARGET_R": literal(r),
-        "TARGET_U": literal(u),
-        "TARGET_V": literal(v),
-        "LARGEST_TIME_OF_FLIGHT": literal(facts.largest_time_of_flight),
-        "READS_BETA": str(int(reads_beta)),
-        "BETA": literal(facts.beta),
-        "BETA_MIN": literal(facts.beta_min),
-        "BETA_MAX": literal(facts.beta_max),
-        "MEMORY": literal(MEMORY),
-        "LARGEST_SURPRISE": literal(LARGEST_SURPRISE),
-        "LEAST_COSINE2": literal(LEAST_COSINE2),
-    }.items():
-        text = text.replace(f"@{key}@", value)
-    return text
+    return filled(
+        "sailnet_guidance.h.in",
+        {
+            "PROVENANCE": _provenance(facts),
+            "VERSION": facts.version,
+            "MISSION": facts.mission,
+            "MISSION_DIGEST": facts.mission_digest,
+            "NETWORKS_DIGEST": facts.networks_digest,
+            "PHI_MAX_FLOAT32": literal(round_down(facts.phi_max, np.float32)),
+            "PHI_MAX_FLOAT64": literal(facts.phi_max),
+            "ARRIVAL_THRESHOLD": literal(facts.arrival_threshold),
+            "ARRIVAL_TOLERANCE": literal(facts.arrival_tolerance),
+            "TARGET_R": literal(r),
+            "TARGET_U": literal(u),
+            "TARGET_V": literal(v),
+            "LARGEST_TIME_OF_FLIGHT": literal(facts.largest_time_of_flight),
+            "READS_BETA": str(int(networks.approach)),
+            "BETA": literal(facts.beta),
+            "BETA_MIN": literal(facts.beta_min),
+            "BETA_MAX": literal(facts.beta_max),
+            "MEMORY": literal(MEMORY),
+            "LARGEST_SURPRISE": literal(LARGEST_SURPRISE),
+            "LEAST_COSINE2": literal(LEAST_COSINE2),
+            "LARGEST_PERIOD": literal(LARGEST_PERIOD),
+            "PERIOD_DAYS": f"{LARGEST_PERIOD * units.TU / units.DAY:.0f}",
+            "AU": literal(units.AU),
+            "TU": literal(units.TU),
+            "AU_PER_TU": literal(units.AU_PER_TU),
+            "GM_SUN": f"{units.GM_SUN:.12g}",
+        },
+    )
 
 
-def _source(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
-    title = "Neural optimal guidance of a solar sail: see sailnet_guidance.h."
-    opening = f"/*\n * {title}\n *\n{_provenance(facts)}\n */\n"
+def _flight(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
+    values = {"PROVENANCE": _provenance(facts), "TABLES": flight_tables(networks, facts)}
+    return filled("sailnet_guidance.c.in", values)
+
+
+def _host(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
     trio = [networks.tau, networks.alpha_pre, networks.lambda_v]
     if networks.approach:
-        # tau comes as a power of 2.
-        stages = [
-            *_on_vectors_or_not("exp2", "first_lane"),
-            _stage("approach", trio, (LOG2_E, 1.0, 1.0), (4, 3, 2, 1, 0)),
-            _read("source/command_approach.c"),
-        ]
-        compact = ["network", "exp2", "law", "cosine_sine"]
+        # tau comes as a power of 2; the C gives those inputs first that are known first.
+        approach = stage_tables("approach", trio, (LOG2_E, 1.0, 1.0), (4, 3, 2, 1, 0))
+        stages = {"FORM": "approach", "TABLES_OF_APPROACH": approach}
     else:
-        stages = [_stage("tau", trio[:1]), _stage("command", trio[1:]), _read("source/command_paper.c")]
-        compact = ["network", "law", "cosine_sine"]
-    edge_on = math.cos(facts.phi_max) ** 2 < LEAST_COSINE2
-    return "\n".join(
-        [
-            opening + _read("source/arithmetic.c"),
-            "#ifdef SAILNET_VECTORS",
-            _read("source/vectors.c"),
-            "#endif",
-            *_on_vectors_or_not("sigmoid"),
-            "#ifdef SAILNET_COMPACT",
-            compact_tables(networks, facts),
-            "#endif",
-            _read("source/limits.c"),
-            "#ifdef SAILNET_COMPACT",
-            *(_read(f"source/compact/{part}.c") for part in compact),
-            "#else",
-            _read("source/lanes.c"),
-            constants(facts, networks.approach),
-            _read("source/deviation.c"),
-            *stages,
-            domain_tables(facts),
-            *(_read(f"source/{part}.c") for part in ("domain", "guidance", "law", "cosine_sine")),
-            "#endif\n",
-            f"#define SAILNET_MAY_BE_EDGE_ON {int(edge_on)}",
-            _read("source/steering.c"),
-        ]
-    )
-
-
-def _stage(
-    name: str,
-    networks: Sequence[Network],
-    units: Sequence[float] | None = None,
-    order: Sequence[int] | None = None,
-) -> str:
-    forms = (
-        f"#if {name.upper()}_SIDE_BY_SIDE",
-        _instance(_read("source/side_by_side.c.in"), name),
-        "#else",
-        _instance(_read("source/stage.c.in"), name),
-        "#endif\n",
-    )
-    return "\n".join([stage_tables(name, networks, units, order), *forms])
-
-
-def _instance(template: str, stage: str) -> str:
-    named = template.replace('"stage"', f'"{stage}"').replace("sailnet_stage_", f"sailnet_{stage}_")
-    return named.replace("STAGE_", f"{stage.upper()}_")
-
-
-def _on_vectors_or_not(part: str, *of_vectors: str) -> list[str]:
-    """A part that computes on vectors where there are any, and what is built on that."""
-    source = _read(f"source/{part}.c")
-    on_vectors = [_over_lanes(source), *(_read(f"source/{name}.c") for name in of_vectors)]
-    return ["#ifdef SAILNET_VECTORS", *on_vectors, "#else", source, "#endif"]
-
-
-def _over_lanes(source: str) -> str:
-    """The same functions of each number in a vector."""
-    named = re.sub(r"\bsailnet_(?=fraction|exp2_quotient|sigmoid|power|exp2)", "sailnet_lanes_", source)
-    return named.replace("sailnet_real", "sailnet_lanes")
+        stages = {
+            "FORM": "paper",
+            "TABLES_OF_TAU": stage_tables("tau", trio[:1]),
+            "TABLES_OF_COMMAND": stage_tables("command", trio[1:]),
+        }
+    values = {
+        "PROVENANCE": _provenance(facts),
+        "LIMITS": limits(networks, facts),
+        "CONSTANTS": constants(facts, networks.approach),
+        "DOMAIN": domain_tables(facts),
+    }
+    return filled("sailnet_guidance_host.c.in", values | stages)
 
 
 def _provenance(facts: GuidanceFacts) -> str:
@@ -145,7 +112,3 @@ def _provenance(facts: GuidanceFacts) -> str:
     ]
     # What a trainer recorded is free text: it must not end the comment.
     return "\n".join(" * " + line.replace("*/", "* /").replace("\n", " ") for line in lines)
-
-
-def _read(part: str) -> str:
-    return (C_RUNTIME / part).read_text(encoding="utf-8")

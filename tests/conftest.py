@@ -1,10 +1,12 @@
 """Solutions and artefacts that several tests read and that take seconds to make."""
 
+import os
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pytest
+from filelock import FileLock
 
 from data.box import box_shard
 from sailnet.dataset import Block, write_dataset
@@ -17,7 +19,13 @@ from sailnet.physics.transfer import Transfer
 from tests.random_networks import random_guidance, random_network, save_guidance
 from tests.reference import Array
 from tests.small_datasets import NOMINAL, pieces, with_recipe
-from tests.tools import pytest_runtest_makereport, pytest_runtest_setup  # noqa: F401 (hooks)
+from tests.tools import (  # noqa: F401 (hooks)
+    pytest_deselected,
+    pytest_runtest_makereport,
+    pytest_runtest_setup,
+    pytest_terminal_summary,
+    pytest_testnodedown,
+)
 
 
 @pytest.fixture(scope="session")
@@ -70,13 +78,13 @@ class Exported:
 @pytest.fixture(scope="session")
 def paper_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Exported:
     """Networks of the paper's form, and a baseline."""
-    return _export(random_guidance(), mission, tmp_path_factory, random_network("alpha"))
+    return _export("paper", random_guidance(), mission, tmp_path_factory, random_network("alpha"))
 
 
 @pytest.fixture(scope="session")
 def approach_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Exported:
     """Networks in approach coordinates."""
-    return _export(random_guidance(approach=True), mission, tmp_path_factory)
+    return _export("approach", random_guidance(approach=True), mission, tmp_path_factory)
 
 
 @pytest.fixture(params=["paper", "approach"])
@@ -87,20 +95,27 @@ def exported(request: pytest.FixtureRequest) -> Exported:
 
 
 def _export(
+    name: str,
     networks: GuidanceNetworks,
     mission: Mission,
     folders: pytest.TempPathFactory,
     alpha: Network | None = None,
 ) -> Exported:
+    """The first of the processes that tests run on exports; the others read what it wrote."""
     from export.write import export
 
-    weights, folder = folders.mktemp("networks"), folders.mktemp("exported")
-    save_guidance(networks, weights)
-    baseline = None
-    if alpha is not None:
-        baseline = weights / "alpha.safetensors"
-        save_network(alpha, baseline)
-    export(weights, folder, mission, baseline, progress=False)
+    base = folders.getbasetemp()
+    made = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / f"{name}_exported"
+    weights, folder, finished = made / "networks", made / "exported", made / "finished"
+    with FileLock(f"{made}.lock"):
+        if not finished.exists():
+            save_guidance(networks, weights)
+            baseline = None
+            if alpha is not None:
+                baseline = weights / "alpha.safetensors"
+                save_network(alpha, baseline)
+            export(weights, folder, mission, baseline, progress=False)
+            finished.touch()
     return Exported(networks, weights, folder)
 
 

@@ -69,9 +69,9 @@ def unconstrained_angle(lambda_u: ArrayLike, lambda_v: ArrayLike, branch: ArrayL
     """
     lu, lv, side = (np.asarray(x, float) for x in (lambda_u, lambda_v, branch))
     root = np.sqrt(9 * lu**2 + 8 * lv**2)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        facing = np.arctan(-2 * lv / (root - 3 * lu))
-        averted = side * np.pi / 2 + np.arctan(4 * lv / (root + 3 * lu))
+    # No denominator is negative, so that arctan2 is the arc tangent of the quotient, and may be zero.
+    facing = np.arctan2(-2 * lv, root - 3 * lu)
+    averted = side * np.pi / 2 + np.arctan2(4 * lv, root + 3 * lu)
     return np.asarray(np.where(lu < 0, facing, averted))
 
 
@@ -132,14 +132,16 @@ def fly(
             (t, times[-1]),
             x,
             "DOP853",
-            dense_output=True,
+            dense_output=len(times) > 2,
             events=events,
             rtol=3e-14,
             atol=1e-13,
             max_step=0.05,
         )
         covered = (times >= t) & (times <= flown.t[-1])
-        if covered.any():
+        if flown.sol is None:
+            states[covered] = flown.y[:, np.isin(flown.t, times)].T
+        elif covered.any():
             states[covered] = flown.sol(times[covered]).T
         if flown.status == 0:
             return Flown(states, jump_times)

@@ -8,6 +8,7 @@ import importlib.util
 import os
 import shutil
 from collections.abc import Generator, Sequence
+from typing import Any
 
 import pytest
 
@@ -58,6 +59,29 @@ def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestR
         report.outcome = "failed"
         report.longrepr = f"where CI=true no test is skipped: {report.longreprtext}"
     return report
+
+
+LEFT_OUT = pytest.StashKey[int]()
+
+
+def pytest_deselected(items: Sequence[pytest.Item]) -> None:
+    """Processes of xdist do not say how many tests an expression left out."""
+    output = getattr(items[0].config, "workeroutput", None)
+    if output is not None:
+        output["left out"] = output.get("left out", 0) + len(items)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    """Each process of xdist has collected, and left out, the same."""
+    node.config.stash[LEFT_OUT] = getattr(node, "workeroutput", {}).get("left out", 0)
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """How many tests were left out."""
+    config = terminalreporter.config
+    if config.stash.get(LEFT_OUT, 0):
+        terminalreporter.write_line(f"{config.stash[LEFT_OUT]} tests deselected")
 
 
 every_compiler = pytest.mark.parametrize(

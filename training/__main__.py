@@ -9,7 +9,7 @@ from pathlib import Path
 from sailnet.dataset import open_dataset
 from sailnet.errors import NetworkError, SailnetError
 from sailnet.mission.mission import Mission, load_mission
-from training.hull import add_domain
+from training.fit_domain import add_domain
 from training.parallel import train_networks
 from training.targets import TARGETS
 

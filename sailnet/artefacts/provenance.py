@@ -1,9 +1,11 @@
 """What every artefact says about the software that made it."""
 
+import ast
 import hashlib
-import importlib
+import importlib.util
 import platform
 import subprocess
+from collections.abc import Mapping
 from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
@@ -28,7 +30,7 @@ def software() -> dict[str, str]:
 
 
 def environment(packages: tuple[str, ...]) -> dict[str, str]:
-    """What the last bit of a computed number may depend on: equal means the numbers are equal.
+    """What the last bit of any number of ours may depend on: equal means the numbers are equal.
 
     Args:
         packages: names of packages whose source counts; ``sailnet`` always does.
@@ -37,17 +39,59 @@ def environment(packages: tuple[str, ...]) -> dict[str, str]:
         ModuleNotFoundError: a package cannot be imported here.
     """
     sources = {
-        f"source of {name}": _source_digest(importlib.import_module(name)) for name in ("sailnet", *packages)
+        f"source of {name}": _digest(_files(importlib.import_module(name))) for name in ("sailnet", *packages)
     }
+    return {**_versions(), **sources}
+
+
+def environment_of(*modules: str) -> dict[str, str]:
+    """What the last bit of the numbers that some modules compute may depend on: no other source of ours.
+
+    Args:
+        modules: by name; whatever they import of their own top-level packages counts too.
+    """
+    return {**_versions(), f"source of {', '.join(modules)}": _digest(_imported(modules))}
+
+
+def _versions() -> dict[str, str]:
     versions = {name: version(name) for name in ("heyoka", "numpy", "scipy")}
-    return {**versions, "SIMD width": str(heyoka.recommended_simd_size()), **sources}
+    return {**versions, "SIMD width": str(heyoka.recommended_simd_size())}
 
 
-def _source_digest(package: ModuleType) -> str:
-    digest = hashlib.sha256()
+def _files(package: ModuleType) -> dict[str, Path]:
     (folder,) = (Path(place) for place in package.__path__)
-    for path in sorted(folder.rglob("*.py")):
-        digest.update(path.relative_to(folder).as_posix().encode() + b"\0" + path.read_bytes())
+    return {path.relative_to(folder).as_posix(): path for path in folder.rglob("*.py")}
+
+
+def _imported(modules: tuple[str, ...]) -> dict[str, Path]:
+    """The files of modules and of all that they import, directly or not, of the same top-level packages."""
+    packages = {name.partition(".")[0] for name in (*modules, "sailnet")}
+    found: dict[str, Path] = {}
+    waiting = list(modules)
+    while waiting:
+        name = waiting.pop()
+        if name in found or name.partition(".")[0] not in packages:
+            continue
+        try:
+            spec = importlib.util.find_spec(name)
+        except ModuleNotFoundError:  # of ``from module import name``, the name
+            continue
+        if spec is None or spec.origin is None:
+            continue
+        found[name] = Path(spec.origin)
+        waiting.append(name.rpartition(".")[0])  # a package is imported with its modules
+        for node in ast.walk(ast.parse(found[name].read_bytes())):
+            if isinstance(node, ast.Import):
+                waiting += [alias.name for alias in node.names]
+            elif isinstance(node, ast.ImportFrom) and node.module:
+                waiting += [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
+    return found
+
+
+def _digest(files: Mapping[str, Path]) -> str:
+    digest = hashlib.sha256()
+    for name in sorted(files):
+        digest.update(name.encode() + b"\0" + files[name].read_bytes())
     return digest.hexdigest()[:16]
 
 

@@ -1,17 +1,19 @@
 """Finished parts of a long computation on disk, so that a run that was killed goes on where it was.
 
-Beside the output lies a folder ``.NAME.parts``: one file a part (a shard), each written whole by rename
+Beside the output lies a folder ``.NAME.parts``: one file a part, each written whole by rename
 and with a checksum, and what they were made of. When the output is complete the folder goes.
 """
 
 import json
 import shutil
 import zlib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
+from itertools import tee
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 from filelock import FileLock, Timeout
@@ -25,6 +27,8 @@ from sailnet.errors import DatasetError
 SUFFIX = ".safetensors"
 
 Columns = Mapping[str, NDArray[Any]]
+
+Made = TypeVar("Made")
 
 
 @dataclass(frozen=True)
@@ -52,7 +56,7 @@ class Parts:
         columns = {name: np.ascontiguousarray(column) for name, column in columns.items()}
         facts = {"run": self.run, "number": str(number), "crc32": _checksum(columns)}
         try:
-            # Not durable: after a power cut the checksum tells, and the shard is made again.
+            # Not durable: after a power cut the checksum tells, and the part is made again.
             write_whole(self._path(number), lambda beside: save_file(columns, beside, facts), durable=False)
         except (OSError, SafetensorError) as error:
             raise DatasetError(f"cannot write {self._path(number)}: {error}") from error
@@ -77,6 +81,18 @@ class Parts:
         expected = {"run": self.run, "number": str(number), "crc32": _checksum(columns)}
         return columns if facts == expected else None
 
+    def waiting(self, one: str, many: str) -> str:
+        """A line that says how many wait for the next run; empty if none does.
+
+        Args:
+            one: what a part is called.
+            many: the same in the plural.
+        """
+        if not (kept := len(self.finished())):
+            return ""
+        what = f"{one} waits" if kept == 1 else f"{many} wait"
+        return f"{kept} finished {what} in {self.folder}: the same command goes on"
+
     def _path(self, number: int) -> Path:
         return self.folder / f"{number:08d}{SUFFIX}"
 
@@ -86,6 +102,60 @@ def _checksum(columns: Columns) -> str:
     for name in sorted(columns):
         checksum = zlib.crc32(columns[name].data, zlib.crc32(name.encode(), checksum))
     return f"{checksum:08x}"
+
+
+class Distribution(Protocol):
+    """Whoever computes a function of many numbers, in their order, such as ``Workers``."""
+
+    share_files: bool
+    """Whether the function runs where the files of this process are seen."""
+
+    def map(self, function: Callable[[int], Made], numbers: Iterable[int]) -> Iterator[Made]:
+        """Yield ``function(number)`` in the order of the numbers."""
+        ...
+
+
+def resumed(
+    make: Callable[[int], Columns],
+    numbers: Iterable[int],
+    parts: Parts,
+    workers: Distribution | None = None,
+) -> Iterator[Columns]:
+    """Yield the parts in the order of their numbers, making and storing those that are missing or damaged.
+
+    Args:
+        make: computes one part; picklable if workers are other processes.
+        numbers: of the parts, maybe endless.
+        parts: where they are kept.
+        workers: who makes them; this process by default.
+
+    Raises:
+        DatasetError: a part cannot be stored; whatever ``make`` raises.
+    """
+    finished = parts.finished()
+    # Two walks over the same numbers: one ahead, handing out work, one collecting.
+    ahead, numbers = tee(numbers)
+    missing = (number for number in ahead if number not in finished)
+    made: Iterator[Columns | None]
+    if workers is None:
+        made = map(partial(_ensure, make, parts), missing)
+    elif workers.share_files:
+        # They write their parts themselves, which spares the way through a pipe.
+        made = workers.map(partial(_ensure, make, parts), missing)
+    else:
+        made = workers.map(make, missing)
+    for number in numbers:
+        if number not in finished and (columns := next(made)) is not None:
+            parts.store(number, columns)
+        loaded = parts.load(number)
+        if loaded is None:  # damaged
+            loaded = make(number)
+            parts.store(number, loaded)
+        yield loaded
+
+
+def _ensure(make: Callable[[int], Columns], parts: Parts, number: int) -> None:
+    parts.ensure(number, make)
 
 
 @contextmanager
@@ -149,7 +219,7 @@ def _check_run(folder: Path, run: dict[str, str], text: str) -> None:
     if found != run:
         different = ", ".join(sorted(name for name in run if found.get(name) != run[name]))
         raise DatasetError(
-            f"{folder} holds shards that an earlier run made with another {different}: "
+            f"{folder} holds what an earlier run made with another {different}: "
             "go on with what it had, or throw them away with --restart"
         )
     for leftover in folder.glob("*.part"):

@@ -7,13 +7,14 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import AfterValidator, Field, ValidationError, model_validator
 
-from sailnet.errors import CampaignError, SailnetError
+from sailnet.errors import CampaignError, GuidanceError, SailnetError
+from sailnet.flight.starts import random_starts
+from sailnet.guidance.steering import refuse_long_period
 from sailnet.mission.disturbances import Disturbance, disturbance_from
 from sailnet.mission.explanation import explain
 from sailnet.mission.mission import Mission
 from sailnet.mission.sections import Count, Positive, Section
 from sailnet.mission.toml_files import read_table, shipped_names
-from sailnet.montecarlo import random_starts
 from sailnet.physics.arrays import Array
 
 State = Annotated[tuple[Positive, float, float], Field(strict=False)]
@@ -28,6 +29,17 @@ def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
 
 
 Increasing = Annotated[tuple[Positive, ...], Field(strict=False, min_length=1), AfterValidator(_increasing)]
+
+
+def _short_enough(values: tuple[float, ...]) -> tuple[float, ...]:
+    try:
+        refuse_long_period(max(values))
+    except GuidanceError as error:
+        raise ValueError(str(error)) from error
+    return values
+
+
+Periods = Annotated[Increasing, AfterValidator(_short_enough)]
 
 
 def _known(table: dict[str, Any]) -> dict[str, Any]:
@@ -45,6 +57,7 @@ class Series(Section):
 
     Attributes:
         name: in a few words, unique in the campaign.
+        mission: name of the only mission that flies it; by default all do.
         flights: how many; by default one from each start that is listed.
         starts: ``generalisation`` for random ones of the mission's generalisation set, or a list of
             (r, u, v), flown in turn.
@@ -54,9 +67,10 @@ class Series(Section):
     """
 
     name: Annotated[str, Field(min_length=1, max_length=60)]
+    mission: str | None = None
     flights: Count | None = None
     starts: Starts | None = None
-    periods: Increasing | None = None
+    periods: Periods | None = None
     disturbance: Annotated[dict[str, Any], AfterValidator(_known)] = Field(default_factory=dict)
     optima: Annotated[int, Field(ge=0)] | None = None
 
@@ -89,7 +103,7 @@ class Plan(Section):
         seed: of every random number.
         thresholds: terminal errors [AU, AU/TU] at which arrivals are counted; the mission's tolerance is
             always one.
-        sample: of the first so many flights of each series, at its first period, trajectories are kept.
+        sample: of the first so many flights of each series trajectories are kept, at one of its periods.
         failures: trajectories of at most so many flights that did not arrive are kept, of each series and
             period; by default of all but a campaign in which nearly nothing arrives. One takes some 20 kB.
         series: with the attributes of the campaign itself where they leave them out.
@@ -102,7 +116,7 @@ class Plan(Section):
     seed: Seed = 2
     flights: Count | None = None
     starts: Starts = "generalisation"
-    periods: Increasing | None = None
+    periods: Periods | None = None
     optima: Annotated[int, Field(ge=0)] = 0
     thresholds: Increasing = (1e-4, 1e-3, 1e-2)
     sample: Annotated[int, Field(ge=0)] = 10
@@ -138,6 +152,22 @@ class Plan(Section):
         """Guidance periods of one of the ``whole`` series [TU]."""
         return series.periods or (mission.flight.period,)
 
+    def sampled_period(self, series: Series, mission: Mission) -> float:
+        """That at which a sample of trajectories is kept [TU]: the mission's if it is flown, or the first."""
+        periods = self.periods_of(series, mission)
+        return mission.flight.period if mission.flight.period in periods else periods[0]
+
+    def flown_by(self, mission: Mission) -> "Plan":
+        """Without the series of other missions.
+
+        Raises:
+            CampaignError: none is left.
+        """
+        mine = tuple(series for series in self.series if series.mission in (None, mission.name))
+        if not mine:
+            raise CampaignError(f"no series of campaign {self.name!r} is for mission {mission.name!r}")
+        return self.model_copy(update={"series": mine})
+
     def changed(self, flights: int | None, seed: int | None) -> "Plan":
         """With another seed, or so many flights in each series of random starts; None keeps what is.
 
@@ -159,9 +189,13 @@ class Plan(Section):
         return json.dumps(self.model_dump(by_alias=True, mode="json", exclude_none=True), sort_keys=True)
 
 
+FOLDER = "campaign/campaigns"
+"""Of the package, where the campaigns that come with it are."""
+
+
 def ready_campaigns() -> list[str]:
     """Names of the campaigns that come with the package."""
-    return shipped_names("campaigns")
+    return shipped_names(FOLDER)
 
 
 def load_plan(name_or_path: str | Path) -> Plan:
@@ -170,7 +204,7 @@ def load_plan(name_or_path: str | Path) -> Plan:
     Raises:
         CampaignError: no such campaign, not TOML, an unknown or missing key, a value out of range.
     """
-    return parse_plan(read_table(name_or_path, "campaign", "campaigns", CampaignError), str(name_or_path))
+    return parse_plan(read_table(name_or_path, "campaign", FOLDER, CampaignError), str(name_or_path))
 
 
 def parse_plan(content: dict[str, Any], source: str) -> Plan:

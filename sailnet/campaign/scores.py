@@ -1,20 +1,20 @@
 """What the flights of a campaign amount to, for each series and guidance period."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from sailnet.campaign.store import Results
+from sailnet.campaign.results import Results
 from sailnet.flight.closed_loop import Ending, Flights
-from sailnet.montecarlo import wilson_interval
+from sailnet.flight.intervals import wilson_interval
 from sailnet.physics.arrays import Array
 
 QUANTILES = (0.5, 0.9, 0.99, 1.0)
 
-
 DETOUR = 1.0
-"""Time above the optimum, relative, beyond which a flight that arrived went astray on its way."""
+"""Time above the optimum, relative, beyond which a flight that arrived made a detour."""
 
 
 @dataclass(frozen=True)
@@ -23,6 +23,11 @@ class Share:
 
     count: int
     of: int
+
+    @staticmethod
+    def where(mask: NDArray[np.bool_]) -> "Share":
+        """Of the flights of a mask, those for which it holds."""
+        return Share(int(mask.sum()), len(mask))
 
     @property
     def share(self) -> float:
@@ -48,6 +53,7 @@ class Score:
         nearest: flights that came within the mission's tolerance at some moment: what a stop rule that knew
             the truth would have got.
         error_quantiles: of the largest component of the terminal error, over all flights.
+        component_quantiles: of each component of it, r, u, v, over all flights.
         gap_quantiles: of the time above the optimum of the sail as assumed, relative, over flights that
             arrived and whose optimum is known; empty without any.
         gaps: how many these are.
@@ -64,6 +70,7 @@ class Score:
     within: Mapping[float, Share]
     nearest: Share
     error_quantiles: Mapping[float, float]
+    component_quantiles: Mapping[float, list[float]]
     gap_quantiles: Mapping[float, float]
     gaps: int
     detours: Share | None
@@ -77,23 +84,29 @@ def largest_error(flights: Flights) -> Array:
     return np.asarray(flights.terminal_error.max(axis=1))
 
 
-def optimality_gap(results: Results, rows: np.ndarray[tuple[int], np.dtype[np.intp]]) -> Array:
+def component_quantiles(flights: Flights, levels: Iterable[float] = QUANTILES) -> dict[float, list[float]]:
+    """Quantiles of each component of the terminal error, r [AU], u, v [AU/TU], over all flights."""
+    return {level: np.quantile(flights.terminal_error, level, axis=0).tolist() for level in levels}
+
+
+def attitude_violations(flights: Flights, bound: float) -> int:
+    """Flights with a command beyond the bound on the cone angle [rad]."""
+    return int((flights.max_cone_angle > bound).sum())
+
+
+def optimality_gap(results: Results, rows: NDArray[np.intp]) -> Array:
     """Time above the optimum of the sail as assumed, relative, of those of some flights that arrived."""
     return _gaps(results, rows)[1]
 
 
-def detours(
-    results: Results, rows: np.ndarray[tuple[int], np.dtype[np.intp]]
-) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
+def detours(results: Results, rows: NDArray[np.intp]) -> NDArray[np.intp]:
     """Which of some flights arrived after more than twice the optimum, the latest first."""
     known, gap = _gaps(results, rows)
     order = np.argsort(-gap, kind="stable")
     return known[order][gap[order] > DETOUR]
 
 
-def _gaps(
-    results: Results, rows: np.ndarray[tuple[int], np.dtype[np.intp]]
-) -> tuple[np.ndarray[tuple[int], np.dtype[np.intp]], Array]:
+def _gaps(results: Results, rows: NDArray[np.intp]) -> tuple[NDArray[np.intp], Array]:
     flights = results.flights
     gap = flights["time_of_flight"][rows] / flights["optimal_time"][rows] - 1.0
     known = (flights["arrived"][rows] == 1) & np.isfinite(gap)
@@ -110,7 +123,7 @@ def scores_of(results: Results) -> list[Score]:
         for period in plan.periods_of(series, mission):
             rows = results.rows(number, period)
             flights = results.as_flights(rows)
-            error, count = largest_error(flights), len(rows)
+            error = largest_error(flights)
             sound = flights.stopped & (flights.max_cone_angle <= bound)
             gap = optimality_gap(results, rows)
             scores.append(
@@ -118,19 +131,20 @@ def scores_of(results: Results) -> list[Score]:
                     series=number,
                     name=series.name,
                     period=period,
-                    arrived=Share(int(flights.arrived.sum()), count),
+                    arrived=Share.where(flights.arrived),
                     within={
-                        threshold: Share(int((sound & (error <= threshold)).sum()), count)
+                        threshold: Share.where(sound & (error <= threshold))
                         for threshold in sorted({*plan.thresholds, tolerance})
                     },
-                    nearest=Share(int((flights.nearest_error <= tolerance).sum()), count),
+                    nearest=Share.where(flights.nearest_error <= tolerance),
                     error_quantiles={q: float(np.quantile(error, q)) for q in QUANTILES},
+                    component_quantiles=component_quantiles(flights),
                     gap_quantiles={q: float(np.quantile(gap, q)) for q in QUANTILES if len(gap)},
                     gaps=len(gap),
-                    detours=Share(int((gap > DETOUR).sum()), len(gap)) if len(gap) else None,
+                    detours=Share.where(gap > DETOUR) if len(gap) else None,
                     lost=int((flights.ending == Ending.LOST).sum()),
                     too_long=int((flights.ending == Ending.TOO_LONG).sum()),
-                    violations=int((flights.max_cone_angle > bound).sum()),
+                    violations=attitude_violations(flights, bound),
                 )
             )
     return scores
@@ -179,6 +193,7 @@ def score_record(score: Score) -> dict[str, object]:
         "within": {f"{threshold:g}": share.count for threshold, share in score.within.items()},
         "nearest": score.nearest.count,
         "error_quantiles": {f"{q:g}": value for q, value in score.error_quantiles.items()},
+        "component_error_quantiles": {f"{q:g}": row for q, row in score.component_quantiles.items()},
         "gap_quantiles": {f"{q:g}": value for q, value in score.gap_quantiles.items()},
         "gap_flights": score.gaps,
         "detours": None if score.detours is None else score.detours.count,

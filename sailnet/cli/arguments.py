@@ -45,6 +45,12 @@ def backend_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(add_help=False)
     parser.add_argument("--backend", choices=("c", "onnx"), default="c", help="what runs the networks")
     parser.add_argument("--precision", choices=("float64", "float32"), default="float64")
+    parser.add_argument(
+        "--layout",
+        choices=("flight", "host"),
+        default="flight",
+        help="of the exported C: the file that goes on board, or the same on vectors (default: %(default)s)",
+    )
     parser.add_argument("--networks", type=Path, metavar="DIR", help="exported networks (default: shipped)")
     return parser
 
@@ -57,7 +63,7 @@ def guidance_of(options: argparse.Namespace, mission: Mission) -> "Guidance":
     """
     from sailnet.guidance.backends import load_guidance
 
-    return load_guidance(mission, options.backend, options.precision, options.networks)
+    return load_guidance(mission, options.backend, options.precision, options.networks, layout=options.layout)
 
 
 def loop_parser() -> argparse.ArgumentParser:

@@ -38,6 +38,11 @@ def add(commands: Commands) -> None:
     )
     evaluate.add_argument("--restart", action="store_true", help="throw away what was flown before")
     evaluate.add_argument(
+        "--overwrite",
+        action="store_true",
+        help="replace a finished campaign of the same name, but another mission, file, networks or options",
+    )
+    evaluate.add_argument(
         "--flights", type=int, metavar="N", help="how many (100, or what the campaign says for random starts)"
     )
     evaluate.add_argument("--workers", type=int, default=1, metavar="N", help="processes (%(default)s)")
@@ -46,31 +51,30 @@ def add(commands: Commands) -> None:
 
 def run(options: argparse.Namespace) -> Result:
     """Fly them; shares and errors by name."""
-    from sailnet.montecarlo import fly_campaign
-    from sailnet.workers.executors import workers
-
     if options.campaign is not None:
-        from sailnet.campaign.command import evaluate_campaign
+        from sailnet.cli.campaign import evaluate_campaign
 
         return evaluate_campaign(options)
+    from sailnet.campaign.random_flights import fly_random_starts
+    from sailnet.campaign.scores import Share, attitude_violations, component_quantiles
+    from sailnet.workers.executors import workers
+
     mission = load_mission(options.mission)
     guidance = guidance_of(options, mission)
     disturbance = disturbance_of(options, mission)
     alone = options.workers == 1 and options.scheduler is None
     with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:
-        campaign = fly_campaign(
-            mission,
-            guidance,
-            100 if options.flights is None else options.flights,
-            disturbance,
-            period=options.period,
-            workers=pool,
+        count = 100 if options.flights is None else options.flights
+        flights = fly_random_starts(
+            mission, guidance, count, disturbance, period=options.period, workers=pool
         )
+    arrived = Share.where(flights.arrived)
+    quantiles = component_quantiles(flights, (0.5, 0.9, 0.95, 0.99, 1.0))
     return {
-        "flights": len(campaign.flights.arrived),
-        "arrived": campaign.arrived,
-        "success_share": campaign.success_share,
-        "confidence_interval": list(campaign.confidence_interval),
-        "error_quantiles": campaign.error_quantiles(),
-        "attitude_violations": campaign.attitude_violations(mission.problem.phi_max),
+        "flights": arrived.of,
+        "arrived": arrived.count,
+        "success_share": arrived.share,
+        "confidence_interval": list(arrived.interval),
+        "error_quantiles": {f"{level:g}": values for level, values in quantiles.items()},
+        "attitude_violations": attitude_violations(flights, mission.problem.phi_max),
     }

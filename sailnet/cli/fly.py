@@ -42,12 +42,14 @@ def run(options: argparse.Namespace) -> Result:
     """Fly; how it ended by name."""
     from sailnet.expert.fastest import solve
     from sailnet.flight.closed_loop import Ending, fly_recorded
-    from sailnet.report import report
+    from sailnet.report import need_pictures, report
 
     mission = load_mission(options.mission)
     state = state_of(options)
     if options.plot is not None and options.plot.suffix not in (".png", ".html"):
         raise SailnetError(f"--plot writes FILE.png or FILE.html, not {options.plot}")
+    if options.plot is not None:
+        need_pictures()
     guidance = guidance_of(options, mission)
     disturbance = disturbance_of(options, mission)
     flight, (history,) = fly_recorded(

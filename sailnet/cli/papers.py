@@ -19,11 +19,14 @@ def add(commands: Commands) -> None:
         "--output", metavar="DIR", type=Path, help="write papers.json, papers.md, a page and pictures there"
     )
     papers.add_argument("--readme", metavar="FILE", type=Path, help="fill its blocks `papers` and `sail`")
+    papers.add_argument(
+        "--workers", type=int, default=1, metavar="N", help="problems solved side by side (%(default)s)"
+    )
     papers.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Solve and print; the exit status."""
-    from sailnet.ocp.papers import command
+    from sailnet.papers import command
 
-    return command.run(options.name, options.json, options.output, options.readme)
+    return command.run(options.name, options.json, options.output, options.readme, options.workers)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from sailnet.errors import SailnetError
 from sailnet.flight.plant_library import STEER, plant
 from sailnet.guidance.interface import NativeSteering, Steering
+from sailnet.guidance.steering import refuse_long_period
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
@@ -44,12 +45,13 @@ def rules(mission: Mission, disturbance: Disturbance, period: float) -> NDArray[
         period: guidance period [TU].
 
     Raises:
-        SailnetError: a period that is not positive, or too short for the mission's longest flight; a time
-            of an outage below it.
+        SailnetError: a period that is not positive, too long for steering or too short for the mission's
+            longest flight; a time of an outage below it.
     """
     longest = mission.flight.longest
     if not (math.isfinite(period) and period > 0.0):
         raise SailnetError(f"the guidance period must be a positive number of TU, not {period}")
+    refuse_long_period(period)
     if longest / period > MOST_PERIODS:
         raise SailnetError(f"a guidance period of {period:g} TU makes more than {MOST_PERIODS} in a flight")
     if disturbance.outage_probability > 0.0 and disturbance.outage_duration < period:

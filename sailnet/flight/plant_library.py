@@ -1,7 +1,8 @@
 """The compiled plant, and its structures as it describes them itself.
 
-The C is in ``c_runtime/plant``; it is compiled when the package is installed. What its structures mean is in
-``sailnet_plant.h``; which members they have, and where, the library tells, so that nothing is typed again.
+The C is in ``c_runtime/simulation/plant``; it is compiled when the package is installed. What its
+structures mean is in ``sailnet_plant.h``; which members they have, and where, the library tells, so that
+nothing is typed again.
 """
 
 import ctypes

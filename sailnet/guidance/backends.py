@@ -8,7 +8,7 @@ import numpy as np
 
 from sailnet.errors import GuidanceError
 from sailnet.guidance.exported_c import CGuidance
-from sailnet.guidance.interface import Guidance, Precision
+from sailnet.guidance.interface import Guidance, Layout, Precision
 from sailnet.guidance.onnx_graphs import OnnxGuidance
 from sailnet.mission.mission import Mission
 
@@ -20,14 +20,16 @@ def load_guidance(
     backend: Backend = "c",
     precision: Precision = "float64",
     folder: Path | None = None,
+    layout: Layout = "flight",
 ) -> Guidance:
     """Load what ``python -m export`` wrote for this mission.
 
     Args:
         mission: the mission to fly; other networks are refused.
-        backend: ``c`` is the flight file itself, compiled; ``onnx`` the merged graph in onnxruntime.
+        backend: ``c`` is the exported C, compiled; ``onnx`` the merged graph in onnxruntime.
         precision: of the arithmetic.
         folder: of the exported files; by default those shipped with the package.
+        layout: of the C: ``flight`` is the file that goes on board, ``host`` its form on vectors.
 
     Raises:
         GuidanceError: a file is missing, damaged, of another mission or cannot be loaded.
@@ -35,7 +37,8 @@ def load_guidance(
     where = folder if folder is not None else _shipped(mission)
     bits = np.dtype(precision).itemsize * 8
     if backend == "c":
-        return CGuidance(mission, where / f"guidance_f{bits}.so")
+        form = "" if layout == "flight" else f"_{layout}"
+        return CGuidance(mission, where / f"guidance_f{bits}{form}.so")
     if backend == "onnx":
         return OnnxGuidance(mission, where / f"guidance_f{bits}.onnx")
     raise GuidanceError(f"no back end {backend!r}: known are c and onnx")

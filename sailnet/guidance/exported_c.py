@@ -1,6 +1,7 @@
 """The exported C file as it would go on board, compiled into a shared library and called by ctypes."""
 
 import ctypes
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,10 @@ from sailnet.errors import GuidanceError
 from sailnet.guidance.interface import Commands, Precision, Steered, as_betas, as_states
 from sailnet.mission.mission import Mission
 
-API_VERSION = 2
+API_VERSION = 3
+
+_SUFFIXES: Mapping[str, Precision] = {"f32": "float32", "f64": "float64"}
+"""At the end of every symbol of a library."""
 
 COMMAND_FIELDS = ("cone_angle", "time_of_flight", "beta", "hold")
 """Members of ``sailnet_command``, in order."""
@@ -22,7 +26,7 @@ class CGuidance:
 
     Args:
         mission: the mission to fly.
-        library: ``guidance_f32.so`` or ``guidance_f64.so``, beside its list of checksums.
+        library: a ``guidance_*.so``, beside its list of checksums.
 
     Raises:
         GuidanceError: the library is missing, damaged, of another mission or cannot be loaded here.
@@ -34,12 +38,14 @@ class CGuidance:
         integer, text, pointer = ctypes.c_uint32, ctypes.c_char_p, ctypes.c_void_p
         try:
             loaded = ctypes.CDLL(str(library.resolve()))
-            if _declared(loaded, "sailnet_api_version", integer)() != API_VERSION:
+            suffix = next((end for end in _SUFFIXES if hasattr(loaded, f"sailnet_api_version_{end}")), None)
+            if suffix is None:
+                raise GuidanceError(f"cannot load {library}: this version of sailnet did not export it")
+            if loaded[f"sailnet_api_version_{suffix}"]() != API_VERSION:
                 raise GuidanceError(f"{library} was exported by another version of sailnet; export it again")
             functions = {
-                name: _declared(loaded, f"sailnet_{name}", result)
+                name: _declared(loaded, f"sailnet_{name}_{suffix}", result)
                 for name, result in (
-                    ("real_size", integer),
                     ("memory_size", integer),
                     ("beta_min", ctypes.c_double),
                     ("beta_max", ctypes.c_double),
@@ -47,13 +53,12 @@ class CGuidance:
                     ("networks_digest", text),
                 )
             }
-            double = functions["real_size"]() == 8
-            real = ctypes.c_double if double else ctypes.c_float
+            real = ctypes.c_double if suffix == "f64" else ctypes.c_float
             count = ctypes.c_uint64
-            self._command = _declared(loaded, "sailnet_guidance_batch", None, count, *[pointer] * 5)
-            self._start = _declared(loaded, "sailnet_start_batch", None, count, pointer)
+            self._command = _declared(loaded, f"sailnet_guidance_batch_{suffix}", None, count, *[pointer] * 5)
+            self._start = _declared(loaded, f"sailnet_start_batch_{suffix}", None, count, pointer)
             self._steer = _declared(
-                loaded, "sailnet_steer_batch", None, count, *[pointer] * 3, real, *[pointer] * 2
+                loaded, f"sailnet_steer_batch_{suffix}", None, count, *[pointer] * 3, real, *[pointer] * 2
             )
         except (OSError, AttributeError) as error:
             raise GuidanceError(
@@ -67,7 +72,7 @@ class CGuidance:
         self._library = library
         self._memory_size: int = functions["memory_size"]()
         self.networks_digest: str = functions["networks_digest"]().decode()
-        self.precision: Precision = "float64" if double else "float32"
+        self.precision: Precision = _SUFFIXES[suffix]
         self.beta_range: tuple[float, float] = (functions["beta_min"](), functions["beta_max"]())
 
     def __reduce__(self) -> tuple[type["CGuidance"], tuple[Mission, Path]]:

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from sailnet import __version__
 from sailnet.errors import GuidanceError, NetworkError
+from sailnet.guidance.interface import Commands, GuidanceStatus
 from sailnet.mission.mission import Mission
 from sailnet.networks.approach import APPROACH_INPUTS
 from sailnet.networks.guidance_networks import GuidanceNetworks
@@ -79,6 +80,32 @@ class GuidanceFacts:
         at_target = (np.abs(known - self.target_state) <= self.arrival_tolerance).all(axis=1)
         within = self.domain.excess(known, sails, self.target_state) <= 0.0
         return np.asarray(inside & (at_target | within))
+
+    def commands(
+        self, states: ArrayLike, beta: ArrayLike, cone_angle: ArrayLike, time_of_flight: ArrayLike
+    ) -> Commands:
+        """What networks gave for these states, with the status of each: the rules of ``sailnet_guidance.h``.
+
+        The threshold of arrival is rounded as the time of flight is. A state that is not finite gets the safe
+        command.
+
+        Args:
+            states: (n, 3) rows r [AU], u, v [AU/TU].
+            beta: (n,) normalised characteristic accelerations.
+            cone_angle: (n,) [rad].
+            time_of_flight: (n,) [TU].
+        """
+        state, angle, tau = np.asarray(states), np.asarray(cone_angle), np.asarray(time_of_flight)
+        valid = np.isfinite(state).all(axis=1)
+        status = np.full(len(state), GuidanceStatus.OK, np.int32)
+        status[tau < tau.dtype.type(self.arrival_threshold)] = GuidanceStatus.ARRIVED
+        status[~self.contains(state, beta)] = GuidanceStatus.OUTSIDE_DOMAIN
+        status[~valid] = GuidanceStatus.INVALID_INPUT
+        return Commands(
+            cone_angle=np.where(valid, angle, 0.0).astype(np.float64),
+            time_of_flight=np.where(valid, tau, self.largest_time_of_flight).astype(np.float64),
+            status=status,
+        )
 
     def to_json(self) -> str:
         """One line of JSON."""

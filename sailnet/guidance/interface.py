@@ -13,6 +13,9 @@ from sailnet.physics.arrays import Array
 
 Precision = Literal["float32", "float64"]
 
+Layout = Literal["flight", "host"]
+"""Of the exported C: the file that goes on board, or the same on vectors, for simulation."""
+
 
 class GuidanceStatus(IntEnum):
     """What the guidance says about its command, as in ``sailnet_guidance.h``."""
@@ -69,7 +72,7 @@ class Steering(Protocol):
         """Steer some of the sails.
 
         A state that is not finite gets the safe command for a period, and nothing is learnt from it; a
-        period that is not a positive number gets it with ``hold`` 0.
+        period that is not positive, or longer than steering takes, gets it with ``hold`` 0.
 
         Args:
             states: (n, 3) r, u, v now, after what was commanded last was held.

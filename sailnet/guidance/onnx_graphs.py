@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from sailnet.artefacts.checksums import verify_checksum
 from sailnet.errors import GuidanceError
 from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts
-from sailnet.guidance.interface import Commands, GuidanceStatus, Precision, as_betas, as_states
+from sailnet.guidance.interface import Commands, Precision, as_betas, as_states
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.mission.mission import Mission
 
@@ -50,7 +50,6 @@ class OnnxGuidance:
         self._reads_beta = "beta" in [entry.name for entry in self._session.get_inputs()]
         kind = np.dtype(self.precision).type
         self._state_min = np.array(facts.state_min, kind)
-        self._arrival_threshold = kind(facts.arrival_threshold)
 
     def __reduce__(self) -> tuple[type["OnnxGuidance"], tuple[Mission, Path]]:
         # A worker in another process loads, and checks, the graph itself.
@@ -65,16 +64,7 @@ class OnnxGuidance:
         entered = np.where(valid[:, None], array, self._state_min)
         inputs = {"state": entered, "beta": betas} if self._reads_beta else {"state": entered}
         cone_angle, time_of_flight = self._session.run(["cone_angle", "time_of_flight"], inputs)
-        inside = self._facts.contains(array, betas)
-        status = np.where(time_of_flight < self._arrival_threshold, GuidanceStatus.ARRIVED, GuidanceStatus.OK)
-        status = np.where(inside, status, GuidanceStatus.OUTSIDE_DOMAIN)
-        return Commands(
-            cone_angle=np.where(valid, cone_angle, 0.0).astype(np.float64),
-            time_of_flight=np.where(valid, time_of_flight, self._facts.largest_time_of_flight).astype(
-                np.float64
-            ),
-            status=np.where(valid, status, GuidanceStatus.INVALID_INPUT).astype(np.int32),
-        )
+        return self._facts.commands(array, betas, cone_angle, time_of_flight)
 
     def steering(self, count: int) -> ReferenceSteering:
         """Steering by the reference rules; see ``sailnet.guidance.interface.Guidance``."""

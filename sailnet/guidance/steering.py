@@ -7,9 +7,11 @@ flight ends. This is the reference in NumPy for the C of ``sailnet_steer``; both
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from sailnet.errors import GuidanceError
 from sailnet.guidance.interface import Guidance, GuidanceStatus, Steered
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import runge_kutta_step
+from sailnet.physics.units import DAY, TU
 
 MEMORY = 1.0
 """Time over which the estimate of beta forgets [TU]."""
@@ -19,6 +21,24 @@ LARGEST_SURPRISE = 0.5
 
 LEAST_COSINE2 = 0.05
 """cos^2(alpha) below which a period says nothing about beta: the sail is edge-on."""
+
+
+LARGEST_PERIOD = 0.5 * MEMORY
+"""Longest guidance period [TU], some 29 days: one measurement of beta then counts for at most half."""
+
+
+def refuse_long_period(period: float) -> None:
+    """Raise an error if steering takes no such guidance period [TU].
+
+    Raises:
+        GuidanceError: it is longer than ``LARGEST_PERIOD``.
+    """
+    if period > LARGEST_PERIOD:
+        days = TU / DAY
+        raise GuidanceError(
+            f"a guidance period of {period:g} TU is {period * days:,.0f} days: the longest is "
+            f"{LARGEST_PERIOD:g} TU, {LARGEST_PERIOD * days:.0f} days. Periods are in TU, of {TU:,.0f} s"
+        )
 
 
 class ReferenceSteering:
@@ -54,7 +74,7 @@ class ReferenceSteering:
         """See :class:`sailnet.guidance.interface.Steering`."""
         state = np.asarray(states, float)
         mission = self._guidance.mission
-        if not (np.isfinite(period) and period > 0.0):
+        if not 0.0 < period <= LARGEST_PERIOD:
             state, period = np.full_like(state, np.nan), 0.0
         self._learn(state, sails)
         command = self._guidance.command(state, self._beta[sails])
@@ -95,5 +115,5 @@ class ReferenceSteering:
             distance = 0.5 * (before[0] + state[at, 0])
             measured = surprise * distance**2 / (held * cosine**2)
             measured = np.where(np.isfinite(measured), np.clip(measured, -bound, bound), 0.0)
-        share = np.maximum(1.0 / (periods[at] + 1.0), np.minimum(held / MEMORY, 0.5))
+        share = np.maximum(1.0 / (periods[at] + 1.0), held / MEMORY)
         self._beta[rows] = np.clip(self._beta[rows] + share * measured, *self._guidance.beta_range)

@@ -95,7 +95,7 @@ class GuidanceNetworks:
         if "domain" not in self.tau.provenance:
             raise NetworkError(
                 "network tau does not say which states it was trained on: "
-                "add it with python -m training.hull DATASET NETWORKS_DIR"
+                "add it with python -m training.fit_domain DATASET NETWORKS_DIR"
             )
         return TrainedDomain.parse(self.tau.provenance["domain"])
 

@@ -30,7 +30,7 @@ KNOTS = 11
 AXES = np.array(
     [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, -1, 0], [1, 0, 1], [1, 0, -1], [0, 1, 1], [0, 1, -1]]
 )
-"""(9, 3) axes of the direction x, in the order of ``c_runtime/source/domain.c``."""
+"""(9, 3) axes of the direction x, in the order of ``c_runtime/simulation/host/domain.inc``."""
 
 SMALLEST_SQUARE = 1e-12
 """Smallest q^2 [AU^2/TU^2], far within any arrival tolerance."""

@@ -1,9 +1,23 @@
-"""The report: Section 5 of the paper flown with what was trained, beside the paper's figures; pages."""
+"""Pages and pictures of results: campaigns, single flights, the paper reproduced, other papers' problems."""
 
 from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
 from sailnet.errors import SailnetError
+
+PACKAGES = ("jinja2", "matplotlib")
+"""What the extra ``report`` installs."""
+
+
+def need_pictures() -> None:
+    """Make sure that pages and pictures can be made, before the work that they would show.
+
+    Raises:
+        SailnetError: a package is not installed.
+    """
+    if missing := [name for name in PACKAGES if find_spec(name) is None]:
+        raise SailnetError(f"no pictures here without {' and '.join(missing)}: pip install 'sailnet[report]'")
 
 
 def report(module: str) -> Any:
@@ -12,7 +26,5 @@ def report(module: str) -> Any:
     Raises:
         SailnetError: they are not.
     """
-    try:
-        return import_module(f"sailnet.report.{module}")
-    except ImportError as error:
-        raise SailnetError(f"no pictures here ({error}): pip install 'sailnet[report]'") from error
+    need_pictures()
+    return import_module(f"sailnet.report.{module}")

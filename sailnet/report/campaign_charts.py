@@ -3,17 +3,16 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, Share, largest_error, optimality_gap
-from sailnet.campaign.store import Results
 from sailnet.physics.arrays import Array
-from sailnet.report.charts import PALETTE, Chart, Curve
-from sailnet.report.figures import BAD, GREY
+from sailnet.report.charts import BAD, GREY, PALETTE, Chart, Curve
 
 POINTS = 300
 """Of a distribution's curve."""
 
 SHOWN = 0.99
-"""Share of the times above the optimum that is in view: one flight gone astray would squeeze the rest."""
+"""Share of the times above the optimum that is in view: one detour would squeeze the rest."""
 
 ARRIVED_SHOWN = 1500
 """Starts of flights that arrived, as a background."""
@@ -84,7 +83,7 @@ def _shares(scores: list[Score]) -> Chart:
 
 
 def _detours(scores: list[Score]) -> Chart | None:
-    """Share of arrivals that went astray on their way."""
+    """Share of arrivals that were detours."""
     shares = {_label(score, scores): score.detours for score in scores if score.detours is not None}
     known = {label: share for label, share in shares.items() if share is not None and share.of >= COUNTED}
     if not any(share.count for share in known.values()):

@@ -12,29 +12,30 @@ import numpy as np
 from tqdm import tqdm
 
 from sailnet.artefacts.files import write_whole
+from sailnet.campaign.columns import FLIGHTS
+from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, score_record, score_table, scores_of
-from sailnet.campaign.store import Results
-from sailnet.campaign.tables import FLIGHTS
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.disturbances import switched_on
 from sailnet.physics.optics import OPTICS
 from sailnet.report.campaign_charts import campaign_charts
 from sailnet.report.charts import Chart, for_page, page_columns, write_csv, write_picture
-from sailnet.report.comparison import Row
+from sailnet.report.comparison import Row, flight_rows
+from sailnet.report.compressed_flights import TOGETHER, Flight, compress_flights
 from sailnet.report.flight_charts import SHOWN, common_columns, flight_templates
 from sailnet.report.flight_page import chart_page, write_flight_picture
-from sailnet.report.opened import (
+from sailnet.report.paper_figures import paper_charts
+from sailnet.report.reproduction import Reproduction, shipped_record
+from sailnet.report.section5 import has_section5, section5_of
+from sailnet.report.shown_flights import (
     MOST_FAILURES,
     Group,
-    Opened,
+    ShownFlight,
     columns_of,
     flight_facts,
     flight_title,
-    opened_groups,
+    shown_groups,
 )
-from sailnet.report.packed import TOGETHER, Flight, pack_flights
-from sailnet.report.paper_figures import is_paper, paper_charts, paper_flights, paper_rows
-from sailnet.report.reproduction import shipped_record
 
 MOST_POINTS = 330_000
 """Of one curve over all flights of a page: where there are many, each has fewer points and coarser levels."""
@@ -51,13 +52,23 @@ PICTURED = 3
 """Flights whose charts are also drawn for print: first those that failed."""
 
 
-def write_report(results: Results, folder: Path, guidance: Guidance | None = None) -> list[Row]:
+def write_report(
+    results: Results,
+    folder: Path,
+    guidance: Guidance | None = None,
+    *,
+    command: str = "",
+    reproduction: Reproduction | None = None,
+) -> list[Row]:
     """Write ``index.html`` and, beside it, every chart as PNG and CSV and every table as CSV and JSON.
 
     Args:
         results: of the campaign.
         folder: where to.
         guidance: what flew; it flies the latest detours again, whose trajectories are not kept.
+        command: that flies the campaign again, for the page.
+        reproduction: of the paper, if that is what was flown; otherwise a campaign of its Section 5 is drawn
+            beside the one that was shipped.
 
     Returns:
         The rows of "paper | here", of the paper's campaign alone.
@@ -66,20 +77,22 @@ def write_report(results: Results, folder: Path, guidance: Guidance | None = Non
     charts = campaign_charts(results, scores)
     rows: list[Row] = []
     figures: list[Chart] = []
-    if is_paper(results):
-        flights = paper_flights(results)
-        rows, figures = paper_rows(flights, results.plan.seed), paper_charts(results.mission, flights)
-    groups = opened_groups(results, scores, guidance is not None)
-    opened = [flight for group in groups for flight in group.flights]
-    points = max(FEWEST_POINTS, min(SHOWN, MOST_POINTS // max(1, len(opened))))
-    blocks = pack_flights(
-        _described(results, opened, guidance, points), LEVELS if points == SHOWN else COARSE_LEVELS
+    record = shipped_record(results.mission) if reproduction is None else reproduction.record
+    if reproduction is not None or has_section5(results):
+        section5 = section5_of(results)
+        rows = flight_rows(section5) if reproduction is None else list(reproduction.rows)
+        figures = paper_charts(results.mission, section5, record)
+    groups = shown_groups(results, scores, guidance is not None)
+    shown = [flight for group in groups for flight in group.flights]
+    points = max(FEWEST_POINTS, min(SHOWN, MOST_POINTS // max(1, len(shown))))
+    blocks = compress_flights(
+        _described(results, shown, guidance, points), LEVELS if points == SHOWN else COARSE_LEVELS
     )
     content = {
         "charts": [for_page(chart) for chart in [*charts, *figures]],
         "templates": [for_page(chart) for chart in flight_templates(results.mission)],
         "common": page_columns(common_columns(results.mission)),
-        "flights": {"rows": [flight.row for flight in opened], "together": TOGETHER, "blocks": list(blocks)},
+        "flights": {"rows": [flight.row for flight in shown], "together": TOGETHER, "blocks": list(blocks)},
     }
     heads, cells = score_table(scores)
     text = chart_page(
@@ -94,7 +107,9 @@ def write_report(results: Results, folder: Path, guidance: Guidance | None = Non
         rows=rows,
         charts=charts,
         figures=figures,
-        reproduction=shipped_record(results.mission),
+        record=record,
+        remarks=() if reproduction is None else reproduction.remarks,
+        command=command,
         groups=[_group(results, group, scores) for group in groups],
         unfolded=next((place for place, group in enumerate(groups) if group.count("failed")), 0),
         failed=int((results.flights["arrived"] == 0).sum()),
@@ -102,22 +117,22 @@ def write_report(results: Results, folder: Path, guidance: Guidance | None = Non
         most=MOST_FAILURES,
         shown=sum(group.count("failed") for group in groups),
         points=points,
-        tables=min(TABLES, len(opened)),
+        tables=min(TABLES, len(shown)),
         results=results,
         software=results.provenance,
     )
     write_whole(folder / "index.html", lambda beside: beside.write_text(text, encoding="utf-8"))
     _write_files(results, scores, [*charts, *figures], heads, cells, folder)
-    _write_flights(results, opened, guidance, folder / "flights")
+    _write_flights(results, shown, guidance, folder / "flights")
     return rows
 
 
 def _described(
-    results: Results, opened: Sequence[Opened], guidance: Guidance | None, points: int
+    results: Results, shown: Sequence[ShownFlight], guidance: Guidance | None, points: int
 ) -> Iterator[Flight]:
-    shown = columns_of(results, opened, guidance, points)
-    bar = tqdm(opened, unit="flight", desc="report", file=sys.stderr, disable=None)
-    for flight, columns in zip(bar, shown, strict=True):
+    drawn = columns_of(results, shown, guidance, points)
+    bar = tqdm(shown, unit="flight", desc="report", file=sys.stderr, disable=None)
+    for flight, columns in zip(bar, drawn, strict=True):
         about = {"title": flight_title(results, flight.row), "facts": flight_facts(results, flight.row)}
         yield about, columns
 
@@ -130,7 +145,7 @@ def _group(results: Results, group: Group, scores: Sequence[Score]) -> dict[str,
     several = sum(other.series == score.series for other in scores) > 1
     counts = [
         f"{group.count(kind):,} {name}"
-        for kind, name in (("failed", "failed"), ("detour", "gone astray"), ("sample", "of the sample"))
+        for kind, name in (("failed", "failed"), ("detour", "detours"), ("sample", "of the sample"))
         if group.count(kind)
     ]
     return {
@@ -220,10 +235,10 @@ def _write_files(
 
 
 def _write_flights(
-    results: Results, opened: Sequence[Opened], guidance: Guidance | None, folder: Path
+    results: Results, shown: Sequence[ShownFlight], guidance: Guidance | None, folder: Path
 ) -> None:
-    places = np.unique(np.linspace(0, len(opened), TABLES, endpoint=False).astype(int))
-    chosen = [opened[place] for place in places.tolist()] if len(opened) > TABLES else list(opened)
+    places = np.unique(np.linspace(0, len(shown), TABLES, endpoint=False).astype(int))
+    chosen = [shown[place] for place in places.tolist()] if len(shown) > TABLES else list(shown)
     chosen.sort(key=lambda flight: flight.kind != "failed")
     for number, columns in enumerate(columns_of(results, chosen, guidance, SHOWN)):
         stem = f"flight-{chosen[number].row}"

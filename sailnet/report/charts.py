@@ -19,6 +19,20 @@ DIGITS = 5
 PALETTE = ("#0b6e99", "#e07a1f", "#8a6bbf", "#2e8b57", "#c0392b", "#7f6a3a", "#d06fa8", "#4a4a4a")
 """Told apart by most eyes, in this order."""
 
+NETWORK, OPTIMUM, BASELINE, GREY, BAD = "#0b6e99", "#e07a1f", "#8a6bbf", "#8c8c8c", "#c0392b"
+"""Of what the networks fly, the optimum, what they are compared with, the frame, and what went wrong."""
+
+STYLE: Any = {
+    "font.size": 10,
+    "font.family": "sans-serif",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#e6e6e6",
+    "axes.axisbelow": True,
+}
+"""Of pictures for print, as matplotlib's settings."""
+
 Values = NDArray[Any]
 
 
@@ -179,8 +193,6 @@ def write_picture(path: Path, charts: Sequence[Chart], columns: int = 1) -> None
     """Write charts side by side as a PNG for print."""
     import matplotlib as mpl
     from matplotlib.figure import Figure
-
-    from sailnet.report.figures import STYLE
 
     rows = -(-len(charts) // columns)
     with mpl.rc_context(STYLE):

@@ -8,8 +8,8 @@ from sailnet.expert.fastest import sample_many
 from sailnet.flight.closed_loop import History
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
-from sailnet.report.charts import PALETTE, Chart, Curve
-from sailnet.report.figures import BASELINE, GREY, NETWORK, OPTIMUM, Optimum
+from sailnet.report.charts import BASELINE, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve
+from sailnet.report.optimum import Optimum
 
 SHOWN = 240
 """Points of a flight in a page of some: evenly spread, and a sixth of them are the last periods."""

@@ -7,32 +7,32 @@ from typing import Any
 
 from sailnet.artefacts.files import write_whole
 from sailnet.errors import SailnetError
-from sailnet.expert.fastest import Extremal, sample
+from sailnet.expert.fastest import Extremal
 from sailnet.flight.closed_loop import History
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.report.charts import for_page, write_picture
-from sailnet.report.figures import Optimum
 from sailnet.report.flight_charts import flight_charts, flight_columns
-from sailnet.report.page import render
-
-FOLDER = Path(__file__).parent
+from sailnet.report.optimum import Optimum
+from sailnet.report.page import FOLDER, render
 
 LIBRARY = FOLDER / "vendored" / "plotly-basic.min.js"
 """plotly.js 4.1.1, its basic bundle, MIT licence, as it comes from its makers."""
 
 
-def chart_page(template: str, drawn: Mapping[str, Any], **content: object) -> str:
+def chart_page(template: str, drawn: Mapping[str, Any], folder: Path = FOLDER, /, **content: object) -> str:
     """Fill a template whose charts are drawn by ``page.js``.
 
     Args:
         template: name of the template.
         drawn: what the script reads.
+        folder: where the template is.
         content: for the template itself.
     """
     text = json.dumps(drawn, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
     return render(
         template,
+        folder,
         content=text.replace("<", "\\u003c"),  # nothing in it ends the script element
         script=(FOLDER / "page.js").read_text(encoding="utf-8"),
         library=LIBRARY.read_text(encoding="utf-8"),
@@ -76,9 +76,7 @@ def plot_flight(
     Raises:
         SailnetError: the file cannot be written.
     """
-    optimum = None
-    if extremal is not None:
-        optimum = Optimum(*sample(mission.problem, extremal))
+    optimum = None if extremal is None else Optimum.of(mission.problem, extremal)
     columns = flight_columns(mission, history, optimum)
     try:
         if path.suffix == ".png":

@@ -1,87 +1,27 @@
-"""The paper's figures, redrawn from a campaign that flies its Section 5, and its numbers beside ours."""
+"""The paper's figures, redrawn from a campaign that flies its Section 5."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
-from sailnet.campaign.store import Results
-from sailnet.expert.fastest import sample, solve
+from sailnet.expert.fastest import sample
 from sailnet.expert.nominal import solve_nominal
-from sailnet.flight.closed_loop import Flights, History
+from sailnet.flight.closed_loop import History
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.jumps import preprocess
-from sailnet.report import paper
-from sailnet.report.charts import PALETTE, Chart, Curve
-from sailnet.report.comparison import Row, case_rows, noise_rows, random_start_rows
-from sailnet.report.evaluation import Flown
-from sailnet.report.figures import BAD, GREY, NETWORK, OPTIMUM, Optimum
+from sailnet.report.charts import BAD, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve
 from sailnet.report.flight_charts import common_columns, flight_columns, flight_templates
-from sailnet.report.reproduction import reproduction_charts, shipped_record
-
-NOISE, RANDOM = "β noise ±15 %", "random starts"
-
-
-def is_paper(results: Results) -> bool:
-    """Whether a campaign has the series of the paper's Section 5."""
-    names = {series.name for series in results.plan.series}
-    return results.mission.name == "earth_mars" and {*paper.CASES, NOISE, RANDOM} <= names
+from sailnet.report.reproduction import reproduction_charts
+from sailnet.report.section5 import Flown, Section5
 
 
-@dataclass(frozen=True)
-class PaperFlights:
-    """The flights of Section 5, beside their optima.
-
-    Attributes:
-        single: the cases and the flight with noise, by name.
-        random: the random starts.
-        histories: theirs.
-    """
-
-    single: Mapping[str, Flown]
-    random: Flights
-    histories: list[History]
-
-
-def paper_flights(results: Results) -> PaperFlights:
-    """Collect them from the results of a campaign with the series of Section 5."""
-    mission = results.mission
-
-    def places(name: str) -> list[int]:
-        number = [series.name for series in results.plan.series].index(name)
-        period = results.plan.periods_of(results.plan.whole[number], mission)[0]
-        rows = set(results.rows(number, period).tolist())
-        return [place for place, row in enumerate(results.kept.tolist()) if row in rows]
-
-    def flown(name: str) -> Flown:
-        place = places(name)[0]
-        flights = results.as_flights(results.kept[[place]])
-        extremal = solve(mission.problem, flights.starts[0])
-        optimum = Optimum(*sample(mission.problem, extremal))
-        return Flown(flights, results.history(place), extremal, optimum)
-
-    some = places(RANDOM)
-    number = [series.name for series in results.plan.series].index(RANDOM)
-    rows = results.rows(number, results.plan.periods_of(results.plan.whole[number], mission)[0])
-    return PaperFlights(
-        {name: flown(name) for name in (*paper.CASES, NOISE)},
-        results.as_flights(rows),
-        [results.history(place) for place in some],
-    )
-
-
-def paper_rows(flights: PaperFlights, seed: int) -> list[Row]:
-    """The table "paper | here"."""
-    rows = [row for name in paper.CASES for row in case_rows(name, flights.single[name])]
-    rows += noise_rows(flights.single[NOISE], seed)
-    return rows + random_start_rows(flights.random, seed)
-
-
-def paper_charts(mission: Mission, flights: PaperFlights) -> list[Chart]:
-    """Figs 3 to 5 and 7 to 14; 7, 8b and 8d only where a reproduction was shipped."""
-    record = shipped_record(mission)
-    first, second, noise = (flights.single[name] for name in (*paper.CASES, NOISE))
+def paper_charts(mission: Mission, flights: Section5, record: Mapping[str, Any] | None) -> list[Chart]:
+    """Figs 3 to 5 and 7 to 14; 7, 8b and 8d only of a reproduction's record."""
+    first, second = flights.cases.values()
+    noise = flights.noise
     drawn = [
         _nominal_commands(mission),
         *_jump(second),

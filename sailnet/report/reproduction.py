@@ -6,6 +6,7 @@ with the package, and the page of the paper's campaign draws it.
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from importlib import resources
 from typing import Any
 
@@ -16,9 +17,10 @@ from sailnet.errors import SailnetError
 from sailnet.mission.mission import Mission
 from sailnet.networks.network import Network
 from sailnet.physics.arrays import Array
-from sailnet.report.charts import PALETTE, Chart, Curve, page_columns
-from sailnet.report.evaluation import Flown
-from sailnet.report.figures import BASELINE, GREY, NETWORK, OPTIMUM, Optimum
+from sailnet.report.charts import BASELINE, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve, page_columns
+from sailnet.report.comparison import Row
+from sailnet.report.optimum import Optimum
+from sailnet.report.section5 import Flown
 
 SCHEMA = "sailnet-reproduction/1"
 
@@ -37,6 +39,21 @@ POINTS = 600
 
 BEYOND = 1.15
 """Times the optimum at which the flight by two networks, which may never arrive, is cut."""
+
+
+@dataclass(frozen=True)
+class Reproduction:
+    """A run of the paper's own recipe, for the page of its campaign.
+
+    Attributes:
+        rows: the whole table "paper | here": data set, training, flights, times of a command.
+        record: of :func:`reproduction_record`.
+        remarks: to stand below the table.
+    """
+
+    rows: Sequence[Row]
+    record: Mapping[str, Any]
+    remarks: Sequence[str]
 
 
 def reproduction_record(

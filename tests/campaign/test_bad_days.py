@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from sailnet.campaign.batches import Columns, Job
 from sailnet.campaign.plan import load_plan
+from sailnet.campaign.results import open_results
 from sailnet.campaign.run import fly_plan
-from sailnet.campaign.store import open_results
-from sailnet.campaign.work import Columns, Job
 from sailnet.cli import main
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.mission import load_mission

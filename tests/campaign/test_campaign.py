@@ -17,20 +17,26 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.stats import binomtest
 
+from sailnet import report
+from sailnet.artefacts import provenance
+from sailnet.campaign import run
+from sailnet.campaign.batches import MOST_RECORDS
 from sailnet.campaign.plan import Plan, load_plan, parse_plan, ready_campaigns
+from sailnet.campaign.printed import CASES
+from sailnet.campaign.random_flights import BATCH, fly_random_starts
+from sailnet.campaign.results import Results, open_results
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import scores_of
-from sailnet.campaign.store import Results, open_results
-from sailnet.campaign.work import MOST_RECORDS
 from sailnet.cli import main
 from sailnet.errors import CampaignError, SailnetError
 from sailnet.expert.fastest import solve
 from sailnet.flight.closed_loop import Flights, fly, fly_recorded
+from sailnet.flight.starts import random_starts
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission, load_mission
-from sailnet.montecarlo import BATCH, fly_campaign, random_starts
 from sailnet.workers.executors import Workers, processes
 from tests.paths import ROOT
 
@@ -160,14 +166,20 @@ def test_a_flight_that_never_stopped_counts_at_no_threshold(tmp_path: Path) -> N
     assert (score.within[1.0].count, score.too_long) == (0, 1)
 
 
-def test_scores_are_those_of_the_campaign_command(small: Results) -> None:
+def test_scores_are_those_of_the_flights(small: Results) -> None:
     score = scores_of(small)[-1]
-    campaign = fly_campaign(small.mission, GUIDANCE, 40, Disturbance(beta_noise=0.15, seed=5), period=0.05)
-    assert score.arrived.count == campaign.arrived == score.within[1e-3].count
-    assert score.arrived.interval == campaign.confidence_interval
-    assert score.within[1e-4].count == round(40 * campaign.share_within(1e-4))
-    assert score.error_quantiles[1.0] == campaign.flights.terminal_error.max()
-    assert score.too_long == int((~campaign.flights.stopped).sum()) > 0
+    noise = Disturbance(beta_noise=0.15, seed=5)
+    flights = fly_random_starts(small.mission, GUIDANCE, 40, noise, period=0.05)
+    arrived = int(flights.arrived.sum())
+    assert score.arrived.count == arrived == score.within[1e-3].count
+    expected = binomtest(arrived, 40).proportion_ci(method="wilson")
+    assert score.arrived.interval == pytest.approx((expected.low, expected.high), abs=1e-12)
+    near = (flights.terminal_error <= 1e-4).all(axis=1)
+    assert score.within[1e-4].count == (flights.arrived & near).sum()
+    assert score.error_quantiles[1.0] == flights.terminal_error.max()
+    assert score.component_quantiles[1.0] == flights.terminal_error.max(axis=0).tolist()
+    assert score.component_quantiles[0.5] == pytest.approx(np.median(flights.terminal_error, axis=0))
+    assert score.too_long == int((~flights.stopped).sum()) > 0
     assert score.nearest.count >= score.arrived.count
     gap = scores_of(small)[0].gap_quantiles
     first = small.rows(0, 0.02)[0]
@@ -290,8 +302,50 @@ def test_what_is_flown_already_is_not_flown_again(tmp_path: Path) -> None:
     fly_plan(MISSION, GUIDANCE, plan, path, restart=True)
     again = path.stat().st_mtime_ns
     assert again > written
-    fly_plan(MISSION, GUIDANCE, plan.changed(None, 6), path)
+    with pytest.raises(CampaignError, match=r"x\.h5 is finished, with another campaign: .*--overwrite"):
+        fly_plan(MISSION, GUIDANCE, plan.changed(None, 6), path)
+    with pytest.raises(CampaignError, match="another mission"):
+        fly_plan(short(5.0), GUIDANCE, plan, path)
+    with pytest.raises(CampaignError, match="another precision"):
+        fly_plan(MISSION, GUIDANCE, plan, path, facts={"precision": "float32"})
+    assert path.stat().st_mtime_ns == again
+    other = fly_plan(MISSION, GUIDANCE, plan.changed(None, 6), path, overwrite=True)
+    assert other.plan.seed == open_results(path).plan.seed == 6
     assert path.stat().st_mtime_ns > again
+
+
+def test_the_same_campaign_is_flown_anew_by_other_software(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plan = plan_of(series=[{"name": "one", "starts": [CASE], "periods": [0.05]}])
+    path = tmp_path / "x.h5"
+    fly_plan(MISSION, GUIDANCE, plan, path)
+    written = path.stat().st_mtime_ns
+    monkeypatch.setattr(run, "environment_of", lambda *_: {"numpy": "9"})
+    found = fly_plan(MISSION, GUIDANCE, plan, path)
+    assert path.stat().st_mtime_ns > written
+    assert found.provenance["run"]["numpy"] == "9"
+
+
+def test_flights_depend_on_no_page_and_no_command() -> None:
+    """Or editing one of those would fly everything anew."""
+    sources = provenance._imported(run.MODULES)
+    flown_by = {"flight.closed_loop", "guidance.exported_c", "expert.fastest", "physics.dynamics"}
+    assert {f"sailnet.{module}" for module in flown_by} <= sources.keys()
+    above = ("sailnet.cli", "sailnet.report", "sailnet.campaign.scores", "sailnet.campaign.run")
+    assert not [name for name in sources if name.startswith(above)]
+
+
+def test_series_of_another_mission_are_left_out(tmp_path: Path) -> None:
+    series = [
+        {"name": "all", "starts": [CASE], "periods": [0.05]},
+        {"name": "mine", "mission": "earth_mars", "starts": [CASE], "periods": [0.05]},
+        {"name": "other", "mission": "earth_venus", "starts": [CASE], "periods": [0.05]},
+    ]
+    found = fly_plan(MISSION, GUIDANCE, plan_of(series=series), tmp_path / "x.h5")
+    assert [score.name for score in scores_of(found)] == ["all", "mine"]
+    with pytest.raises(CampaignError, match="for mission 'earth_mars'"):
+        fly_plan(MISSION, GUIDANCE, plan_of(series=series[2:]), tmp_path / "y.h5")
 
 
 def test_damage_is_noticed(tmp_path: Path) -> None:
@@ -314,7 +368,7 @@ def test_damage_is_noticed(tmp_path: Path) -> None:
         path.write_bytes(raw[:length])
         with pytest.raises(CampaignError, match=r"x\.h5"):
             open_results(path)
-    with pytest.raises(CampaignError, match="cannot read results"):
+    with pytest.raises(CampaignError, match="cannot open results"):
         open_results(tmp_path / "none.h5")
 
 
@@ -325,13 +379,22 @@ def test_ready_campaigns_can_be_flown(name: str) -> None:
     for series in plan.whole:
         series.disturbances(MISSION, plan.seed)
     assert {series.count for series in plan.changed(7, None).whole} <= {1, 7}
-    if name != "paper":
-        assert {series.count for series in plan.whole} == {10_000}
+    large = {series.count for series in plan.whole if series.starts == "generalisation"}
+    assert large == {1000 if name == "paper" else 10_000}
 
 
 def test_ready_campaigns_are_those_that_were_promised() -> None:
     promised = {"paper", "generalisation", "beta-bias", "beta-noise", "navigation", "actuation", "everything"}
-    assert set(ready_campaigns()) == promised
+    assert set(ready_campaigns()) == promised | {"acceptance"}
+
+
+@pytest.mark.parametrize("name", ["acceptance", "paper"])
+def test_ready_campaigns_fly_the_paper_s_cases(name: str) -> None:
+    """Table 2, at several periods, so that no lucky stop counts."""
+    series = {series.name: series for series in load_plan(name).series}
+    for case, state in CASES.items():
+        assert series[case].starts == (state,)
+        assert series[case].periods == (0.001, 0.002, 0.005, 0.01, 0.02)
 
 
 def broken(change: Callable[[dict[str, Any]], object]) -> str:
@@ -356,6 +419,7 @@ def broken(change: Callable[[dict[str, Any]], object]) -> str:
         (lambda c: c["series"][0].update(name="rough"), "same name"),
         (lambda c: c["series"][1].pop("flights"), "how many flights of 'rough'"),
         (lambda c: c["series"][0].update(periods=[0.02, 0.01]), "must increase"),
+        (lambda c: c["series"][0].update(periods=[0.02, 432.0]), "the longest is 0.5 TU, 29 days"),
         (lambda c: c["series"][0].update(periods=[]), "series.0.periods"),
         (lambda c: c.update(thresholds=[float("nan")]), "thresholds"),
         (lambda c: c["series"][0].update(starts=[[-1.0, 0.0, 1.0]]), "starts"),
@@ -380,9 +444,11 @@ def error_of(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
     return captured.err
 
 
-def test_the_command_explains_what_it_cannot_do(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_explains_what_it_cannot_do(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     out = ("--output", str(tmp_path / "out"))
-    assert "known are actuation, beta-bias" in error_of(capsys, "--campaign", "weather", *out)
+    assert "known are acceptance, actuation, beta-bias" in error_of(capsys, "--campaign", "weather", *out)
     assert "cannot read campaign" in error_of(capsys, "--campaign", str(tmp_path / "no.toml"), *out)
     (tmp_path / "bad.toml").write_text("name = ")
     assert "not valid TOML" in error_of(capsys, "--campaign", str(tmp_path / "bad.toml"), *out)
@@ -395,10 +461,36 @@ def test_the_command_explains_what_it_cannot_do(tmp_path: Path, capsys: pytest.C
     library = damaged / "guidance_f64.so"
     library.write_bytes(library.read_bytes()[:-9])
     assert "damaged" in error_of(capsys, "--campaign", "paper", "--networks", str(damaged), *out)
+    monkeypatch.setattr(report, "PACKAGES", ("matplotlib", "no_such_package"))
+    said = error_of(capsys, "--campaign", "paper", *out)
+    assert "without no_such_package: pip install 'sailnet[report]'" in said
+    monkeypatch.undo()
     (tmp_path / "file").write_text("in the way")
     said = error_of(capsys, "--campaign", "paper", "--output", str(tmp_path / "file" / "x"))
     assert said.startswith(f"error: cannot write results {tmp_path / 'file' / 'x' / 'paper.h5'}")
     assert not (tmp_path / "out").exists()
+
+
+def test_a_finished_campaign_is_not_replaced_unasked(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, out = tmp_path / "small.toml", ("--output", str(tmp_path / "out"))
+    file.write_text(
+        'schema = 1\nname = "small"\ntitle = "Small"\nflights = 12\nsample = 1\nperiods = [0.05]\n'
+        '[[series]]\nname = "a"\n'
+    )
+    small = ("evaluate", "--campaign", str(file), "--json", *out)
+    assert main([*small]) == 0
+    digest = json.loads(capsys.readouterr().out)["digest"]
+    page = (tmp_path / "out" / "small" / "index.html").read_text("utf-8")
+    assert f"sailnet evaluate --campaign {file}</code>" in page
+    said = error_of(capsys, *small[1:], "--flights", "3")
+    assert "is finished, with another campaign" in said
+    assert open_results(tmp_path / "out" / "small.h5").digest == digest
+    assert main([*small, "--flights", "3", "--overwrite"]) == 0
+    page = (tmp_path / "out" / "small" / "index.html").read_text("utf-8")
+    assert f"--campaign {file} --flights 3</code>" in page
+    assert len(open_results(tmp_path / "out" / "small.h5").flights["number"]) == 3
 
 
 def test_a_flight_that_cannot_be_keeps_what_was_flown(tmp_path: Path) -> None:

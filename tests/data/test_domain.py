@@ -19,8 +19,8 @@ from data.recipes import prepare
 from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.errors import DatasetError
 from sailnet.expert.fastest import solve_states
+from sailnet.flight.starts import random_starts
 from sailnet.mission.mission import Mission, load_mission
-from sailnet.montecarlo import random_starts
 from sailnet.workers.executors import Workers
 from tests.paths import ROOT
 from tests.small_datasets import Inline, with_recipe

@@ -7,19 +7,16 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 from types import MappingProxyType
 
-import numpy as np
 import pytest
 
-from sailnet.artefacts.resumable import Parts, claim
-from sailnet.dataset import Block, open_dataset
-from sailnet.errors import DatasetError
+from sailnet.dataset import open_dataset
 from sailnet.mission.mission import load_mission
 from tests.paths import ROOT
-from tests.small_datasets import INVENTED, invented_shard, undisturbed
+from tests.small_datasets import INVENTED, undisturbed
 
 TRAJECTORIES = 1000
 SHARDS = TRAJECTORIES // INVENTED
@@ -212,66 +209,3 @@ def test_a_read_only_target(tmp_path: Path) -> None:
         assert status == 1
         assert said.startswith(f"error: cannot write data set {disk / 'x.h5'}")
         assert "Read-only" in said
-
-
-@pytest.mark.parametrize("target", ["file/x.h5", "folder", "/proc/x.h5"])
-def test_a_target_that_cannot_be_is_refused_at_once(target: str, tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("in the way")
-    (tmp_path / "folder").mkdir()
-    with pytest.raises(DatasetError, match="cannot write data set"), claim(tmp_path / target, {}):
-        raise AssertionError("nothing begins")
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder"]
-
-
-def leave(output: Path, run: Mapping[str, str], number: int, restart: bool = False) -> Parts:
-    """What a run of one shard that is interrupted leaves."""
-    with suppress(KeyboardInterrupt), claim(output, run, restart) as parts:
-        parts.store(number, invented_shard(0.0, number).to_columns())
-        raise KeyboardInterrupt
-    return parts
-
-
-def test_shards_of_something_else_are_not_mixed_in(tmp_path: Path) -> None:
-    output = tmp_path / "x.h5"
-    run, other = {"mission": "one", "heyoka": "1"}, {"mission": "two", "heyoka": "1"}
-    leave(output, run, 3)
-    with pytest.raises(DatasetError, match=r"another mission: .*--restart"), claim(output, other):
-        pass
-    parts = leave(output, run, 5)
-    assert parts.finished() == {3, 5}
-    assert parts.load(3) is not None
-    assert Parts(parts.folder, "another run").load(3) is None
-    (parts.folder / "00000004.safetensors").write_bytes((parts.folder / "00000003.safetensors").read_bytes())
-    assert parts.load(4) is None  # it says that it is another
-    assert leave(output, other, 1, restart=True).finished() == {1}
-    (parts.folder / "run.json").write_text("{")
-    with pytest.raises(DatasetError, match="--restart"), claim(output, other):
-        pass
-    assert parts.finished() == {1}
-
-
-def test_a_damaged_shard_is_none(tmp_path: Path) -> None:
-    parts = Parts(tmp_path, "run")
-    block = invented_shard(0.0, 0)
-    expected = block.to_columns()
-    parts.store(0, expected)
-    (path,) = tmp_path.iterdir()
-    raw = path.read_bytes()
-    found = parts.load(0)
-    assert found is not None
-    assert {k: v.tobytes() for k, v in expected.items()} == {k: v.tobytes() for k, v in found.items()}
-    again = Block.from_columns(found)
-    assert (again.samples.keys(), again.trajectories.keys()) == (
-        block.samples.keys(),
-        block.trajectories.keys(),
-    )
-    np.testing.assert_array_equal(again.samples["tau"], block.samples["tau"])
-    np.testing.assert_array_equal(again.lengths, block.lengths)
-    for position in (3, 20, 300, 900, len(raw) // 2, len(raw) - 1):
-        path.write_bytes(raw[:position] + bytes([raw[position] ^ 4]) + raw[position + 1 :])
-        assert parts.load(0) is None, position
-    for length in (0, 7, 100, len(raw) - 1):
-        path.write_bytes(raw[:length])
-        assert parts.load(0) is None, length
-    path.unlink()
-    assert parts.load(0) is None

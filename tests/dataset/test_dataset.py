@@ -100,8 +100,8 @@ def test_the_digest_knows_the_content(small: Mission, shard: Block, stored: Path
         assert found.digest != expected.digest
     write_dataset(tmp_path / "other.h5", small.model_copy(update={"title": "Another"}), iter([shard]), {})
     write_dataset(tmp_path / "same.h5", small, iter([shard]), {})
-    with open_dataset(tmp_path / "other.h5") as other, open_dataset(tmp_path / "same.h5") as same:
-        assert other.digest != same.digest  # the mission is content
+    with open_dataset(tmp_path / "other.h5") as found, open_dataset(tmp_path / "same.h5") as expected:
+        assert found.digest != expected.digest  # the mission is content
 
 
 def test_memory_holds_one_block_at_a_time(small: Mission, shard: Block, tmp_path: Path) -> None:

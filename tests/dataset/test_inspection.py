@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 import pytest
 
-import sailnet.dataset.reader
+import sailnet.artefacts.column_files
 from sailnet.cli import main
 from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.dataset.inspection import ORIGIN, inspect_dataset
@@ -56,7 +56,7 @@ def test_the_size_of_what_is_read_at_once_leaves_no_trace(
     sound: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     whole = inspect_dataset(sound)
-    monkeypatch.setattr(sailnet.dataset.reader, "VERIFY_ROWS", 7)
+    monkeypatch.setattr(sailnet.artefacts.column_files, "VERIFY_ROWS", 7)
     assert inspect_dataset(sound) == whole
 
 

@@ -355,6 +355,7 @@ def test_what_guidance_raises_comes_out_at_once(error: BaseException) -> None:
         (Disturbance(outage_probability=0.1, outage_duration=0.01), 0.02, "outage_duration"),
         (Disturbance(delay=61.0), 0.005, "delay"),
         (Disturbance(), 1e-9, "period"),
+        (Disturbance(), 432.0, "432 TU is 25,113 days: the longest is 0.5 TU, 29 days"),
     ],
 )
 def test_what_does_not_fit_the_period_is_refused(disturbance: Disturbance, period: float, says: str) -> None:
@@ -370,7 +371,7 @@ def test_the_plant_compiles_without_a_warning_and_stands_the_sanitizers(
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
     checked = ["-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
     folder = ROOT / "c_runtime"
-    files = [str(folder / "test" / "test_plant.c"), *map(str, plant_sources())]
-    command = [*compiler, *strict, *checked, "-I", str(folder / "plant"), *files, "-lm"]
+    files = [str(folder / "verification" / "test" / "test_plant.c"), *map(str, plant_sources())]
+    command = [*compiler, *strict, *checked, "-I", str(folder / "simulation" / "plant"), *files, "-lm"]
     subprocess.run([*command, "-o", str(program)], check=True, timeout=120)
     assert subprocess.run([str(program)], check=False, timeout=60).returncode == 0

@@ -1,18 +1,20 @@
 import shutil
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from c_runtime.builds import LAYOUTS, PRECISIONS
 from sailnet import load_mission
 from sailnet.artefacts.checksums import write_checksums
 from sailnet.errors import GuidanceError
 from sailnet.guidance.backends import Backend, load_guidance
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import describe, round_down
-from sailnet.guidance.interface import GuidanceStatus, Precision
+from sailnet.guidance.interface import GuidanceStatus, Layout, Precision
 from sailnet.physics.arrays import Array
 from tests.conftest import Exported
 from tests.random_networks import STATE_MAX, STATE_MIN
@@ -207,3 +209,8 @@ def test_each_sail_has_its_own_beta(approach_exported: Exported, backend: Backen
 def test_another_number_of_betas_is_refused(exported: Exported, backend: Backend, beta: object) -> None:
     with pytest.raises(GuidanceError, match="beta must be one number"):
         load_guidance(MISSION, backend, folder=exported.folder).command([GOOD, GOOD], beta)  # type: ignore[arg-type]
+
+
+def test_layouts_and_precisions_are_those_that_are_compiled() -> None:
+    assert get_args(Layout) == tuple(LAYOUTS)
+    assert set(get_args(Precision)) == set(PRECISIONS)

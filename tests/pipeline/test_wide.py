@@ -6,6 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from sailnet.campaign.results import open_results
+from sailnet.campaign.scores import scores_of
 from sailnet.mission.mission import load_mission
 from sailnet.networks.guidance_networks import load_guidance_networks
 from tests.toy_pipeline import python, toy_mission
@@ -34,9 +36,10 @@ def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     python("-m", "data", build / "wide.h5", "--mission", mission, "--quiet")
     python("-m", "training", build / "wide.h5", build / "networks", "--quiet")
     python("-m", "export", build / "networks", build / "export", "--mission", mission)
-    flown = ("--mission", mission, "--networks", build / "export", "--flights", "6")
-    python("-m", "sailnet.acceptance", *flown, "--output", build / "acceptance.json")
-    timed = python("-m", "c_runtime.bench", build / "export", "--networks", build / "networks", "--json")
+    flown = ("--mission", mission, "--networks", build / "export", "--flights", "6", "--output", build)
+    python("-m", "sailnet.cli", "evaluate", "--campaign", "acceptance", *flown)
+    bench = "c_runtime.verification.bench"
+    timed = python("-m", bench, build / "export", "--networks", build / "networks", "--json")
     (build / "bench.json").write_text(timed.stdout)
     data = ("--dataset", build / "wide.h5", "--states", "500")
     compared = python("-m", "export.agreement", build / "networks", build / "export", *data)
@@ -76,46 +79,48 @@ def test_the_c_steers_like_the_reference_with_onnx(toy: Path) -> None:
     assert ends[0] == pytest.approx(ends[1], abs=1e-9)
 
 
-def test_acceptance_reports_every_campaign(toy: Path) -> None:
-    result = json.loads((toy / "acceptance.json").read_text())
-    assert [record["name"] for record in result["campaigns"]] == [
+def test_acceptance_flies_every_series_but_another_mission_s_cases(toy: Path) -> None:
+    scores = scores_of(open_results(toy / "acceptance.h5"))
+    assert [score.name for score in scores] == [
         "nominal",
         "unknown bias",
         "unknown bias and white noise",
         "unknown bias and slow drift",
     ]
-    for record in result["campaigns"]:
-        assert record["flights"] == 6
-        assert 0 <= record["arrived"] <= 6
-        assert record["attitude_violations"] == 0
-        assert len(record["did_not_arrive"]) == 6 - record["arrived"]
+    for score in scores:
+        assert score.arrived.of == 6
+        assert score.violations == 0
 
 
 def test_no_networks_no_acceptance(toy: Path, tmp_path: Path) -> None:
-    arguments = ("--mission", toy / "toy.toml", "--networks", tmp_path, "--output", tmp_path / "a.json")
-    done = python("-m", "sailnet.acceptance", *arguments, check=False)
+    arguments = ("--mission", toy / "toy.toml", "--networks", tmp_path, "--output", tmp_path / "out")
+    done = python("-m", "sailnet.cli", "evaluate", "--campaign", "acceptance", *arguments, check=False)
     assert done.returncode != 0
     assert "error:" in done.stderr
-    assert not (tmp_path / "a.json").exists()
+    assert not (tmp_path / "out").exists()
 
 
 def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(toy: Path, tmp_path: Path) -> None:
-    readme, paper = tmp_path / "README.md", tmp_path / "report.json"
-    readme.write_text(
-        "before\n<!-- results -->\nstale figures\n<!-- /results -->\n"
-        "between\n<!-- paper -->\n<!-- /paper -->\nafter\n"
+    readme, results, paper = tmp_path / "README.md", tmp_path / "RESULTS.md", tmp_path / "report.json"
+    readme.write_text("before\n<!-- summary -->\nstale figures\n<!-- /summary -->\nafter\n")
+    results.write_text(
+        "<!-- acceptance -->\nstale figures\n<!-- /acceptance -->\n<!-- paper -->\n<!-- /paper -->\n"
     )
     row = {"quantity": "|x|", "paper": "1", "here": "2", "note": ""}
     facts = {"machine": "m", "date": "d", "revision": "r"}
     paper.write_text(json.dumps({"rows": [row], "software": facts, "seed": 2}))
-    arguments = ("--mission", toy / "toy.toml", "--readme", readme, "--paper", paper)
-    python("-m", "export.ship", toy, tmp_path / "shipped", *arguments)
+    arguments = ("--mission", toy / "toy.toml", "--readme", readme)
+    tables = ("--results", results, "--paper", paper)
+    python("-m", "export.ship", toy, tmp_path / "shipped", *arguments, *tables)
     text = readme.read_text()
     assert text.startswith("before")
     assert text.endswith("after\n")
     assert "stale figures" not in text
-    assert "| 6, unknown bias and white noise |" in text
-    assert "| &#124;x&#124; | 1 | 2 |  |" in text
+    assert "| unknown bias and white noise |" in text
+    whole = results.read_text()
+    assert "stale figures" not in whole
+    assert "| 6, unknown bias and white noise |" in whole
+    assert "| &#124;x&#124; | 1 | 2 |  |" in whole
     card = (tmp_path / "shipped" / "MODEL_CARD.md").read_text()
     networks = load_guidance_networks(tmp_path / "shipped")
     assert str(networks.tau.provenance["dataset"]) in card

@@ -16,24 +16,24 @@ import pytest
 from PIL import Image
 
 from sailnet.artefacts.files import fill_block
-from sailnet.campaign.again import fly_again
 from sailnet.campaign.plan import parse_plan
-from sailnet.campaign.readme import campaign_tables, read_records
+from sailnet.campaign.replay import replay
+from sailnet.campaign.results import Results
 from sailnet.campaign.run import fly_plan
+from sailnet.campaign.score_tables import campaign_tables, read_records
 from sailnet.campaign.scores import Share, detours, scores_of, share_text
-from sailnet.campaign.store import Results
 from sailnet.cli import main
 from sailnet.errors import CampaignError, SailnetError
 from sailnet.flight.closed_loop import fly_recorded
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.mission import load_mission
-from sailnet.report import opened
+from sailnet.report import shown_flights
 from sailnet.report.campaign_page import write_report
 from sailnet.report.charts import Chart, Curve, page_columns, write_csv
+from sailnet.report.compressed_flights import TOGETHER, compress_flights
 from sailnet.report.flight_charts import flight_charts, flight_columns
 from sailnet.report.flight_page import LIBRARY, chart_page
-from sailnet.report.opened import opened_groups
-from sailnet.report.packed import TOGETHER, pack_flights
+from sailnet.report.shown_flights import shown_groups
 from tests.browser import browse, told
 from tests.tools import needs_browser
 
@@ -158,7 +158,7 @@ def test_flights_are_packed_to_a_step_of_their_columns() -> None:
         "off_u": 10.0 ** rng.uniform(-9, 1, 50), "time": np.linspace(0, 60, 50), "flat": np.full(3, 7.5),
         "none": np.full(4, np.nan), "ends": np.array([0.1234567, np.nan]),
     }  # fmt: skip
-    blocks = list(pack_flights([({"title": str(i)}, columns) for i in range(TOGETHER + 1)], 1000))
+    blocks = list(compress_flights([({"title": str(i)}, columns) for i in range(TOGETHER + 1)], 1000))
     flights = [flight for block in blocks for flight in unpacked(block)]
     assert [flight["title"] for flight in flights] == [str(i) for i in range(TOGETHER + 1)]
     for flight in (flights[0], flights[-1]):
@@ -178,8 +178,8 @@ def test_a_page_opens_no_more_failures_than_a_browser_bears(
 ) -> None:
     """Evenly over all that were kept."""
     results, _ = flown
-    monkeypatch.setattr(opened, "MOST_FAILURES", 4)
-    groups = opened_groups(results, scores_of(results), False)
+    monkeypatch.setattr(shown_flights, "MOST_FAILURES", 4)
+    groups = shown_groups(results, scores_of(results), False)
     shown = [flight.row for group in groups for flight in group.flights if flight.kind == "failed"]
     kept = [row for row in results.kept.tolist() if results.flights["arrived"][row] == 0]
     assert shown == [kept[i * len(kept) // 4] for i in range(4)]
@@ -201,15 +201,15 @@ def test_the_latest_detours_are_flown_again(flown: tuple[Results, Path]) -> None
     assert detours(results, rows).tolist() == expected
     score = scores_of(results)[2]
     assert score.detours == Share(len(expected), len(arrived))
-    (group,) = (group for group in opened_groups(results, [score], True))
+    (group,) = (group for group in shown_groups(results, [score], True))
     assert [flight.row for flight in group.flights if flight.kind == "detour"] == expected[:5]
-    assert opened_groups(results, [score], False)[0].count("detour") < 5
+    assert shown_groups(results, [score], False)[0].count("detour") < 5
     row = int(results.kept[0])
-    again, stored = fly_again(results, GUIDANCE, row), results.history(0)
+    again, stored = replay(results, GUIDANCE, row), results.history(0)
     for name, values in vars(stored).items():
         np.testing.assert_array_equal(getattr(again, name), values)
     with pytest.raises(CampaignError, match="flown by networks other"):
-        fly_again(replace(results, networks="other"), GUIDANCE, row)
+        replay(replace(results, networks="other"), GUIDANCE, row)
 
 
 def test_the_page_is_self_contained_and_says_what_was_flown(flown: tuple[Results, Path]) -> None:

@@ -9,19 +9,20 @@ import numpy as np
 import pytest
 
 from sailnet.campaign.plan import load_plan
+from sailnet.campaign.results import Results
 from sailnet.campaign.run import fly_plan
-from sailnet.campaign.store import Results
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.mission import load_mission
 from sailnet.report import campaign_page, reproduction
 from sailnet.report.charts import Chart
-from sailnet.report.paper_figures import paper_charts, paper_flights
+from sailnet.report.paper_figures import paper_charts
 from sailnet.report.reproduction import FOUR, shipped_record
+from sailnet.report.section5 import section5_of
 from tests.paths import ROOT
 
 MISSION = load_mission("earth_mars")
-README = ROOT / "README.md"
+RESULTS = ROOT / "RESULTS.md"
 
 
 @pytest.fixture(scope="module")
@@ -32,7 +33,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Results:
 
 @pytest.fixture(scope="module")
 def drawn(flown: Results) -> dict[str, Chart]:
-    charts = paper_charts(MISSION, paper_flights(flown))
+    charts = paper_charts(MISSION, section5_of(flown), shipped_record(MISSION))
     numbers = [int(re.findall(r"\d+", chart.name)[0]) for chart in charts]
     assert numbers == sorted(numbers)
     return {chart.name: chart for chart in charts}
@@ -44,10 +45,10 @@ def test_every_figure_of_the_results_is_there(drawn: dict[str, Chart]) -> None:
         assert f"Fig. {figure}:" in titles
 
 
-def test_the_training_ends_where_the_readme_says(drawn: dict[str, Chart]) -> None:
+def test_the_training_ends_where_the_results_say(drawn: dict[str, Chart]) -> None:
     """The epoch that is kept has the smallest validation error."""
     printed = re.findall(
-        r"^\| MSE, (.*?):.*\|[^|]*\| [^|]*? / ([^|]*?) / [^|]*?\|[^|]*\|$", README.read_text(), re.M
+        r"^\| MSE, (.*?):.*\|[^|]*\| [^|]*? / ([^|]*?) / [^|]*?\|[^|]*\|$", RESULTS.read_text(), re.M
     )
     errors = dict(printed)
     names = {

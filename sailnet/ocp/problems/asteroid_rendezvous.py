@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
-from sailnet.ocp.problem import Bounded, Direction, Problem, symbols
+from sailnet.ocp.definition.problem import Bounded, Direction, Problem, symbols
 from sailnet.physics.arrays import Array
 
 MASS_FLOW = 0.01536

@@ -7,9 +7,9 @@ from scipy.integrate import cumulative_trapezoid
 from scipy.optimize import brentq
 
 from sailnet.errors import SailnetError
-from sailnet.ocp.problem import Bounded, Direction, Problem, dot, symbols
+from sailnet.ocp.definition.problem import Bounded, Direction, Problem, dot, symbols
+from sailnet.ocp.definition.solution import Solution
 from sailnet.ocp.problems import equinoctial
-from sailnet.ocp.solution import Solution
 from sailnet.physics.arrays import Array
 
 MU = 132_712_440_018.0

@@ -2,7 +2,7 @@
 
 import heyoka as hy
 
-from sailnet.ocp.problem import Bounded, Direction, Problem, dot, symbols
+from sailnet.ocp.definition.problem import Bounded, Direction, Problem, dot, symbols
 
 MU = 1.32712440018e11
 """Gravitational parameter of the Sun [km^3/s^2]."""

@@ -10,7 +10,7 @@ import heyoka as hy
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sailnet.ocp.problem import symbols
+from sailnet.ocp.definition.problem import symbols
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import Expression
 

@@ -2,7 +2,7 @@
 
 import heyoka as hy
 
-from sailnet.ocp.problem import Bounded, FreeTime, Problem, symbols
+from sailnet.ocp.definition.problem import Bounded, FreeTime, Problem, symbols
 
 EXHAUST_VELOCITY = 0.5
 """V_e; the printed rho_0 = 1.2522e4 is used nowhere."""

@@ -1,6 +1,6 @@
 """Minimum time-energy intercept of an accelerating target. Paper 002, Section 3."""
 
-from sailnet.ocp.problem import TIME, Bounded, FreeTime, Problem, dot, symbols
+from sailnet.ocp.definition.problem import TIME, Bounded, FreeTime, Problem, dot, symbols
 
 POSITION = (500.0, -600.0, 500.0)
 """r_0, target minus interceptor [m]."""

@@ -4,7 +4,7 @@ import math
 
 import heyoka as hy
 
-from sailnet.ocp.problem import Bounded, Direction, FreeTime, Problem, symbols
+from sailnet.ocp.definition.problem import Bounded, Direction, FreeTime, Problem, symbols
 from sailnet.ocp.problems import equinoctial
 
 MU = 398600.4418

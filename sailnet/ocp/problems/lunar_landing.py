@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import heyoka as hy
 from scipy.optimize import brentq
 
-from sailnet.ocp.problem import Bounded, FreeTime, Problem, symbols
+from sailnet.ocp.definition.problem import Bounded, FreeTime, Problem, symbols
 
 HEIGHT, MASS = 200.0, 20.0
 """y(0) [m] and m(0) [kg] of Eq. (29); the lander begins at rest."""

@@ -2,7 +2,7 @@
 
 import math
 
-from sailnet.ocp.problem import Bounded, Direction, Problem, symbols
+from sailnet.ocp.definition.problem import Bounded, Direction, Problem, symbols
 
 GRAVITY = 3.7114
 """Of Mars, constant [m/s^2]."""

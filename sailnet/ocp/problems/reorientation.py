@@ -1,6 +1,6 @@
 """Minimum-time reorientation of an axisymmetric rigid spacecraft. Paper 003, Section IV-C."""
 
-from sailnet.ocp.problem import TIME, Bounded, FreeTime, Problem, symbols
+from sailnet.ocp.definition.problem import TIME, Bounded, FreeTime, Problem, symbols
 
 INERTIA = 0.5
 """a = (I_2 - I_3) / I_1."""

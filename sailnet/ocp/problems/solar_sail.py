@@ -6,7 +6,7 @@ The motion and the minimiser are those of the sail pipeline itself (:mod:`sailne
 
 import heyoka as hy
 
-from sailnet.ocp.problem import Bounded, FreeTime, Problem
+from sailnet.ocp.definition.problem import Bounded, FreeTime, Problem
 from sailnet.physics import pontryagin
 from sailnet.physics.dynamics import alpha, motion, r, u, v
 from sailnet.physics.transfer import Transfer
@@ -15,9 +15,9 @@ from sailnet.physics.transfer import Transfer
 def problem(transfer: Transfer, guess: float = 7.0) -> Problem:
     """From the Earth's orbit to the target orbit; AU and TU.
 
-    The smoothing parameter of :class:`~sailnet.ocp.smoothing.Saturation` is the transfer's delta; that
-    of ``transfer`` itself is not used. Shooting knows no jump of the cone angle: where an extremal
-    crosses lambda_v = 0 with lambda_u > 0 it cannot be trusted, and says so by its Hamiltonian.
+    The smoothing parameter of :class:`~sailnet.ocp.definition.smoothing.Saturation` is the transfer's
+    delta; that of ``transfer`` itself is not used. Shooting knows no jump of the cone angle: where an
+    extremal crosses lambda_v = 0 with lambda_u > 0 it cannot be trusted, and says so by its Hamiltonian.
 
     Args:
         transfer: beta, phi_max and the target.

@@ -35,11 +35,6 @@ uint32_t sailnet_api_version(void)
     return SAILNET_API_VERSION;
 }
 
-uint32_t sailnet_real_size(void)
-{
-    return (uint32_t)sizeof(sailnet_real);
-}
-
 uint32_t sailnet_memory_size(void)
 {
     return (uint32_t)sizeof(sailnet_memory);

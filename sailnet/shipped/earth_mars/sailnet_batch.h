@@ -6,6 +6,29 @@
 
 #include "sailnet_guidance.h"
 
+/* Symbols end in the precision, as those of the guidance do. */
+#ifdef SAILNET_FLOAT64
+#define sailnet_guidance_batch sailnet_guidance_batch_f64
+#define sailnet_start_batch sailnet_start_batch_f64
+#define sailnet_steer_batch sailnet_steer_batch_f64
+#define sailnet_api_version sailnet_api_version_f64
+#define sailnet_memory_size sailnet_memory_size_f64
+#define sailnet_beta_min sailnet_beta_min_f64
+#define sailnet_beta_max sailnet_beta_max_f64
+#define sailnet_mission_digest sailnet_mission_digest_f64
+#define sailnet_networks_digest sailnet_networks_digest_f64
+#else
+#define sailnet_guidance_batch sailnet_guidance_batch_f32
+#define sailnet_start_batch sailnet_start_batch_f32
+#define sailnet_steer_batch sailnet_steer_batch_f32
+#define sailnet_api_version sailnet_api_version_f32
+#define sailnet_memory_size sailnet_memory_size_f32
+#define sailnet_beta_min sailnet_beta_min_f32
+#define sailnet_beta_max sailnet_beta_max_f32
+#define sailnet_mission_digest sailnet_mission_digest_f32
+#define sailnet_networks_digest sailnet_networks_digest_f32
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -27,7 +50,6 @@ void sailnet_steer_batch(uint64_t count, sailnet_memory *memories, const uint64_
 
 /* What a caller that loads this as a shared library has to check before it flies, or has to know. */
 uint32_t sailnet_api_version(void);
-uint32_t sailnet_real_size(void);
 uint32_t sailnet_memory_size(void);
 double sailnet_beta_min(void);
 double sailnet_beta_max(void);

@@ -1,7 +1,7 @@
 /*
  * Neural optimal guidance of a solar sail: from the sail's state to its cone angle.
  *
- * Exported by sailnet 0.1.0 for mission earth_mars: do not edit.
+ * Exported by sailnet 0.2.0 for mission earth_mars: do not edit.
  * mission   8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c
  * networks  66aa4938a05edd4d0d19bfb91df6e0985b22802b64fbdb6fcdd51d8bb8e06406
  * data set  1190cc3c2275e86699981160a9f62ef597d0e868914394ed1c136386bf7139e7 (tau)
@@ -12,7 +12,15 @@
  *
  * C99 (also C++11), freestanding: nothing is allocated, nothing static is written, no libm.
  * One compilation is one precision: float, or double with -DSAILNET_FLOAT64; the same flag must
- * be given wherever this header is included.
+ * be given wherever this header is included. What was compiled in one precision does not link with
+ * a caller compiled in the other: the names below are macros, and symbols end in _f32 or _f64.
+ *
+ * Units: lengths in AU, times in TU, speeds in AU/TU, angles in rad. One TU is the time in which a
+ * circular orbit at 1 AU turns by 1 rad, so that the Sun's gravitational parameter is 1 AU^3/TU^2.
+ *
+ * Sign: the cone angle is that between the direction away from the Sun and the sail's thrust, in the
+ * orbital plane. Positive: the thrust has a component along +v, it raises the transverse speed.
+ * Negative: it lowers it. At 0 the sail faces the Sun.
  */
 #ifndef SAILNET_GUIDANCE_H
 #define SAILNET_GUIDANCE_H
@@ -23,8 +31,8 @@
 extern "C" {
 #endif
 
-#define SAILNET_API_VERSION 2
-#define SAILNET_VERSION "0.1.0"
+#define SAILNET_API_VERSION 3
+#define SAILNET_VERSION "0.2.0"
 #define SAILNET_MISSION "earth_mars"
 #define SAILNET_MISSION_DIGEST "8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c"
 #define SAILNET_NETWORKS_DIGEST "66aa4938a05edd4d0d19bfb91df6e0985b22802b64fbdb6fcdd51d8bb8e06406"
@@ -32,14 +40,26 @@ extern "C" {
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
 #define SAILNET_REAL(literal) literal
+#define sailnet_guidance sailnet_guidance_f64
+#define sailnet_start sailnet_start_f64
+#define sailnet_steer sailnet_steer_f64
 /* Bound on the cone angle [rad], Eq. (3). */
 #define SAILNET_PHI_MAX 1.0471975511965976
 #else
 typedef float sailnet_real;
 #define SAILNET_REAL(literal) literal##f
+#define sailnet_guidance sailnet_guidance_f32
+#define sailnet_start sailnet_start_f32
+#define sailnet_steer sailnet_steer_f32
 /* Bound on the cone angle [rad], Eq. (3); rounded down, so that no command exceeds the real bound. */
 #define SAILNET_PHI_MAX 1.0471974611282349f
 #endif
+
+/* The units in SI, for callers: doubles in either precision. IAU 2012: 1 AU is 149597870700 m exactly; the Sun's
+   gravitational parameter is 1.32712440018e+20 m^3/s^2, of JPL's ephemeris DE405. */
+#define SAILNET_AU_IN_METRES 149597870700.0
+#define SAILNET_TU_IN_SECONDS 5022642.891366037
+#define SAILNET_AU_PER_TU_IN_METRES_PER_SECOND 29784.691831696804
 
 /* A shorter predicted time of flight [TU] is an arrival. */
 #define SAILNET_ARRIVAL_THRESHOLD SAILNET_REAL(0.005)
@@ -65,7 +85,12 @@ typedef float sailnet_real;
 #define SAILNET_LARGEST_SURPRISE SAILNET_REAL(0.5)
 #define SAILNET_LEAST_COSINE2 SAILNET_REAL(0.05)
 
-/* Polar state in the orbital plane. One TU is the time in which a circular orbit at 1 AU turns by 1 rad. */
+/* The longest guidance period [TU]: half of the time over which the estimate forgets, some 29 days. One
+   measurement then counts for at most half, and the one step that predicts what the sail does costs it less
+   than a thousandth. It is also far below a flight: seconds, or days, passed for TU are told, not flown. */
+#define SAILNET_LARGEST_PERIOD SAILNET_REAL(0.5)
+
+/* Polar state in the orbital plane. */
 typedef struct {
     sailnet_real r; /* distance from the Sun [AU] */
     sailnet_real u; /* radial speed [AU/TU] */
@@ -73,7 +98,7 @@ typedef struct {
 } sailnet_state;
 
 typedef struct {
-    sailnet_real cone_angle;     /* [rad], always within -SAILNET_PHI_MAX .. SAILNET_PHI_MAX */
+    sailnet_real cone_angle;     /* [rad], always within -SAILNET_PHI_MAX .. SAILNET_PHI_MAX; positive: along +v */
     sailnet_real time_of_flight; /* predicted, to the target orbit [TU] */
     sailnet_real beta;           /* what the command is for; always within SAILNET_BETA_MIN .. _MAX */
     sailnet_real hold;           /* how long to hold the cone angle [TU]; sailnet_guidance leaves it 0 */
@@ -99,8 +124,8 @@ typedef enum {
        states or the tube within it, and not at the target, or beta outside its range. The command is what
        the networks make of it. Never reported as an arrival, whatever the predicted time of flight. */
     SAILNET_OUTSIDE_DOMAIN = 2,
-    /* NaN, infinity, a null pointer or a period that is not positive: cone angle 0, time of flight
-       SAILNET_LARGEST_TIME_OF_FLIGHT. */
+    /* NaN, infinity, a null pointer, or a period that is not positive or exceeds SAILNET_LARGEST_PERIOD:
+       cone angle 0, time of flight SAILNET_LARGEST_TIME_OF_FLIGHT. */
     SAILNET_INVALID_INPUT = 3
 } sailnet_status;
 
@@ -115,10 +140,9 @@ sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, s
 void sailnet_start(sailnet_memory *memory);
 
 /*
- * Once a guidance period of `period` [TU]: learn beta from how the sail answered to the last command,
+ * Once a guidance period of `period` [TU], at most SAILNET_LARGEST_PERIOD: learn beta from how the sail answered to the last command,
  * command, and say how long to hold. The command's `beta` is the estimate. `hold` is the period, or
  * less when the flight ends (SAILNET_ARRIVED), and at most the longer of the period and the threshold.
- * A period beyond 1e30 TU counts as 1e30.
  * An invalid state gets the safe command for one period, and nothing is learnt from it; an invalid period
  * or null pointer gets it with `hold` 0.
  */

@@ -1,0 +1,105 @@
+"""Every build of the exported guidance: two precisions of two layouts. The one list of them.
+
+Standard library only: the installation of the package, and make, read this before anything else is there.
+``python -m c_runtime.builds`` prints it for make.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+PRECISIONS = {"float32": "f32", "float64": "f64"}
+"""What each is called in file names and at the end of every symbol."""
+
+LAYOUTS = {"flight": "sailnet_guidance.c", "host": "sailnet_guidance_host.c"}
+"""The file of each: what goes on board, and the same on vectors for simulation."""
+
+HEADER = "sailnet_guidance.h"
+BATCH = "sailnet_batch.c"
+
+
+@dataclass(frozen=True)
+class Build:
+    """One way to compile the guidance.
+
+    Attributes:
+        precision: ``float32`` or ``float64``.
+        layout: ``flight`` or ``host``.
+    """
+
+    precision: str
+    layout: str
+
+    @property
+    def suffix(self) -> str:
+        """At the end of every symbol: ``f32`` or ``f64``."""
+        return PRECISIONS[self.precision]
+
+    @property
+    def name(self) -> str:
+        """``f32``, ``f64``, ``f32_host`` or ``f64_host``."""
+        return self.suffix if self.layout == "flight" else f"{self.suffix}_{self.layout}"
+
+    @property
+    def source(self) -> str:
+        """Name of the C file."""
+        return LAYOUTS[self.layout]
+
+    @property
+    def defines(self) -> tuple[str, ...]:
+        """Options of the compiler that choose it; whatever includes the header needs them too."""
+        return ("-DSAILNET_FLOAT64",) if self.precision == "float64" else ()
+
+    @property
+    def optimisation(self) -> tuple[str, ...]:
+        """Options of the compiler for this build alone: the host's vectors are written, gcc makes no more."""
+        return ("-fno-tree-vectorize",) if self.layout == "host" else ()
+
+    @property
+    def analysed(self) -> tuple[str, ...]:
+        """The same for analysers, which cannot read vectors: the host's form on single numbers."""
+        return (*self.tested, *(("-DSAILNET_PLAIN",) if self.layout == "host" else ()))
+
+    @property
+    def tested(self) -> tuple[str, ...]:
+        """Options for what includes ``tested.h``, and with it the whole file."""
+        return (*self.defines, *(("-DTESTED_HOST",) if self.layout == "host" else ()))
+
+    @property
+    def library(self) -> str:
+        """Name of the shared library."""
+        return f"guidance_{self.name}.so"
+
+    def reads_beta(self, exported: Path) -> bool:
+        """Whether the networks in a folder that was exported are in approach coordinates.
+
+        Raises:
+            ValueError: the header does not say so.
+        """
+        for line in (exported / HEADER).read_text(encoding="utf-8").splitlines():
+            if line.startswith("#define SAILNET_READS_BETA "):
+                return line.endswith("1")
+        raise ValueError(f"{exported / HEADER} does not define SAILNET_READS_BETA: export it anew")
+
+
+BUILDS = {
+    build.name: build
+    for build in (Build(precision, layout) for layout in LAYOUTS for precision in PRECISIONS)
+}
+"""By name; those that fly come first."""
+
+
+def for_make() -> str:
+    """Variables of make: the names of all builds, of those that fly, and of each what it is made of."""
+    flying = [name for name, build in BUILDS.items() if build.layout == "flight"]
+    lines = [f"BUILDS = {' '.join(BUILDS)}", f"FLYING = {' '.join(flying)}"]
+    for name, build in BUILDS.items():
+        lines += [
+            f"SOURCE_{name} = {build.source}",
+            f"DEFINES_{name} = {' '.join(build.defines)}",
+            f"TESTED_{name} = {' '.join(build.tested)}",
+        ]
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    print(for_make())

@@ -1,0 +1,1 @@
+"""What holds the flight file to its claims: tests, checks, proof, accuracy, processors and times."""

@@ -1,0 +1,65 @@
+"""The same commands from Python: onnxruntime, PyTorch eager and NumPy, one thread each."""
+
+from functools import partial
+from pathlib import Path
+
+import onnxruntime
+
+from c_runtime.builds import PRECISIONS
+from c_runtime.verification.bench.rounds import Candidate, in_python
+from c_runtime.verification.bench.subjects import Subjects
+from sailnet.networks.guidance_networks import GuidanceNetworks
+
+ONNXRUNTIME = "onnxruntime, Python"
+
+
+def graph_file(exported: Path, precision: str) -> Path:
+    """The merged graph of a precision."""
+    return exported / f"guidance_{PRECISIONS[precision]}.onnx"
+
+
+def onnxruntime_python(exported: Path, subjects: Subjects) -> list[Candidate]:
+    """The merged graph, in both precisions."""
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = options.inter_op_num_threads = 1
+    found = []
+    for precision in PRECISIONS:
+        session = onnxruntime.InferenceSession(
+            graph_file(exported, precision), options, providers=["CPUExecutionProvider"]
+        )
+        names = [entry.name for entry in session.get_inputs()]
+        calls = []
+        for row in subjects.inputs.astype(precision):
+            given = {"state": row[None, :3], "beta": row[3:]}
+            calls.append(partial(session.run, None, {name: given[name] for name in names}))
+        found.append(Candidate(ONNXRUNTIME, precision, in_python(calls)))
+    return found
+
+
+def numpy_reference(networks: GuidanceNetworks, subjects: Subjects) -> Candidate:
+    """The reference that everything is tested against."""
+    calls = [partial(networks.command, row[None, :3], float(row[3])) for row in subjects.inputs]
+    return Candidate("NumPy", "float64", in_python(calls))
+
+
+def pytorch(networks: GuidanceNetworks, subjects: Subjects) -> list[Candidate]:
+    """The module that the graphs are traced from, in both precisions.
+
+    Raises:
+        ImportError: PyTorch is not installed.
+    """
+    import torch
+
+    from export.torch_networks import torch_guidance
+    from sailnet.guidance.facts import describe
+
+    torch.set_num_threads(1)
+    guidance = torch_guidance(networks, describe(networks, networks.mission))
+    found = []
+    for module, precision in ((guidance.in_float32(), "float32"), (guidance, "float64")):
+        calls = []
+        for row in torch.tensor(subjects.inputs, dtype=getattr(torch, precision)):
+            given = (row[None, :3], row[3:])[: 2 if networks.approach else 1]
+            calls.append(partial(module, *given))
+        found.append(Candidate("PyTorch eager", precision, torch.inference_mode()(in_python(calls))))
+    return found

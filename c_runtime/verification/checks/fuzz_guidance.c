@@ -1,0 +1,309 @@
+/*
+ * Any bytes become a sequence of calls, and after each call everything the header promises about it is
+ * checked. libFuzzer drives it, and drive.c where there is none.
+ */
+#include "sailnet_guidance.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifdef SAILNET_MEMCHECK
+#include <valgrind/memcheck.h>
+#else
+#define VALGRIND_MAKE_MEM_UNDEFINED(address, size) ((void)(address), (void)(size))
+#endif
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+enum { MOST_CALLS = 6 };
+
+/* Ten thousand years: nothing that is meant to fly for longer. */
+#define LONGEST_SANE_TIME (SAILNET_REAL(1e3) * SAILNET_LARGEST_TIME_OF_FLIGHT)
+
+#define PROMISED(condition)                                                                   \
+    do {                                                                                      \
+        if (!(condition)) {                                                                   \
+            (void)fprintf(stderr, "%s:%d: promise broken: %s\n", __FILE__, __LINE__, #condition); \
+            abort();                                                                          \
+        }                                                                                     \
+    } while (0)
+
+/* ---- Bytes to calls. Past their end there are zeros. ---- */
+
+typedef struct {
+    const uint8_t *next;
+    size_t left;
+} source;
+
+static uint8_t next_byte(source *from)
+{
+    if (from->left == 0) {
+        return 0;
+    }
+    from->left--;
+    return *from->next++;
+}
+
+static void next_bytes(source *from, void *target, size_t size)
+{
+    unsigned char *const bytes = (unsigned char *)target;
+    for (size_t i = 0; i < size; i++) {
+        bytes[i] = next_byte(from);
+    }
+}
+
+static sailnet_real next_between(source *from, double lower, double upper)
+{
+    const unsigned high = next_byte(from);
+    const unsigned low = next_byte(from);
+    return (sailnet_real)(lower + (upper - lower) * (double)(256u * high + low) / 65535.0);
+}
+
+/* Raw bits, a special value, or one between the bounds: mostly the last, for the others end early. */
+static sailnet_real next_real(source *from, double lower, double upper)
+{
+    static const double special[] = {(double)NAN, (double)INFINITY, -(double)INFINITY, 3.4e38, -3.4e38, 1e-45,
+                                     -1e-45, 1.2e-38, 0.0, -0.0, 1.0, 1e15, -1e15, 1e-15};
+    const uint8_t kind = next_byte(from);
+    if (kind < 16) {
+        sailnet_real value;
+        next_bytes(from, &value, sizeof value);
+        return value;
+    }
+    if (kind < 32) {
+        return (sailnet_real)special[next_byte(from) % (sizeof special / sizeof special[0])];
+    }
+    return next_between(from, lower, upper);
+}
+
+static sailnet_state next_state(source *from, const sailnet_state *last)
+{
+    static const double lower[3] = {0.2, -0.8, 0.1};
+    static const double upper[3] = {6.0, 0.8, 1.6};
+    static const sailnet_state target = {SAILNET_TARGET_R, SAILNET_TARGET_U, SAILNET_TARGET_V};
+    sailnet_state state = target;
+    sailnet_real *const component[3] = {&state.r, &state.u, &state.v};
+    const sailnet_real *const before[3] = {&last->r, &last->u, &last->v};
+    const uint8_t kind = next_byte(from) % 8;
+    const double around = 2.0 * (double)SAILNET_ARRIVAL_TOLERANCE;
+    for (int i = 0; i < 3 && kind != 7; i++) {
+        switch (kind) {
+        case 0: /* anything */
+            *component[i] = next_real(from, -20.0, 20.0);
+            break;
+        case 1: /* at the clamps */
+            *component[i] = next_between(from, -20.0, 20.0);
+            break;
+        case 2: /* at the target */
+            *component[i] += next_between(from, -around, around);
+            break;
+        case 3: /* one period later */
+        case 4:
+            *component[i] = *before[i] + next_between(from, -0.02, 0.02);
+            break;
+        default: /* where one may fly */
+            *component[i] = next_between(from, lower[i], upper[i]);
+            break;
+        }
+    }
+    return state;
+}
+
+static void next_memory(source *from, sailnet_memory *memory)
+{
+    const uint8_t kind = next_byte(from) % 4;
+    if (kind == 0) {
+        sailnet_start(memory);
+    } else if (kind == 1) {
+        next_bytes(from, memory, sizeof *memory);
+    } else if (kind == 2) {
+        (void)memset(memory, (next_byte(from) & 1) != 0 ? 0xFF : 0, sizeof *memory);
+    } else {
+        const sailnet_real value = next_real(from, -2.0, 2.0);
+        const size_t place = next_byte(from) % (sizeof *memory / sizeof value);
+        (void)memcpy((unsigned char *)memory + place * sizeof value, &value, sizeof value);
+    }
+}
+
+/* ---- What the header promises. ---- */
+
+static int is_same(const void *a, const void *b, size_t size)
+{
+    return memcmp(a, b, size) == 0;
+}
+
+static int is_state_finite(const sailnet_state *state)
+{
+    return isfinite(state->r) && isfinite(state->u) && isfinite(state->v);
+}
+
+static sailnet_real used_beta(sailnet_real beta)
+{
+    if (isnan(beta)) {
+        return SAILNET_BETA;
+    }
+    return beta < SAILNET_BETA_MIN ? SAILNET_BETA_MIN : (beta > SAILNET_BETA_MAX ? SAILNET_BETA_MAX : beta);
+}
+
+/* Whatever a field is left at shows: under memcheck as undefined, else as different bits. */
+static void forget(sailnet_command *command, int pattern)
+{
+    (void)memset(command, pattern, sizeof *command);
+    (void)VALGRIND_MAKE_MEM_UNDEFINED(command, sizeof *command);
+}
+
+static void check_command(const sailnet_command *command, sailnet_status status)
+{
+    PROMISED((int)status >= (int)SAILNET_OK && (int)status <= (int)SAILNET_INVALID_INPUT);
+    PROMISED(command->cone_angle >= -SAILNET_PHI_MAX && command->cone_angle <= SAILNET_PHI_MAX);
+    PROMISED(command->time_of_flight >= -LONGEST_SANE_TIME && command->time_of_flight <= LONGEST_SANE_TIME);
+    PROMISED(command->beta >= SAILNET_BETA_MIN && command->beta <= SAILNET_BETA_MAX);
+    PROMISED(command->hold >= SAILNET_REAL(0.0) && isfinite(command->hold));
+    if (status == SAILNET_INVALID_INPUT) {
+        PROMISED(command->cone_angle == SAILNET_REAL(0.0));
+        PROMISED(command->time_of_flight == SAILNET_LARGEST_TIME_OF_FLIGHT);
+    }
+}
+
+static sailnet_status checked_guidance(const sailnet_state *state, sailnet_real beta, sailnet_command *command,
+                                       int twice)
+{
+    const int valid = state != NULL && is_state_finite(state);
+    sailnet_command again;
+    forget(command, 0x5A);
+    const sailnet_status status = sailnet_guidance(state, beta, command);
+    check_command(command, status);
+    PROMISED((status == SAILNET_INVALID_INPUT) == !valid);
+    PROMISED(command->hold == SAILNET_REAL(0.0));
+    PROMISED(command->beta == used_beta(beta));
+    if (status == SAILNET_OK || status == SAILNET_ARRIVED) {
+        PROMISED((status == SAILNET_ARRIVED) == (command->time_of_flight < SAILNET_ARRIVAL_THRESHOLD));
+    }
+    if (twice) {
+        forget(&again, 0x7F);
+        PROMISED(sailnet_guidance(state, beta, &again) == status);
+        PROMISED(is_same(&again, command, sizeof again));
+#if !SAILNET_READS_BETA
+        /* But a beta that no sail of the mission has is outside the domain. */
+        const sailnet_status of_mission = sailnet_guidance(state, SAILNET_BETA, &again);
+        PROMISED(of_mission == status || (status == SAILNET_OUTSIDE_DOMAIN && beta != used_beta(beta)));
+        PROMISED(again.cone_angle == command->cone_angle && again.time_of_flight == command->time_of_flight);
+#endif
+    }
+    return status;
+}
+
+static void check_against_the_law(const sailnet_command *command, sailnet_status status,
+                                  const sailnet_state *state, sailnet_real period)
+{
+    const sailnet_real longest = period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
+    sailnet_command law;
+    const sailnet_status of_law = checked_guidance(state, command->beta, &law, 0);
+    PROMISED(is_same(&law.cone_angle, &command->cone_angle, sizeof law.cone_angle));
+    PROMISED(is_same(&law.time_of_flight, &command->time_of_flight, sizeof law.time_of_flight));
+    PROMISED((of_law == SAILNET_OUTSIDE_DOMAIN) == (status == SAILNET_OUTSIDE_DOMAIN));
+    PROMISED(of_law != SAILNET_ARRIVED || status == SAILNET_ARRIVED);
+    PROMISED(status == SAILNET_ARRIVED ? command->hold <= longest : command->hold == period);
+}
+
+static void check_steer(sailnet_memory *memory, const sailnet_state *state, sailnet_real period, int twice)
+{
+    const int timed = period > SAILNET_REAL(0.0) && period <= SAILNET_LARGEST_PERIOD;
+    const int valid = timed && state != NULL && is_state_finite(state);
+    sailnet_memory before;
+    sailnet_memory other;
+    sailnet_command command;
+    sailnet_command again;
+    (void)memcpy(&before, memory, sizeof before);
+    (void)memcpy(&other, memory, sizeof other);
+    forget(&command, 0x5A);
+    const sailnet_status status = sailnet_steer(memory, state, period, &command);
+    check_command(&command, status);
+    PROMISED((status == SAILNET_INVALID_INPUT) == !valid);
+    PROMISED(memory->beta == command.beta);
+    if (valid) {
+        check_against_the_law(&command, status, state, period);
+        PROMISED(memory->periods - before.periods == (before.periods == UINT32_MAX ? 0u : 1u));
+    } else {
+        PROMISED(command.hold == (timed ? period : SAILNET_REAL(0.0)));
+        PROMISED(memory->periods == before.periods);
+        PROMISED(isnan(before.beta) || command.beta == used_beta(before.beta));
+    }
+    if (twice) {
+        forget(&again, 0x7F);
+        PROMISED(sailnet_steer(&other, state, period, &again) == status);
+        PROMISED(is_same(&again, &command, sizeof again));
+        PROMISED(is_same(&other, memory, offsetof(sailnet_memory, periods)));
+        PROMISED(other.periods == memory->periods);
+    }
+}
+
+static void check_start(const sailnet_state *state)
+{
+    sailnet_memory first;
+    sailnet_memory second;
+    sailnet_command of_first;
+    sailnet_command of_second;
+    (void)memset(&first, 0xFF, sizeof first);
+    (void)memset(&second, 0x5A, sizeof second);
+    sailnet_start(&first);
+    sailnet_start(&second);
+    PROMISED(first.beta == SAILNET_BETA && first.periods == 0);
+    PROMISED(sailnet_steer(&first, state, SAILNET_REAL(0.01), &of_first) ==
+             sailnet_steer(&second, state, SAILNET_REAL(0.01), &of_second));
+    PROMISED(is_same(&of_first, &of_second, sizeof of_first));
+    /* Nothing is known of the sail before its first period ends. */
+    PROMISED(of_first.beta == SAILNET_BETA);
+}
+
+static void check_null_pointers(const sailnet_memory *memory, const sailnet_state *state, sailnet_real period,
+                                uint8_t which)
+{
+    const sailnet_state *const given = (which & 1) != 0 ? state : NULL;
+    sailnet_memory untouched;
+    sailnet_command command;
+    (void)memcpy(&untouched, memory, sizeof untouched);
+    sailnet_start(NULL);
+    PROMISED(sailnet_guidance(given, period, NULL) == SAILNET_INVALID_INPUT);
+    PROMISED(sailnet_steer(NULL, given, period, NULL) == SAILNET_INVALID_INPUT);
+    PROMISED(sailnet_steer(&untouched, given, period, NULL) == SAILNET_INVALID_INPUT);
+    PROMISED(is_same(&untouched, memory, sizeof untouched));
+    forget(&command, 0x5A);
+    PROMISED(sailnet_steer(NULL, given, period, &command) == SAILNET_INVALID_INPUT);
+    check_command(&command, SAILNET_INVALID_INPUT);
+    PROMISED(command.hold == SAILNET_REAL(0.0));
+    PROMISED(checked_guidance(NULL, period, &command, 1) == SAILNET_INVALID_INPUT);
+    check_steer(&untouched, NULL, period, 1);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    source from = {data, size};
+    sailnet_memory memory;
+    sailnet_state state = {SAILNET_REAL(1.0), SAILNET_REAL(0.0), SAILNET_REAL(1.0)};
+    sailnet_command command;
+    (void)memset(&memory, 0, sizeof memory); /* its padding too */
+    sailnet_start(&memory);
+    for (int call = 0; call < MOST_CALLS && from.left > 0; call++) {
+        const uint8_t kind = next_byte(&from) % 8;
+        if (kind == 0) {
+            next_memory(&from, &memory);
+            continue;
+        }
+        state = next_state(&from, &state);
+        const sailnet_state given = state;
+        if (kind < 3) {
+            (void)checked_guidance(&given, next_real(&from, 0.1, 0.25), &command, kind == 1);
+        } else if (kind < 4) {
+            check_null_pointers(&memory, &given, next_real(&from, 0.0, 0.1), next_byte(&from));
+            check_start(&given);
+        } else {
+            check_steer(&memory, &given, next_real(&from, 0.0, 0.1), kind == 4);
+        }
+        PROMISED(is_same(&given, &state, sizeof state));
+    }
+    return 0;
+}

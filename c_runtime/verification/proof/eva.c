@@ -1,0 +1,111 @@
+/*
+ * What Frama-C's Eva proves of an exported guidance, for any bits of every input: see SOUNDNESS.md.
+ * The flight file is included as it is; the contracts below stand for some of its functions.
+ */
+#include "sailnet_guidance.h"
+
+/* The lemmas, which lemmas.c checks. */
+#ifdef SAILNET_FLOAT64
+#define SMALLEST_POWER 0x1p-1000
+#define LARGEST_POWER 0x1p1000
+#else
+#define SMALLEST_POWER 0x1p-64
+#define LARGEST_POWER 0x1p63
+#endif
+/*@ requires steep: -1000 <= octaves <= 1000;
+    assigns \result \from octaves;
+    ensures \is_finite(\result) && -0.5 <= \result <= 0.5; */
+static sailnet_real sailnet_fraction(sailnet_real octaves);
+/*@ requires steep: -1000 <= octaves <= 1000;
+    assigns \result \from octaves;
+    ensures \is_finite(\result) && SMALLEST_POWER <= \result <= LARGEST_POWER;
+    ensures -500 <= octaves <= 500 ==> 0x1p-500 <= \result <= 0x1p500; */
+static sailnet_real sailnet_power(sailnet_real octaves);
+/*@ requires steep: -1000 <= octaves <= 1000;
+    assigns \result \from octaves;
+    ensures \is_finite(\result) && -1 <= \result <= 1; */
+static sailnet_real sailnet_sigmoid(sailnet_real octaves);
+/*@ requires bounds: \is_finite(lower) && \is_finite(upper);
+    assigns \result \from value, lower, upper;
+    ensures \is_finite(\result) && \result <= upper && (lower <= \result || upper <= \result); */
+static sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper);
+#ifndef TESTED_HOST
+/*@ assigns \result \from *value;
+    ensures \is_finite(\result) && 0.99e-12 <= \result <= 1.01e12; */
+static sailnet_real sailnet_per_root(const sailnet_real *value);
+/*@ requires number: \is_finite(value);
+    assigns \result \from value;
+    ensures \is_finite(\result) && 0 <= \result && (\result == value || \result == -value); */
+static sailnet_real sailnet_size(sailnet_real value);
+#elif SAILNET_READS_BETA
+/*@ requires range: 0.99e-24 <= value <= 1.01e30;
+    assigns \result \from value;
+    ensures \is_finite(\result) && 3e-8 <= \result <= 1.01e6; */
+static sailnet_real sailnet_inverse_fourth_root(sailnet_real value);
+#endif
+
+#include "../tested.h"
+
+/* Any bits, any pointer that is null or valid. */
+typedef union {
+    sailnet_bits bits[3];
+    sailnet_state value;
+} any_state_bits;
+typedef union {
+    sailnet_bits bits;
+    sailnet_real value;
+} any_real_bits;
+typedef union {
+    sailnet_bits bits[8];
+    sailnet_memory value;
+} any_memory_bits;
+extern any_state_bits state_bits;
+extern any_real_bits beta_bits;
+extern any_real_bits period_bits;
+extern any_memory_bits memory_bits;
+#define any_state state_bits.value
+#define any_beta beta_bits.value
+#define any_period period_bits.value
+#define any_memory memory_bits.value
+extern int any_choice[1];
+
+static void check(const sailnet_command *command)
+{
+    /* As the compiler rounds them: in ACSL a decimal is a real number. */
+    const sailnet_real phi_max = SAILNET_PHI_MAX;
+    const sailnet_real beta_min = SAILNET_BETA_MIN;
+    const sailnet_real beta_max = SAILNET_BETA_MAX;
+    /*@ assert cone_angle: \is_finite(command->cone_angle) && -phi_max <= command->cone_angle <= phi_max; */
+    /*@ assert beta: \is_finite(command->beta) && beta_min <= command->beta <= beta_max; */
+    /*@ assert time_of_flight: \is_finite(command->time_of_flight); */
+    /*@ assert hold: \is_finite(command->hold) && 0 <= command->hold; */
+}
+
+void prove_guidance(void)
+{
+    sailnet_command command;
+    (void)sailnet_guidance(any_choice[0] ? &any_state : (const sailnet_state *)0, any_beta, &command);
+    check(&command);
+}
+
+void prove_steering(void)
+{
+    sailnet_command command;
+    (void)sailnet_steer(&any_memory, any_choice[0] ? &any_state : (const sailnet_state *)0, any_period, &command);
+    check(&command);
+    const sailnet_real beta_min = SAILNET_BETA_MIN;
+    const sailnet_real beta_max = SAILNET_BETA_MAX;
+    /*@ assert memory: \is_finite(any_memory.beta) && beta_min <= any_memory.beta <= beta_max; */
+}
+
+/* Nothing is written through a null pointer, nothing read. */
+void prove_null_pointers(void)
+{
+    sailnet_command command;
+    sailnet_start((sailnet_memory *)0);
+    sailnet_start(&any_memory);
+    (void)sailnet_guidance(&any_state, any_beta, (sailnet_command *)0);
+    (void)sailnet_steer(&any_memory, &any_state, any_period, (sailnet_command *)0);
+    (void)sailnet_steer((sailnet_memory *)0, &any_state, any_period, &command);
+    check(&command);
+}

@@ -1,0 +1,127 @@
+"""Guards of the flight file, each taken away: the proof must then fail."""
+
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+from c_runtime.builds import HEADER, LAYOUTS, Build
+from c_runtime.verification.proof.eva import ProofError, analyse
+from c_runtime.verification.proof.lemmas import check_lemmas
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """One guard, as it stands in the flight file, and the file without it."""
+
+    name: str
+    guard: str
+    without: str
+    layout: str = ""
+    precision: str = ""
+    """Where these are not empty, only such builds are concerned."""
+
+    def concerns(self, build: Build) -> bool:
+        """Whether this mutant changes that build."""
+        return self.layout in ("", build.layout) and self.precision in ("", build.precision)
+
+
+MUTANTS = (
+    Mutant(
+        "cone angle unbounded on a host",
+        "const sailnet_real bounded = size < SAILNET_PHI_MAX ? size : SAILNET_PHI_MAX;",
+        "const sailnet_real bounded = size;",
+        layout="host",
+    ),
+    Mutant(
+        "cone angle unbounded",
+        "sailnet_size(sailnet_limited(&command->cone_angle, SAILNET_OF_CONE_ANGLE))",
+        "sailnet_size(command->cone_angle)",
+        layout="flight",
+    ),
+    Mutant(
+        "clamp lets NaN through",
+        "raised = value > lower ? value : lower;\n    return raised < upper ? raised : upper;",
+        "raised = value < lower ? lower : value;\n    return raised > upper ? upper : raised;",
+    ),
+    Mutant(
+        "clamp without upper end",
+        "return raised < upper ? raised : upper;",
+        "return raised + R(0.0) * upper;",
+    ),
+    Mutant(
+        "s unbounded",
+        "sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6))",
+        "(s4 * per_s) * per_s2",
+        layout="host",
+        precision="float32",
+    ),
+    Mutant(
+        "fourth power of s may be zero",
+        "sailnet_clamped(sum, SAILNET_SMALLEST_S4, R(1e24))",
+        "sum",
+        layout="host",
+    ),
+    Mutant(
+        "memory and estimate trusted",
+        "memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);",
+        "",
+    ),
+    Mutant("any period held", "sailnet_limited(&command->hold, SAILNET_OF_PERIOD)", "command->hold"),
+    Mutant(
+        "inputs not clamped on a host", "shifted[i] = clamped -", "shifted[i] = input[i] -", layout="host"
+    ),
+    Mutant(
+        "inputs not clamped",
+        "sailnet_limited(&input[i], SAILNET_OF_INPUTS + i) - numbers[0]",
+        "input[i] - numbers[0]",
+        layout="flight",
+    ),
+    Mutant("one weight too many read", "= &from[inputs];", "= &from[inputs + 1];", layout="flight"),
+    Mutant(
+        "a knot beyond the tables read",
+        "sailnet_limited(&argument[table], SAILNET_OF_KNOTS)",
+        "argument[table]",
+        layout="flight",
+    ),
+    Mutant(
+        "null command written on a host",
+        "    if (command == NULL) {\n        return SAILNET_INVALID_INPUT;\n    }\n",
+        "",
+        layout="host",
+    ),
+    Mutant(
+        "null command written",
+        "    if (command == NULL) {\n        return (uint32_t)SAILNET_INVALID_INPUT;\n    }\n",
+        "",
+        layout="flight",
+    ),
+)
+
+
+def mutate(exported: Path, mutant: Mutant, folder: Path) -> bool:
+    """Write the exported files without that guard into ``folder``; False if they have no such guard."""
+    shutil.copy(exported / HEADER, folder)
+    found = False
+    for layout, name in LAYOUTS.items():
+        source = (exported / name).read_text(encoding="utf-8")
+        if mutant.layout in ("", layout):
+            found = found or mutant.guard in source
+            source = source.replace(mutant.guard, mutant.without)
+        (folder / name).write_text(source, encoding="utf-8")
+    return found
+
+
+def caught(folder: Path, build: Build) -> bool:
+    """Whether the proof of an exported guidance fails: in what it concludes, or in what it assumes.
+
+    Raises:
+        CompilerError: there is no compiler.
+        ProofError: Eva failed to analyse the file.
+    """
+    if analyse(folder, build):
+        return True
+    try:
+        check_lemmas(folder, build)
+    except ProofError:
+        return True
+    return False

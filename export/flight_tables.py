@@ -1,0 +1,238 @@
+"""The flight file's tables: one flat array, in the order in which ``c_runtime/flight`` reads it."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from export.errors import ExportError
+from export.numbers import LOG2_E, centred_layers, literal
+from sailnet.guidance.facts import GuidanceFacts
+from sailnet.guidance.steering import LEAST_COSINE2
+from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.network import EXTRAPOLATION, Network
+from sailnet.networks.trained_domain import KNOTS
+from sailnet.physics.arrays import Array
+
+Numbers = tuple[str, Array]
+"""What they are, and either rows of them, or as many as there are."""
+
+LARGEST_EXPONENT = 500.0
+"""Octaves that leave the product with s finite in double precision; in single the C saturates."""
+
+BLOCK = 10
+"""Sums that registers hold at once: layers are padded with zeros to whole blocks."""
+
+CIRCLE = [0, 3, 4, 1, 7, 8, 2, 5, 6]
+"""Columns of the tube in the order x_r, x_r + x_u, x_r - x_u, x_u, ... The last is that of -(x_r - x_v)."""
+
+ORBITS = [10, 9]
+"""Energy and radial speed."""
+
+
+def flight_tables(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
+    """C source of all tables of the flight file.
+
+    Raises:
+        ExportError: a number does not fit single precision, or the networks do not fit each other.
+    """
+    trio = _trio(networks)
+    inputs = max(len(network.inputs) for network in trio)
+    widest = max(size for network in trio for size in network.hidden)
+    width = math.ceil(max(widest, inputs) / BLOCK) * BLOCK
+    units = (LOG2_E, 1.0, 1.0) if networks.approach else (1.0, 1.0, 1.0)
+    if networks.approach:
+        _check_exponent(networks.tau)
+    numbers = [
+        (
+            "The target's r, u, v, each in two parts, of which the first is exact in either precision.",
+            _target(facts),
+        ),
+        *_tube(facts),
+        ("Lower ends of the inputs' ranges.", _scaled_ranges(networks)[:, 2]),
+    ]
+    for network, unit in zip(trio, units, strict=True):
+        numbers += _weights(network, unit, _scales(networks), widest, width)
+    return "\n".join(
+        [
+            limits(networks, facts),
+            "",
+            "/* Inputs of networks, neurons of a layer at most, those in whole blocks; the tube's knots. */",
+            f"#define SAILNET_INPUTS {inputs}",
+            f"#define SAILNET_NEURONS {widest}",
+            f"#define SAILNET_BLOCK {BLOCK}",
+            f"#define SAILNET_WIDTH {width}",
+            f"#define SAILNET_KNOTS {KNOTS}",
+            "/* r^2 of the target. */",
+            f"#define SAILNET_TARGET_R2 R({literal(facts.target_state[0] ** 2)})",
+            "/* Hidden layers of a network. */",
+            _depths(trio),
+            "",
+            f"/* All numbers, in the order in which they are read. Networks: {_sizes(trio)}. */",
+            f"#define R{BLOCK}({_list('n{}')}) \\\n    {_list('R(n{})')}",
+            _flat("sailnet_numbers", numbers),
+        ]
+    )
+
+
+def limits(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
+    """C source of the bounds that are the mission's and the networks'.
+
+    Raises:
+        ExportError: a number does not fit single precision, or the networks do not fit each other.
+    """
+    edge_on = math.cos(facts.phi_max) ** 2 < LEAST_COSINE2
+    return "\n".join(
+        [
+            "/* Whether the bound on the cone angle lets a sail be edge-on, which tells nothing of beta. */",
+            f"#define SAILNET_MAY_BE_EDGE_ON {int(edge_on)}",
+            "/* The tube's last knot. */",
+            f"#define SAILNET_LAST_KNOT R({literal(KNOTS - 1)})",
+            "/* Of each of r, u, v: the trained box, the widened box, and what is at the target. */",
+            _rows("SAILNET_STATE_LIMITS", _state_limits(facts)),
+            "/* Of each of the networks' inputs. */",
+            _rows("SAILNET_INPUT_LIMITS", _scaled_ranges(networks)[:, :2]),
+        ]
+    )
+
+
+def _list(form: str) -> str:
+    return ", ".join(form.format(i) for i in range(BLOCK))
+
+
+def _trio(networks: GuidanceNetworks) -> list[Network]:
+    return [networks.tau, networks.alpha_pre, networks.lambda_v]
+
+
+def _sizes(trio: Sequence[Network]) -> str:
+    return ", ".join(f"{network.name} {'-'.join(map(str, network.hidden))}" for network in trio)
+
+
+def _scales(networks: GuidanceNetworks) -> Array:
+    """What the C's inputs are multiplied by: it has twice the first of approach coordinates."""
+    inputs = max(len(network.inputs) for network in _trio(networks))
+    return np.array([2.0 if networks.approach else 1.0, *np.ones(inputs - 1)])
+
+
+def _scaled_ranges(networks: GuidanceNetworks) -> Array:
+    """Rows of lower clamp, upper clamp and lower end, of the inputs as the C has them."""
+    ranges: Array = _scales(networks)[:, np.newaxis] * _input_ranges(_trio(networks))
+    return ranges
+
+
+def _depths(trio: Sequence[Network]) -> str:
+    """How many hidden layers a network has, by its place: a constant if it is one."""
+    depths = [len(network.hidden) for network in trio]
+    if len(set(depths)) == 1:
+        return f"#define SAILNET_DEPTH(network) {depths[0]}"
+    table = f"static const int32_t sailnet_depth[3] = {{{', '.join(map(str, depths))}}};"
+    return f"{table}\n#define SAILNET_DEPTH(network) sailnet_depth[network]"
+
+
+def _weights(network: Network, unit: float, scales: Array, widest: int, width: int) -> list[Numbers]:
+    """All numbers of one network, in order; inputs come multiplied by the scales."""
+    weights, biases, output, output_bias = centred_layers(network, unit)
+    inputs = len(scales)
+    weights[0] = weights[0] / scales[: len(network.inputs)]
+    numbers: list[Numbers] = []
+    for layer, (weight, bias) in enumerate(zip(weights, biases, strict=True)):
+        rows = np.zeros((1 + (widest if layer else inputs), width))
+        rows[0, : len(bias)] = bias
+        rows[1 : 1 + weight.shape[1], : len(bias)] = weight.T
+        for first in range(width - BLOCK, -1, -BLOCK):
+            neurons = f"neurons {first + 1} to {first + BLOCK}"
+            what = f"{network.name}, layer {layer + 1}, {neurons}: biases, then weights."
+            numbers.append((what, rows[:, first : first + BLOCK]))
+    last = np.concatenate([[output_bias], np.pad(output, (0, widest - len(output)))])
+    return [*numbers, (f"{network.name}, output: bias, then weights.", last)]
+
+
+def _input_ranges(trio: Sequence[Network]) -> Array:
+    """Rows of lower clamp, upper clamp and lower end, of the inputs of all networks."""
+    rows = [np.column_stack([*network.clamp, network.input_min]) for network in trio]
+    longest = max(rows, key=len)
+    for network, own in zip(trio, rows, strict=True):
+        if not np.array_equal(own, longest[: len(own)]):
+            raise ExportError(
+                f"network {network.name} has other input ranges than the others: train them on the same data"
+            )
+    return longest
+
+
+def _state_limits(facts: GuidanceFacts) -> Array:
+    """Rows of bounds, of each of r, u, v three: the box, the widened box, and what is at the target."""
+    target, tolerance = np.array(facts.target_state), facts.arrival_tolerance
+    low, high = np.array(facts.state_min), np.array(facts.state_max)
+    margin = EXTRAPOLATION * (high - low)
+    columns = [low, high, low - margin, high + margin, target - tolerance, target + tolerance]
+    return np.column_stack(columns).reshape(-1, 2)
+
+
+def _target(facts: GuidanceFacts) -> Array:
+    """Of each of r, u, v two parts, of which the first is exact in either precision."""
+    target = np.array(facts.target_state)
+    exact = target.astype(np.float32).astype(float)
+    return np.column_stack([exact, target - exact]).ravel()
+
+
+def _tube(facts: GuidanceFacts) -> list[Numbers]:
+    """Of directions and of orbits where the first knot is, how many there are to one, and then the bounds.
+
+    Of each column first the lower bounds, and then those of its negative, each with a last for the C to
+    multiply by zero.
+    """
+    domain = facts.domain
+    sides = np.stack([np.array(domain.lower), -np.array(domain.upper)])
+    turned = CIRCLE[-1]
+    sides[:, :, turned] = sides[::-1, :, turned]
+    padded = np.concatenate([sides, sides[:, -1:]], axis=1)
+    directions, orbits = (
+        padded[:, :, columns].transpose(2, 0, 1).reshape(-1, KNOTS + 1) for columns in (CIRCLE, ORBITS)
+    )
+    bounds = "lower bounds at the knots of each column and of its negative."
+    return [
+        (
+            "The tube's knots by size: the first, and how many there are to one TU.",
+            np.array([0.0, 1.0 / domain.size_step]),
+        ),
+        (f"Of directions: {bounds}", directions),
+        (
+            "The tube's knots by angular momentum: the first, and how many there are to one.",
+            np.array([domain.momentum_min, 1.0 / domain.momentum_step]),
+        ),
+        (f"Of energy and radial speed: {bounds}", orbits),
+    ]
+
+
+def _check_exponent(tau: Network) -> None:
+    """Whatever the activations, the C's power of two takes the output."""
+    _, _, output, bias = centred_layers(tau, LOG2_E)
+    largest = float(np.abs(output).sum() + abs(bias))
+    if not largest <= LARGEST_EXPONENT:
+        raise ExportError(
+            f"the output of network {tau.name} may reach {largest:.0f} octaves, the C takes "
+            f"{LARGEST_EXPONENT:.0f}: train with bounded weights"
+        )
+
+
+def _flat(name: str, numbers: Sequence[Numbers]) -> str:
+    lines = []
+    for what, values in numbers:
+        rows = values if values.ndim == 2 else [values[i : i + BLOCK] for i in range(0, len(values), BLOCK)]
+        lines.append(f"    /* {what} */")
+        lines += [f"    {_row([literal(float(v)) for v in row])}," for row in rows]
+    count = sum(values.size for _, values in numbers)
+    return "\n".join([f"static const sailnet_real {name}[{count}] = {{", *lines, "};"])
+
+
+def _row(literals: Sequence[str]) -> str:
+    """Most rows are of ten: the precision of all of them in one macro makes the file a tenth smaller."""
+    if len(literals) == BLOCK:
+        return f"R{BLOCK}({', '.join(literals)})"
+    return ", ".join(f"R({literal})" for literal in literals)
+
+
+def _rows(name: str, pairs: Array) -> str:
+    """A macro of initialisers of pairs."""
+    rows = [f"{{R({literal(float(lower))}), R({literal(float(upper))})}}" for lower, upper in pairs]
+    return f"#define {name} \\\n    " + ", \\\n    ".join(rows)

@@ -1,0 +1,161 @@
+"""The weights as C tables, for the layout of hosts.
+
+A stage is one or more networks evaluated in step: by ``simulation/host/stage.inc``, each in vectors of
+its own, or by ``side_by_side.inc`` in wide vectors that they share. Which of them is chosen when the C is
+compiled, and so is the order of a row's numbers, by a macro that all rows go through. Rows shorter than the
+array they initialise leave zeros behind, as C defines.
+"""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from export.centred import centred_biases
+from export.errors import ExportError
+from export.numbers import LOG2_E, centred_layers, literal
+from export.row_orders import RowOrder
+from sailnet.guidance.facts import GuidanceFacts
+from sailnet.networks.approach import SMALLEST_SCALE
+from sailnet.networks.network import EXTRAPOLATION, Network
+from sailnet.physics.arrays import Array
+
+LARGEST_OCTAVES = 1000.0
+"""The C's sigmoid takes no larger argument: SAILNET_LARGEST_OCTAVES."""
+
+
+def stage_tables(
+    stage: str,
+    networks: Sequence[Network],
+    units: Sequence[float] | None = None,
+    order: Sequence[int] | None = None,
+) -> str:
+    """C source of the sizes and constant tables of one stage.
+
+    Hidden layers are multiplied by -log2(e), so that sigmoid(x) = 1 / (1 + 2^z) of their result z. The
+    C's sigmoids are centred and doubled: biases absorb the 1/2, weights the 2.
+    The first layer absorbs the width of the input ranges, the last layer the output range.
+
+    Args:
+        stage: its name in the C.
+        networks: all with the same inputs and input ranges.
+        units: what the output of each network is multiplied by; 1 by default.
+        order: in which the C gives the networks' inputs; theirs by default.
+
+    Raises:
+        ExportError: a weight does not fit single precision, a neuron is too steep, or input ranges differ.
+    """
+    depths = [len(network.hidden) for network in networks]
+    widest = max(size for network in networks for size in network.hidden)
+    order = list(range(len(networks[0].inputs)) if order is None else order)
+    inputs, rows = len(order), math.ceil(max(widest, len(order)) / 4) * 4
+    name = f"sailnet_{stage}"
+    row_order = RowOrder(len(networks), rows, alike=len(set(depths)) == 1)
+
+    clamp_min, clamp_max = (bound[order] for bound in networks[0].clamp)
+    for network in networks[1:]:
+        if not np.array_equal(network.clamp, networks[0].clamp):
+            raise ExportError(
+                f"networks {networks[0].name} and {network.name} have different input ranges: "
+                "train them on the same data"
+            )
+    first = np.zeros((inputs, len(networks), rows))
+    biases = np.zeros((max(depths), len(networks), rows))
+    hidden = np.zeros((max(1, max(depths) - 1), rows, len(networks), rows))
+    output = np.zeros((len(networks), rows))
+    output_bias = []
+    for k, network in enumerate(networks):
+        _check_steepness(network)
+        weights, bias_rows, output_row, last = centred_layers(network, 1.0 if units is None else units[k])
+        first[:, k, : len(weights[0])] = weights[0].T[order]
+        for layer, bias in enumerate(bias_rows):
+            biases[layer, k, : len(bias)] = bias
+        for layer, weight in enumerate(weights[1:]):
+            hidden[layer, : weight.shape[1], k, : len(weight)] = weight.T
+        output[k, : len(output_row)] = output_row
+        output_bias.append(last)
+
+    return "\n".join(
+        [
+            f'/* Stage "{stage}": {", ".join(f"{n.name} {list(n.hidden)}" for n in networks)}. */',
+            f"#define STAGE(name) sailnet_{stage}_##name",
+            f"#define STAGE_NETWORKS {len(networks)}",
+            f"#define STAGE_INPUTS {inputs}",
+            f"#define STAGE_EVEN_INPUTS {math.ceil(inputs / 2) * 2}",
+            f"#define STAGE_DEPTH {max(depths)}",
+            f"#define STAGE_ROWS {rows}",
+            "#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)",
+            row_order.macros(),
+            _table(f"{name}_lower[STAGE_INPUTS]", _row(networks[0].input_min[order])),
+            _table(f"{name}_clamp_min[STAGE_INPUTS]", _row(clamp_min)),
+            _table(f"{name}_clamp_max[STAGE_INPUTS]", _row(clamp_max)),
+            _table(f"{name}_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART]", _rows(row_order, first)),
+            _table(f"{name}_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART]", _rows(row_order, biases)),
+            _table(
+                f"{name}_hidden[{len(hidden)}][STAGE_ROWS][STAGE_PARTS][STAGE_PART]",
+                "{\n" + ",\n".join(_rows(row_order, layer) for layer in hidden) + "\n}",
+            ),
+            _table(
+                f"{name}_output[STAGE_OUTPUTS][STAGE_OUTPUT]",
+                row_order.row(_numbers(output), "OUTPUT_ROW"),
+            ),
+            _table(f"{name}_output_bias[STAGE_NETWORKS]", _row(output_bias)),
+            f"#define STAGE_DEPTHS {{{', '.join(map(str, depths))}}}",
+            "",
+        ]
+    )
+
+
+def constants(facts: GuidanceFacts, approach: bool) -> str:
+    """C source of the target, of the box of trained states and, for approach coordinates, of their clamps.
+
+    The target is split into a part that single precision holds exactly and the rest.
+    """
+    target = np.array(facts.target_state)
+    exact = target.astype(np.float32).astype(float)
+    low, high = np.array(facts.state_min), np.array(facts.state_max)
+    tables = {"target": exact, "target_rest": target - exact, "domain_min": low, "domain_max": high}
+    if approach:
+        margin = EXTRAPOLATION * (high - low)
+        tables |= {"state_clamp_min": low - margin, "state_clamp_max": high + margin}
+    lines = [_table(f"sailnet_{name}[3]", _row(values)) for name, values in tables.items()]
+    if approach:
+        lines.append(f"#define SAILNET_TARGET_R2 R({literal(target[0] ** 2)})")
+        lines.append(f"#define SAILNET_SMALLEST_S4 R({literal(SMALLEST_SCALE**4)})")
+    return "\n".join(lines) + "\n"
+
+
+def _check_steepness(network: Network) -> None:
+    """Whatever the inputs, no sum of a hidden layer exceeds what the C's sigmoid takes."""
+    low, high = (
+        (bound - network.input_min) / (network.input_max - network.input_min) for bound in network.clamp
+    )
+    largest = np.maximum(np.abs(low), np.abs(high))
+    for weight, bias in zip(network.weights[:-1], centred_biases(network)[:-1], strict=True):
+        octaves = LOG2_E * float((np.abs(weight) @ largest + np.abs(bias)).max())
+        if not octaves <= LARGEST_OCTAVES:
+            raise ExportError(
+                f"network {network.name} has a neuron whose argument may reach {octaves:.0f} octaves, "
+                f"the C takes {LARGEST_OCTAVES:.0f}: train with bounded weights"
+            )
+        largest = np.full(len(bias), 0.5)
+
+
+def _table(declaration: str, initialiser: str) -> str:
+    return f"static const SAILNET_ALIGNED sailnet_real {declaration} =\n{initialiser};"
+
+
+def _rows(order: RowOrder, rows: Array) -> str:
+    return "{\n" + ",\n".join(order.row(_numbers(row)) for row in rows) + "\n}"
+
+
+def _row(values: Sequence[float] | Array) -> str:
+    return "{" + ", ".join(_literals(values)) + "}"
+
+
+def _numbers(row: Array) -> list[list[str]]:
+    return [_literals(network) for network in row]
+
+
+def _literals(values: Sequence[float] | Array) -> list[str]:
+    return [f"R({literal(float(value))})" for value in values]

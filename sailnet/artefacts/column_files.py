@@ -1,0 +1,246 @@
+"""HDF5 files of checksummed columns: each appears whole or not at all, and is not read where it is damaged.
+
+A file holds groups of one-dimensional arrays, each with its unit, meaning and SHA-256, and says in its root
+attributes what it is and where it came from. The checksum of the header covers names, lengths and checksums
+of all columns, so that equal digests mean equal content.
+"""
+
+import hashlib
+import json
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from sailnet.artefacts.files import write_whole
+from sailnet.errors import SailnetError
+
+VERIFY_ROWS = 1 << 20
+"""Rows held at once while the checksums are computed."""
+
+Columns = Mapping[str, NDArray[Any]]
+
+
+@dataclass(frozen=True)
+class Layout:
+    """What a kind of file holds, and what is said when one cannot be used.
+
+    Attributes:
+        schema: its name and version, which the file says first.
+        kind: what messages call such a file.
+        remedy: what they advise.
+        error: what is raised.
+        groups: unit and meaning of each column, by group and name.
+        integers: types of the columns that are not double precision, by name.
+        chunks: rows of a chunk, by group.
+        texts: root attributes that the digest covers, beside the schema.
+        small: whether it is compressed, and made in memory before it is written: where a disk is full, HDF5
+            itself ends the process instead of raising.
+    """
+
+    schema: str
+    kind: str
+    remedy: str
+    error: type[SailnetError]
+    groups: Mapping[str, Mapping[str, tuple[str, str]]]
+    integers: Mapping[str, str]
+    chunks: Mapping[str, int]
+    texts: Sequence[str]
+    small: bool = False
+
+    def type_of(self, name: str) -> np.dtype[Any]:
+        """How a column is stored."""
+        return np.dtype(self.integers.get(name, "<f8"))
+
+
+def write_columns(
+    path: Path,
+    layout: Layout,
+    parts: Iterable[Columns],
+    texts: Mapping[str, str],
+    provenance: Mapping[str, object],
+    scratch: Path | None = None,
+) -> None:
+    """Stream columns into a new file.
+
+    Args:
+        path: where to; an existing file is replaced once the new one is complete.
+        layout: of the file.
+        parts: values by ``group/name``, appended in their order; memory holds one part at a time.
+        texts: values of the layout's ``texts``.
+        provenance: whatever tells where the content comes from, as JSON.
+        scratch: folder of the same file system for the unfinished file; beside ``path`` by default.
+
+    Raises:
+        SailnetError: the layout's error: the file cannot be written (full disk, no permission).
+    """
+
+    def fill(file: Any) -> None:
+        columns = _create(file, layout)
+        digests = {key: hashlib.sha256() for key in columns}
+        for part in parts:
+            for key, values in part.items():
+                stored = np.ascontiguousarray(values, layout.type_of(key.partition("/")[2]))
+                start = len(columns[key])
+                columns[key].resize(start + len(stored), axis=0)
+                columns[key][start:] = stored
+                digests[key].update(stored.data)
+        for key, column in columns.items():
+            _put_text(column, sha256=digests[key].hexdigest())
+        for group, names in layout.groups.items():
+            file.attrs[group] = len(file[group][next(iter(names))])
+        origin = json.dumps(dict(provenance), sort_keys=True)
+        _put_text(file, schema=layout.schema, provenance=origin, **texts)
+        _put_text(file, sha256=content_digest(file, layout), provenance_sha256=_text_digest(origin))
+
+    def write(beside: Path) -> None:
+        # v110: only since this version of the format does every piece of metadata carry a checksum; without
+        # one HDF5 can crash or hang on a single flipped bit.
+        if layout.small:
+            with h5py.File(beside.name, "w", libver="v110", driver="core", backing_store=False) as file:
+                fill(file)
+                file.flush()
+                beside.write_bytes(file.id.get_file_image())
+        else:
+            # No chunk cache: rows go straight to the file, without another copy.
+            with h5py.File(beside, "w", libver="v110", rdcc_nbytes=0) as file:
+                fill(file)
+
+    try:
+        write_whole(path, write, scratch)
+    except (OSError, RuntimeError) as error:  # h5py raises either when HDF5 cannot write
+        raise layout.error(f"cannot write {layout.kind} {path}: {error}") from error
+
+
+class ColumnFile:
+    """An open file of columns, whose header matches its checksum. Made by :func:`open_columns`.
+
+    Attributes:
+        digest: equal means the same columns and texts, whenever and wherever they were made.
+        provenance: where they come from.
+    """
+
+    def __init__(self, path: Path, file: Any, layout: Layout) -> None:
+        self._path, self._file, self._layout = path, file, layout
+        if (schema := self.text("schema")) != layout.schema:
+            raise layout.error(f"{path} has schema {schema!r}, this version reads {layout.schema!r}")
+        self.digest: str = self.text("sha256")
+        header = (content_digest(file, layout), _text_digest(self.text("provenance")))
+        if header != (self.digest, self.text("provenance_sha256")):
+            raise layout.error(f"{path} is damaged: its header does not match its checksum; {layout.remedy}")
+        self.provenance: dict[str, Any] = json.loads(self.text("provenance"))
+        # Not the attributes of these names: the checksum covers the columns' lengths.
+        self._rows = {group: len(file[group][next(iter(names))]) for group, names in layout.groups.items()}
+
+    def text(self, name: str) -> str:
+        """A root attribute."""
+        return _get_text(self._file, name)
+
+    def rows(self, group: str) -> int:
+        """Length of the columns of a group."""
+        return self._rows[group]
+
+    def read(self, group: str, names: Iterable[str], start: int, stop: int) -> dict[str, NDArray[Any]]:
+        """Columns between two rows; only :meth:`verify` checks the values.
+
+        Raises:
+            SailnetError: the layout's error: the rows cannot be read.
+        """
+        try:
+            return {name: self._file[group][name][start:stop] for name in names}
+        except (OSError, RuntimeError, ValueError, TypeError, AttributeError, MemoryError) as error:
+            raise self._layout.error(
+                f"{self._path} is damaged: {group} rows {start} to {stop} cannot be read; "
+                f"{self._layout.remedy}"
+            ) from error
+
+    def verify(self, see: Callable[[str, int, NDArray[Any]], object] | None = None) -> None:
+        """Read everything and compare it with the stored SHA-256 checksums.
+
+        Args:
+            see: called, if given, with all that is read: the column as ``group/name``, the first row, and
+                the values from there on.
+
+        Raises:
+            SailnetError: the layout's error, naming the first column that does not match.
+        """
+        for group, names in self._layout.groups.items():
+            for name in names:
+                content = hashlib.sha256()
+                for start in range(0, self.rows(group), VERIFY_ROWS):
+                    stop = min(start + VERIFY_ROWS, self.rows(group))
+                    values = self.read(group, [name], start, stop)[name]
+                    content.update(np.ascontiguousarray(values, self._layout.type_of(name)).data)
+                    if see:
+                        see(f"{group}/{name}", start, values)
+                if content.hexdigest() != _get_text(self._file[group][name], "sha256"):
+                    raise self._layout.error(
+                        f"{self._path} is damaged: {group}/{name} does not match its checksum; "
+                        f"{self._layout.remedy}"
+                    )
+
+
+@contextmanager
+def open_columns(path: Path, layout: Layout) -> Iterator[ColumnFile]:
+    """Open a file for reading.
+
+    Raises:
+        SailnetError: the layout's error: missing, truncated, damaged or of another schema.
+    """
+    try:
+        file = h5py.File(path, "r")
+    except (OSError, ValueError, RuntimeError) as error:
+        raise layout.error(f"cannot open {layout.kind} {path}: {error}") from error
+    with file:
+        try:
+            found = ColumnFile(path, file, layout)
+        except SailnetError:
+            raise
+        except Exception as error:  # a flipped bit in the metadata can surface as any of them
+            raise layout.error(f"{path} is damaged or no sailnet {layout.kind}: {error}") from error
+        yield found
+
+
+def content_digest(file: Any, layout: Layout) -> str:
+    """SHA-256 of the texts that count and of the checksums of all columns, of an open HDF5 file."""
+    content = hashlib.sha256()
+    for name in ("schema", *layout.texts):
+        content.update(_get_text(file, name).encode())
+    for group, names in layout.groups.items():
+        for name in names:
+            column = file[group][name]
+            content.update(f"{group}/{name}{column.shape}{_get_text(column, 'sha256')}".encode())
+    return content.hexdigest()
+
+
+def _create(file: Any, layout: Layout) -> dict[str, Any]:
+    """Empty columns by ``group/name``, with their unit and meaning."""
+    columns = {}
+    compression = {"shuffle": True, "compression": "gzip", "compression_opts": 1} if layout.small else {}
+    for group, names in layout.groups.items():
+        for name, (unit, meaning) in names.items():
+            key, chunk = f"{group}/{name}", (layout.chunks[group],)
+            columns[key] = file.create_dataset(
+                key, (0,), layout.type_of(name), maxshape=(None,), chunks=chunk, **compression
+            )
+            _put_text(columns[key], unit=unit, meaning=meaning)
+    return columns
+
+
+def _put_text(place: Any, **attributes: str) -> None:
+    # Of fixed length: HDF5 keeps other texts in a heap without a checksum. JSON escapes to ASCII.
+    for name, text in attributes.items():
+        place.attrs[name] = np.bytes_(text.encode("ascii"))
+
+
+def _get_text(place: Any, name: str) -> str:
+    return bytes.decode(place.attrs[name], "ascii")
+
+
+def _text_digest(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()

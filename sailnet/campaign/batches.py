@@ -1,0 +1,156 @@
+"""The work of a campaign in batches: each depends on the plan and its own number alone."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sailnet.campaign.columns import KEPT, RECORDS, flight_columns, record_columns
+from sailnet.campaign.plan import Plan, Starts
+from sailnet.campaign.random_flights import BATCH
+from sailnet.expert.fastest import solve_states
+from sailnet.flight.closed_loop import fly, fly_recorded
+from sailnet.guidance.interface import Guidance
+from sailnet.mission.mission import Mission
+
+OPTIMA_BATCH = 2500
+"""States solved at once."""
+
+FEW = 25
+"""Up to so many states are solved one by one: indexing the generalisation set takes some twenty seconds."""
+
+MOST_RECORDS = 1500
+"""Periods of a trajectory of the sample that are kept at most: evenly spread, and a fifth are the last."""
+
+MOST_OF_FAILURES = 300
+"""The same for failures, which there may be thousands of, most of them as long as a flight may be."""
+
+Columns = dict[str, NDArray[Any]]
+
+
+@dataclass(frozen=True)
+class Batch:
+    """One piece of the work.
+
+    Attributes:
+        kind: fly, or ask the expert.
+        series: number of the series; for optima, the first of those with these starts.
+        period: guidance period [TU]; 0 for optima.
+        first: number of the first flight.
+        count: of flights.
+        sampled: flights of a number below this leave their trajectories.
+        failures: and at most so many others that did not arrive.
+    """
+
+    kind: Literal["flights", "optima"]
+    series: int
+    period: float
+    first: int
+    count: int
+    sampled: int
+    failures: int
+
+
+def batches_of(plan: Plan, mission: Mission) -> list[Batch]:
+    """The batches of a campaign: flights in order of series, period and number, then optima."""
+    batches: list[Batch] = []
+    wanted: dict[Starts | None, tuple[int, int]] = {}
+    for number, series in enumerate(plan.whole):
+        for period in plan.periods_of(series, mission):
+            sampled = plan.sample if period == plan.sampled_period(series, mission) else 0
+            for first in range(0, series.count, BATCH):
+                count = min(BATCH, series.count - first)
+                batches.append(Batch("flights", number, period, first, count, sampled, plan.failures))
+        if optima := min(series.optima or 0, series.count):
+            shown_by, most = wanted.get(series.starts, (number, 0))
+            wanted[series.starts] = (shown_by, max(most, optima))
+    for number, count in wanted.values():
+        for first in range(0, count, OPTIMA_BATCH):
+            batches.append(Batch("optima", number, 0.0, first, min(OPTIMA_BATCH, count - first), 0, 0))
+    return batches
+
+
+@dataclass(frozen=True)
+class Job:
+    """Whatever a worker has to know; picklable.
+
+    Attributes:
+        mission: plant, target and rules of flight.
+        guidance: what flies.
+        plan: the campaign.
+    """
+
+    mission: Mission
+    guidance: Guidance
+    plan: Plan
+
+    @cached_property
+    def batches(self) -> list[Batch]:
+        """The batches, by number."""
+        return batches_of(self.plan, self.mission)
+
+    def carry_out(self, number: int) -> Columns:
+        """One batch: columns of ``FLIGHTS`` (``flights/...``), ``KEPT`` and ``RECORDS``, or optima."""
+        batch = self.batches[number]
+        return self._optima(batch) if batch.kind == "optima" else self._fly(batch)
+
+    def _fly(self, batch: Batch) -> Columns:
+        series = self.plan.whole[batch.series]
+        starts = series.states(self.mission, self.plan.seed, batch.first, batch.count)
+        mission, guidance, period = self.mission, self.guidance, batch.period
+        disturbance = series.disturbances(mission, self.plan.seed)
+        flights = fly(mission, guidance, starts, disturbance=disturbance, period=period, first=batch.first)
+        numbers = np.arange(batch.first, batch.first + batch.count)
+        failed = np.flatnonzero(~flights.arrived & (numbers >= batch.sampled))[: batch.failures]
+        kept = np.concatenate([np.flatnonzero(numbers < batch.sampled), failed])
+        # Memory for the histories of all flights would be too much; flown again, a flight is the same.
+        histories = []
+        for row in kept.tolist():
+            first = batch.first + row
+            histories += fly_recorded(
+                mission, guidance, starts[[row]], disturbance=disturbance, period=period, first=first
+            )[1]
+        columns = {f"flights/{name}": values for name, values in flight_columns(flights).items()}
+        columns["flights/series"] = np.full(batch.count, batch.series)
+        columns["flights/period"] = np.full(batch.count, batch.period)
+        columns["flights/number"] = numbers
+        columns["kept/flight"] = kept
+        records = [
+            _thinned(record_columns(history), MOST_RECORDS if number < batch.sampled else MOST_OF_FAILURES)
+            for number, history in zip(numbers[kept].tolist(), histories, strict=True)
+        ]
+        columns["kept/records"] = np.array([len(record["time"]) for record in records], np.int64)
+        for name in RECORDS:
+            parts = [record[name] for record in records]
+            columns[f"records/{name}"] = np.concatenate(parts) if parts else np.empty(0)
+        assert {f"kept/{name}" for name in KEPT} <= columns.keys()
+        return columns
+
+    def _optima(self, batch: Batch) -> Columns:
+        series = self.plan.whole[batch.series]
+        states = series.states(self.mission, self.plan.seed, batch.first, batch.count)
+        region = None
+        if series.starts == "generalisation" and (series.optima or 0) > FEW:
+            region = self.mission.generalisation.corners
+        distinct, which = np.unique(states, axis=0, return_inverse=True)
+        optima = solve_states(self.mission.problem, distinct, region=region)
+        costates = optima.arrival_costates[which.ravel()]
+        return {
+            "optimal_time": optima.time_of_flight[which.ravel()],
+            **{
+                f"optimal_{name}": costates[:, i]
+                for i, name in enumerate(("lambda_r", "lambda_u", "lambda_v"))
+            },
+        }
+
+
+def _thinned(record: Columns, most: int) -> Columns:
+    length = len(record["time"])
+    if length <= most:
+        return record
+    last = most // 5
+    spread = np.linspace(0, length - last, most - last, endpoint=False)
+    rows = np.append(spread.astype(int), np.arange(length - last, length))
+    return {name: values[rows] for name, values in record.items()}

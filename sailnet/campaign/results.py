@@ -1,0 +1,159 @@
+"""Results of a campaign on disk: one row a flight in ``/flights``, one a guidance period in ``/records`` for
+the flights that ``/kept`` lists.
+"""
+
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sailnet.artefacts.column_files import Columns, open_columns, write_columns
+from sailnet.campaign.batches import Batch, Job
+from sailnet.campaign.columns import FLIGHTS, LAYOUT, OPTIMUM, flights_from, history_from
+from sailnet.campaign.plan import Plan, parse_plan
+from sailnet.flight.closed_loop import Flights, History
+from sailnet.mission.mission import Mission, parse_mission
+
+
+def write_results(
+    path: Path,
+    job: Job,
+    outcomes: Iterable[tuple[Batch, Columns]],
+    provenance: Mapping[str, object],
+    scratch: Path,
+) -> None:
+    """Write what the batches of a campaign gave, in their order, into a new file.
+
+    Args:
+        path: where to; an existing file is replaced once the new one is complete.
+        job: the campaign.
+        outcomes: every batch and what it gave.
+        provenance: whatever tells where the results come from.
+        scratch: folder of the same file system for the unfinished file.
+
+    Raises:
+        CampaignError: the file cannot be written (full disk, no permission).
+    """
+    texts = {
+        "mission": job.mission.to_json(),
+        "campaign": job.plan.to_json(),
+        "networks": job.guidance.networks_digest,
+    }
+    write_columns(path, LAYOUT, _assembled(job.plan, outcomes), texts, provenance, scratch)
+
+
+def _assembled(plan: Plan, outcomes: Iterable[tuple[Batch, Columns]]) -> Iterator[Columns]:
+    """Trajectories as they come, up to the plan's limit; then the flights, once their optima are known."""
+    flown: list[tuple[Batch, Columns]] = []
+    failures: dict[tuple[int, float], int] = {}
+    total = 0
+    for batch, columns in outcomes:
+        if batch.kind == "optima":
+            _spread(plan, batch, columns, flown)
+            continue
+        flight, lengths = columns["kept/flight"], columns["kept/records"]
+        left = plan.failures - failures.get((batch.series, batch.period), 0)
+        sampled = flight + batch.first < batch.sampled
+        taken = sampled | (np.cumsum(~sampled) <= left)
+        failures[batch.series, batch.period] = plan.failures - left + int((taken & ~sampled).sum())
+        recorded = np.repeat(taken, lengths)
+        yield {
+            "kept/flight": total + flight[taken],
+            "kept/records": lengths[taken],
+            **{key: values[recorded] for key, values in columns.items() if key.startswith("records/")},
+        }
+        rows = {key: values for key, values in columns.items() if key.startswith("flights/")}
+        rows |= {f"flights/{name}": np.full(batch.count, np.nan) for name in OPTIMUM}
+        flown.append((batch, rows))
+        total += batch.count
+    for _, flights in flown:
+        yield flights
+
+
+def _spread(plan: Plan, batch: Batch, optima: Columns, flown: list[tuple[Batch, Columns]]) -> None:
+    """Write optima to every flight of every series and period from the same starts."""
+    whole = plan.whole
+    for flights, rows in flown:
+        series = whole[flights.series]
+        low = max(batch.first, flights.first)
+        high = min(batch.first + batch.count, flights.first + flights.count, series.optima or 0)
+        if series.starts == whole[batch.series].starts and low < high:
+            target = slice(low - flights.first, high - flights.first)
+            for name in OPTIMUM:
+                rows[f"flights/{name}"][target] = optima[name][low - batch.first : high - batch.first]
+
+
+@dataclass(frozen=True)
+class Results:
+    """What a campaign gave.
+
+    Attributes:
+        mission: that was flown.
+        plan: the campaign.
+        networks: digest of the networks that flew.
+        provenance: where the results come from.
+        digest: equal means the same results, to the last bit.
+        flights: columns of ``FLIGHTS``.
+        kept: rows of ``flights`` whose trajectories there are, in order.
+    """
+
+    mission: Mission
+    plan: Plan
+    networks: str
+    provenance: Mapping[str, Any]
+    digest: str
+    flights: dict[str, NDArray[Any]]
+    kept: NDArray[np.int64]
+    _bounds: NDArray[np.int64]
+    _records: Columns
+
+    def rows(self, series: int, period: float) -> NDArray[np.intp]:
+        """Rows of the flights of a series at a guidance period."""
+        chosen = (self.flights["series"] == series) & (self.flights["period"] == period)
+        return np.flatnonzero(chosen)
+
+    def as_flights(self, rows: NDArray[np.intp]) -> Flights:
+        """Some flights, as they were flown."""
+        return flights_from({name: self.flights[name][rows] for name in FLIGHTS})
+
+    def history(self, place: int) -> History:
+        """The trajectory of flight ``kept[place]``."""
+        rows = slice(self._bounds[place], self._bounds[place + 1])
+        return history_from({name: values[rows] for name, values in self._records.items()})
+
+
+def open_results(path: Path) -> Results:
+    """Read the results of a campaign.
+
+    Raises:
+        CampaignError: missing, truncated, damaged or of another version.
+        MissionError: the mission in it is of another version.
+    """
+    read: dict[str, list[NDArray[Any]]] = {}
+    with open_columns(path, LAYOUT) as file:
+        file.verify(lambda key, _, values: read.setdefault(key, []).append(values))
+        mission = parse_mission(json.loads(file.text("mission")), str(path))
+        plan = parse_plan(json.loads(file.text("campaign")), str(path))
+        networks, provenance, digest = file.text("networks"), file.provenance, file.digest
+    groups = {
+        group: {
+            name: np.concatenate(read.get(f"{group}/{name}", [np.empty(0, LAYOUT.type_of(name))]))
+            for name in names
+        }
+        for group, names in LAYOUT.groups.items()
+    }
+    return Results(
+        mission=mission,
+        plan=plan,
+        networks=networks,
+        provenance=provenance,
+        digest=digest,
+        flights=groups["flights"],
+        kept=groups["kept"]["flight"],
+        _bounds=np.append(0, np.cumsum(groups["kept"]["records"])),
+        _records=groups["records"],
+    )

@@ -1,0 +1,76 @@
+"""``sailnet evaluate --campaign``: fly a campaign, write its report, print its scores."""
+
+import argparse
+import shlex
+from contextlib import nullcontext
+from pathlib import Path
+
+from sailnet.campaign.plan import load_plan
+from sailnet.campaign.run import fly_plan
+from sailnet.campaign.scores import score_lines, score_record, scores_of
+from sailnet.errors import SailnetError
+from sailnet.guidance.backends import load_guidance
+from sailnet.mission.disturbances import catalogue
+from sailnet.mission.mission import load_mission
+from sailnet.report import need_pictures, report
+from sailnet.workers.executors import workers
+
+
+def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
+    """Carry out the command; the tables are printed unless JSON is wanted.
+
+    Raises:
+        SailnetError: options that a campaign does not take; whatever stops the flights or the report.
+    """
+    names = ["period", *(quantity.name for quantity in catalogue())]
+    if given := [name for name in names if getattr(options, name) is not None]:
+        flags = ", ".join(f"--{name.replace('_', '-')}" for name in given)
+        raise SailnetError(f"a campaign says itself what is flown: put {flags} into its TOML file")
+    mission, plan = load_mission(options.mission), load_plan(options.campaign)
+    plan = plan.changed(options.flights, options.seed)
+    need_pictures()
+    guidance = load_guidance(
+        mission, options.backend, options.precision, options.networks, layout=options.layout
+    )
+    facts = {"backend": options.backend, "precision": options.precision}
+    if options.backend == "c":
+        facts["layout"] = options.layout
+    stored: Path = options.output / f"{plan.name}.h5"
+    folder: Path = options.output / plan.name
+    alone = options.workers == 1 and options.scheduler is None
+    with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:
+        results = fly_plan(
+            mission,
+            guidance,
+            plan,
+            stored,
+            workers=pool,
+            restart=options.restart,
+            overwrite=options.overwrite,
+            facts=facts,
+        )
+    scores = scores_of(results)
+    if not options.json:
+        print("\n".join(score_lines(scores)), end="\n\n")
+    try:
+        rows = report("campaign_page").write_report(results, folder, guidance, command=_command(options))
+    except (SailnetError, OSError) as error:
+        raise SailnetError(f"{stored} is written, but not its report: {error}") from error
+    if rows and not options.json:
+        print("\n".join(report("comparison").comparison_lines(rows)), end="\n\n")
+    result: dict[str, object] = {"results": str(stored), "report": str(folder / "index.html")}
+    if options.json:
+        result["scores"] = [score_record(score) for score in scores]
+        result["paper"] = [vars(row) for row in rows]
+    return result | {"digest": results.digest}
+
+
+def _command(options: argparse.Namespace) -> str:
+    """What flies the same campaign again, wherever it writes to."""
+    defaults = {"mission": "earth_mars", "backend": "c", "precision": "float64"}
+    words = ["sailnet", "evaluate", "--campaign", options.campaign]
+    for name in ("mission", "backend", "precision", "networks", "flights", "seed"):
+        value = getattr(options, name)
+        if value is not None and value != defaults.get(name):
+            words += [f"--{name}", str(value)]
+    return shlex.join(words)

@@ -1,1 +1,0 @@
-"""The papers' printed figures, each beside ours and beside a second method's: a file a paper."""

@@ -1,0 +1,1 @@
+"""Extremals through time: the canonical equations flown, with tangents and switches, and tabulated."""

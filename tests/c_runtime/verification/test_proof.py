@@ -1,0 +1,59 @@
+"""The proof of bounded, finite commands holds for either form of networks, and guards taken away break it."""
+
+from pathlib import Path
+
+import pytest
+
+from c_runtime.builds import BUILDS, Build
+from c_runtime.verification.proof.__main__ import main
+from c_runtime.verification.proof.eva import FRAMA_C, ProofError, analyse
+from c_runtime.verification.proof.lemmas import check_lemmas
+from c_runtime.verification.proof.mutants import MUTANTS, Mutant, caught, mutate
+from tests.conftest import Exported
+from tests.tools import missing, needs
+
+with_frama_c = needs("analyser", missing(FRAMA_C), "frama-c-base")
+
+
+@with_frama_c
+@pytest.mark.parametrize("build", ["f32", "f64", "f32_host"])
+def test_commands_are_bounded_and_finite(exported: Exported, build: str) -> None:
+    assert analyse(exported.folder, BUILDS[build]) == []
+
+
+@with_frama_c
+@pytest.mark.parametrize("mutant", MUTANTS, ids=lambda mutant: mutant.name)
+def test_a_guard_less_breaks_the_proof(approach_exported: Exported, tmp_path: Path, mutant: Mutant) -> None:
+    assert mutate(approach_exported.folder, mutant, tmp_path)
+    build = next(BUILDS[name] for name in ("f64", "f64_host", "f32_host") if mutant.concerns(BUILDS[name]))
+    assert caught(tmp_path, build)
+
+
+@with_frama_c
+def test_a_file_that_does_not_compile_is_an_error_not_a_proof(exported: Exported, tmp_path: Path) -> None:
+    assert mutate(
+        exported.folder, Mutant("", "sailnet_status sailnet_guidance(", "sailnet_status ("), tmp_path
+    )
+    with pytest.raises(ProofError, match="frama-c failed"):
+        analyse(tmp_path, BUILDS["f32"])
+
+
+@pytest.mark.parametrize("build", BUILDS.values(), ids=BUILDS)
+def test_what_the_proof_assumes_is_so(exported: Exported, build: Build) -> None:
+    assert check_lemmas(exported.folder, build) == "0 failures"
+
+
+def test_a_sigmoid_out_of_bounds_is_noticed(exported: Exported, tmp_path: Path) -> None:
+    broken = Mutant("", "return (rest - scaled) / (rest + scaled);", "return R(1.001) - scaled / rest;")
+    assert mutate(exported.folder, broken, tmp_path)
+    with pytest.raises(ProofError, match="outside its bounds"):
+        check_lemmas(tmp_path, BUILDS["f32"])
+
+
+def test_without_frama_c_it_says_how_to_get_it(
+    exported: Exported, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("PATH", "")
+    assert main([str(exported.folder)]) == 0
+    assert "apt install frama-c-base" in capsys.readouterr().out
+    assert main([str(exported.folder), "--require"]) == 1

@@ -1,0 +1,20 @@
+"""Solutions that several tests begin at."""
+
+import pytest
+
+from sailnet.ocp import (
+    HyperbolicTangent,
+    Schedule,
+    Solution,
+    shooting,
+)
+from sailnet.ocp.problems import earth_mars
+
+
+@pytest.fixture(scope="session")
+def transfer() -> Solution:
+    return shooting.solve(
+        earth_mars.problem(),
+        shooting.RandomCostates(seed=0),
+        options=shooting.Options(HyperbolicTangent(), Schedule(1.0, 1e-5, 0.1)),
+    )
