@@ -6,7 +6,7 @@ import subprocess
 import tomllib
 from pathlib import Path
 
-from benchmarks.mutation.runner import ROOT, Outcome, Package, holds, known
+from benchmarks.mutation.runner import ROOT, Outcome, Package, known
 
 PAGE = ROOT / "tests" / "MUTATION.md"
 EXPLANATIONS = Path(__file__).parent / "survivors.toml"
@@ -55,9 +55,10 @@ def _key(outcome: Outcome) -> tuple[str, str, str]:
 
 
 def _of(package: Package) -> list[Outcome]:
-    earlier, tests = known(), package.tests_digest()
+    # A survivor of earlier tests counts as one until it is tried again.
+    earlier = known()
     found = [earlier.get((package.name, mutant.digest)) for mutant in package.mutants]
-    return [outcome for outcome in found if outcome is not None and holds(outcome, tests)]
+    return [outcome for outcome in found if outcome is not None]
 
 
 def _when() -> str:

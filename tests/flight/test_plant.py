@@ -189,6 +189,20 @@ def test_philox_gives_its_authors_vectors() -> None:
     assert _philox(pi, [0xA4093822, 0x299F31D0]) == [0xD16CFE09, 0x94FDCCEB, 0x5001E420, 0x24126EA1]
 
 
+def test_draws_are_made_of_all_words_of_a_block() -> None:
+    """53 bits of two words each, and Box and Muller's transform, written out."""
+    seed, flight, stream, period = (7 << 32) + 5, (3 << 32) + 9, 4, 11
+    for period in range(20):
+        words = _philox([period, stream, flight & 0xFFFFFFFF, flight >> 32], [seed & 0xFFFFFFFF, seed >> 32])
+        one, other = ((high // 64 * 2**26 + low // 64 + 0.5) / 2**52 for high, low in (words[:2], words[2:]))
+        drawn = [
+            getattr(plant().functions, f"plant_{law}")(seed, flight, stream, period)
+            for law in ("uniform", "normal")
+        ]
+        normal = math.sqrt(-2.0 * math.log(one)) * math.cos(2.0 * math.pi * other)
+        assert drawn == [one, pytest.approx(normal, rel=1e-12, abs=1e-14)]
+
+
 @pytest.mark.parametrize(("name", "law"), [("uniform", "uniform"), ("normal", "norm")])
 def test_draws_have_their_law_in_every_direction(name: str, law: str) -> None:
     draw = getattr(plant().functions, f"plant_{name}")
