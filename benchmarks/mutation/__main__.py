@@ -20,7 +20,9 @@ def main() -> int:
     )
     parser.add_argument("packages", nargs="*", help="of packages.toml; all by default, which writes the page")
     parser.add_argument("--jobs", type=int, default=2, help="processes (%(default)s)")
-    parser.add_argument("--minutes", type=float, default=600.0, help="begin none after that (%(default)g)")
+    parser.add_argument(
+        "--minutes", type=float, default=600.0, help="none later; 0: the page only (%(default)g)"
+    )
     parser.add_argument("--mutants", type=int, help="of each package, instead of what packages.toml says")
     parser.add_argument("--list", action="store_true", help="print the mutants that would be tried, and end")
     options = parser.parse_args()

@@ -6,7 +6,6 @@ of replacements below, and statements left out.
 
 import ast
 import hashlib
-import random
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -72,8 +71,8 @@ class Mutant:
 
     @property
     def digest(self) -> str:
-        """SHA-256 of the file and what is in it."""
-        return hashlib.sha256(f"{self.path}\n{self.source}".encode()).hexdigest()
+        """SHA-256 of the source, wherever it lies."""
+        return hashlib.sha256(self.source.encode()).hexdigest()
 
 
 @dataclass(frozen=True)
@@ -107,12 +106,22 @@ def places(root: Path, sources: list[str]) -> dict[Place, list[Fault]]:
 
 
 def sample(root: Path, found: dict[Place, list[Fault]], count: int, seed: str) -> list[Mutant]:
-    """A mutant of each of ``count`` places, or of all if there are no more."""
-    rng = random.Random(seed)
+    """A mutant of each of ``count`` places, or of all if there are no more.
+
+    Places are in the order of a hash of the seed and their own line: a change elsewhere, or another folder,
+    leaves the rest of a sample as it was.
+    """
+    lines = {path: (root / path).read_text("utf-8").splitlines() for path, _, _ in found}
+
+    def rank(place: Place) -> str:
+        path, line, column = place
+        return hashlib.sha256(f"{seed} {lines[path][line - 1].strip()} {column}".encode()).hexdigest()
+
     made = []
-    for place in rng.sample(list(found), min(count, len(found))):
+    for place in sorted(found, key=lambda place: (rank(place), place))[:count]:
         text = (root / place[0]).read_text("utf-8")
-        mutated = rng.choice(found[place]).mutated()
+        faults = found[place]
+        mutated = faults[int(rank(place)[-8:], 16) % len(faults)].mutated()
         changed = None if mutated is None else _changed(text, mutated)
         if mutated is not None and changed is not None:
             made.append(Mutant(place[0], *changed, mutated))

@@ -131,6 +131,8 @@ def try_all(wanted: list[Package], jobs: int, minutes: float) -> None:
     Raises:
         MutationError: the tests fail without a fault.
     """
+    if minutes <= 0.0:
+        return
     run = _Run(time.monotonic() + 60.0 * minutes)
     earlier, left = known(), []
     for package in wanted:

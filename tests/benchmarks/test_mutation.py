@@ -73,6 +73,12 @@ def test_a_sample_is_of_places_and_the_same_for_a_seed(tmp_path: Path) -> None:
     assert drawn == sample(tmp_path, found, 4, "1 x")
     assert drawn != sample(tmp_path, found, 4, "2 x")
     assert len(sample(tmp_path, found, 99, "1 x")) == len(found) == 6
+    # A line more, and another folder, leave the rest of the sample alone.
+    (tmp_path / "moved").mkdir()
+    (tmp_path / "moved" / "y.c").write_text(C.replace("    return", "    a = -a;\n    return"))
+    moved = sample(tmp_path, places(tmp_path, ["moved/y.c"]), 99, "1 x")
+    order = [(mutant.before, mutant.after) for mutant in sample(tmp_path, found, 99, "1 x")]
+    assert [(m.before, m.after) for m in moved if m.before != "a = -a;"] == order
 
 
 @pytest.fixture
