@@ -9,6 +9,9 @@ import pytest
 from benchmarks.mutation import report, runner
 from benchmarks.mutation.mutants import Mutant, places, sample
 from benchmarks.mutation.runner import MutationError, Outcome, Package, holds, known, try_all
+from tests.tools import missing, needs
+
+needs_git = needs("analyser", missing("git"), "git")
 
 C = """/* a + b < c */
 #include "x + y.h"
@@ -114,6 +117,7 @@ def package(*mutants: Mutant) -> Package:
     return Package("double", ("test_double.py",), "", 7, mutants)
 
 
+@needs_git
 def test_mutants_are_tried_and_what_is_known_is_not_tried_again(repository: Path) -> None:
     killed, survivor, slow = map(fault, ("return 3 * x + 0", "return x + x + 0", "while True: pass"))
     wanted = package(killed, survivor, slow)
@@ -137,6 +141,7 @@ def test_mutants_are_tried_and_what_is_known_is_not_tried_again(repository: Path
     assert (repository / "build" / "outcomes.jsonl").read_text() == lines
 
 
+@needs_git
 def test_tests_that_fail_anyway_say_nothing(repository: Path) -> None:
     (repository / "test_double.py").write_text("def test_it():\n    assert False\n")
     with pytest.raises(MutationError, match="tests fail without a fault: double"):
