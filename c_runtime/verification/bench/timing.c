@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <time.h>
 
-#include "../plant/prepare_processor.h"
+#include "../../simulation/plant/prepare_processor.h"
 #include "candidate.h"
 
 #define VISIBLE __attribute__((visibility("default")))
