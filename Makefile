@@ -27,7 +27,7 @@ networks := $(run)/networks
 exported := $(run)/export
 learned  := $(run).h5
 
-.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship quick test test-tools tools peers checks lint clean
+.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship quick test test-tools tools peers mutation checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -117,6 +117,12 @@ ship: accept $(run)/bench.json $(run)/agreement.json
 # torch-levenberg-marquardt takes part if it is installed: make peers.
 benchmarks: | $(READY)
 	$(PYTHON) -m benchmarks --seed $(SEED)
+
+# Faults put into the core packages one by one, and how many of them the tests notice; an hour or more. What is
+# known already is not tried again. MINUTES=20: begin none after that.
+mutation: | $(READY)
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[mutation]'
+	$(PYTHON) -m benchmarks.mutation --jobs $(JOBS) $(addprefix --minutes ,$(MINUTES))
 
 # Packages that ours are compared with.
 peers: | $(READY)

@@ -26,7 +26,7 @@ STEPS = {
     "dataset": "-m data ",
     "train": "-m training ",
     "export": "-m export ",
-    "bench": "-m c_runtime.bench ",
+    "bench": "-m c_runtime.verification.bench ",
 }
 """What tells each step among the commands that ``make`` says it would run."""
 
@@ -70,11 +70,11 @@ ALL = set(STEPS) - {"setup"}
         ("sailnet/artefacts/files.py", set()),
         ("sailnet/flight/closed_loop.py", set()),
         ("sailnet/guidance/steering.py", set()),
-        ("c_runtime/plant/motion.c", {"setup"}),
-        ("c_runtime/source/exp2.c", {"export", "bench"}),
-        ("c_runtime/source/compact/law.c", {"export", "bench"}),
+        ("c_runtime/simulation/plant/motion.c", {"setup"}),
+        ("c_runtime/flight/sigmoid.inc", {"export", "bench"}),
+        ("c_runtime/simulation/host/lanes.inc", {"export", "bench"}),
         ("export/to_c.py", {"export", "bench"}),
-        ("c_runtime/bench/timing.c", {"bench"}),
+        ("c_runtime/verification/bench/timing.c", {"bench"}),
         ("training/layers.py", ALL - {"dataset"}),
         ("sailnet/networks/network.py", ALL - {"dataset"}),
         ("sailnet/physics/dynamics.py", ALL),

@@ -11,7 +11,7 @@ from sailnet.campaign.columns import KEPT, RECORDS, flight_columns, record_colum
 from sailnet.campaign.plan import Plan, Starts
 from sailnet.campaign.random_flights import BATCH
 from sailnet.expert.fastest import solve_states
-from sailnet.flight.closed_loop import fly, fly_recorded
+from sailnet.flight.closed_loop import Flights, History, fly, fly_recorded
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.mission import Mission
 
@@ -99,19 +99,32 @@ class Job:
     def _fly(self, batch: Batch) -> Columns:
         series = self.plan.whole[batch.series]
         starts = series.states(self.mission, self.plan.seed, batch.first, batch.count)
-        mission, guidance, period = self.mission, self.guidance, batch.period
-        disturbance = series.disturbances(mission, self.plan.seed)
-        flights = fly(mission, guidance, starts, disturbance=disturbance, period=period, first=batch.first)
+        disturbance = series.disturbances(self.mission, self.plan.seed)
+
+        def recorded(row: int) -> tuple[Flights, list[History]]:
+            start, first = starts[[row]], batch.first + row
+            return fly_recorded(
+                self.mission, self.guidance, start, disturbance=disturbance, period=batch.period, first=first
+            )
+
+        histories: list[History] = []
+        if batch.count == 1:
+            flights, histories = recorded(0)
+        else:
+            flights = fly(
+                self.mission,
+                self.guidance,
+                starts,
+                disturbance=disturbance,
+                period=batch.period,
+                first=batch.first,
+            )
         numbers = np.arange(batch.first, batch.first + batch.count)
         failed = np.flatnonzero(~flights.arrived & (numbers >= batch.sampled))[: batch.failures]
         kept = np.concatenate([np.flatnonzero(numbers < batch.sampled), failed])
-        # Memory for the histories of all flights would be too much; flown again, a flight is the same.
-        histories = []
-        for row in kept.tolist():
-            first = batch.first + row
-            histories += fly_recorded(
-                mission, guidance, starts[[row]], disturbance=disturbance, period=period, first=first
-            )[1]
+        if batch.count > 1:
+            # Memory for the histories of all flights would be too much; flown again, a flight is the same.
+            histories = [history for row in kept.tolist() for history in recorded(row)[1]]
         columns = {f"flights/{name}": values for name, values in flight_columns(flights).items()}
         columns["flights/series"] = np.full(batch.count, batch.series)
         columns["flights/period"] = np.full(batch.count, batch.period)
@@ -119,7 +132,7 @@ class Job:
         columns["kept/flight"] = kept
         records = [
             _thinned(record_columns(history), MOST_RECORDS if number < batch.sampled else MOST_OF_FAILURES)
-            for number, history in zip(numbers[kept].tolist(), histories, strict=True)
+            for number, history in zip(numbers[kept].tolist(), histories[: len(kept)], strict=True)
         ]
         columns["kept/records"] = np.array([len(record["time"]) for record in records], np.int64)
         for name in RECORDS:

@@ -20,7 +20,7 @@ from sailnet.networks.network import load_network
 from sailnet.report import comparison, need_pictures
 from sailnet.report.campaign_page import write_report
 from sailnet.report.reproduction import FILE, Reproduction, reproduction_record
-from sailnet.report.section5 import flown_cases, section5_of, two_network_plan
+from sailnet.report.section5 import every_period, flown_cases, section5_of, two_network_plan
 
 NETWORKS = ("tau", "lambda_v", "alpha_pre", "lambda_v_printed", "alpha_pre_eq23", "alpha")
 
@@ -89,25 +89,25 @@ def _run(options: argparse.Namespace) -> None:
     results = fly_plan(mission, guidance, plan, output / f"{plan.name}.h5", **anew)
     cases = two_network_plan(plan)
     two_results = fly_plan(mission, baseline, cases, output / f"{cases.name}.h5", **anew)
-    two = flown_cases(two_results, baseline)
+    section5, two = section5_of(results), flown_cases(two_results)
     with open_dataset(options.dataset, mission) as data:
         rows = [
             *comparison.problem_rows(data),
             *comparison.error_rows(networks),
-            *comparison.flight_rows(section5_of(results), two),
+            *comparison.flight_rows(section5, two),
             *comparison.timing_rows(timings),
             *comparison.agreement_rows(agreement),
         ]
         digest = data.digest
     made_with = software()
-    three = flown_cases(results, guidance)
-    record = reproduction_record(
-        networks, _histories(names, folder), three["Case 1"], two["Case 1"], made_with
-    )
+    name = "Case 1"
+    three = every_period(results, name, section5.cases[name], guidance)
+    without = every_period(two_results, name, two[name], baseline)
+    record = reproduction_record(networks, _histories(names, folder), three, without, made_with)
     table = {"rows": [vars(row) for row in rows], "software": made_with, "seed": options.seed}
     _write_json(output / "report.json", table, 1)
     _write_json(output / FILE, record)
-    reproduction = Reproduction(rows, record, _remarks(digest, timings))
+    reproduction = Reproduction(section5, rows, record, _remarks(digest, timings))
     write_report(results, output, guidance, command="make paper", reproduction=reproduction)
     print("\n".join(comparison.comparison_lines(rows)))
 

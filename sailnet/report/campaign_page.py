@@ -78,10 +78,12 @@ def write_report(
     rows: list[Row] = []
     figures: list[Chart] = []
     record = shipped_record(results.mission) if reproduction is None else reproduction.record
-    if reproduction is not None or has_section5(results):
+    if reproduction is not None:
+        rows = list(reproduction.rows)
+        figures = paper_charts(results.mission, reproduction.section5, record)
+    elif has_section5(results):
         section5 = section5_of(results)
-        rows = flight_rows(section5) if reproduction is None else list(reproduction.rows)
-        figures = paper_charts(results.mission, section5, record)
+        rows, figures = flight_rows(section5), paper_charts(results.mission, section5, record)
     groups = shown_groups(results, scores, guidance is not None)
     shown = [flight for group in groups for flight in group.flights]
     points = max(FEWEST_POINTS, min(SHOWN, MOST_POINTS // max(1, len(shown))))

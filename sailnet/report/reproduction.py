@@ -20,7 +20,7 @@ from sailnet.physics.arrays import Array
 from sailnet.report.charts import BASELINE, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve, page_columns
 from sailnet.report.comparison import Row
 from sailnet.report.optimum import Optimum
-from sailnet.report.section5 import Flown
+from sailnet.report.section5 import Flown, Section5
 
 SCHEMA = "sailnet-reproduction/1"
 
@@ -46,11 +46,13 @@ class Reproduction:
     """A run of the paper's own recipe, for the page of its campaign.
 
     Attributes:
+        section5: its flights.
         rows: the whole table "paper | here": data set, training, flights, times of a command.
         record: of :func:`reproduction_record`.
         remarks: to stand below the table.
     """
 
+    section5: Section5
     rows: Sequence[Row]
     record: Mapping[str, Any]
     remarks: Sequence[str]

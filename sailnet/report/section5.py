@@ -1,7 +1,7 @@
 """Section 5 of the paper in the results of a campaign: its flights, each beside its optimum."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -96,15 +96,23 @@ def two_network_plan(plan: Plan) -> Plan:
     return plan.model_copy(update={"name": f"{plan.name}-two-networks", "periods": None, "series": cases})
 
 
-def flown_cases(results: Results, guidance: Guidance | None = None) -> dict[str, Flown]:
-    """The cases of Table 2, by name.
+def flown_cases(results: Results) -> dict[str, Flown]:
+    """The cases of Table 2, by name, from the results of a campaign that has their series."""
+    return {name: _flown(results, name) for name in CASES}
+
+
+def every_period(results: Results, name: str, flown: Flown, guidance: Guidance) -> Flown:
+    """A case with its whole history, of which results keep only some periods where there are many.
 
     Args:
-        results: of a campaign that has their series.
-        guidance: flies them again for every period of their histories, of which results keep only some
-            where there are many; without it, what is kept is taken.
+        results: of the campaign.
+        name: of the case.
+        flown: what :func:`flown_cases` gave of it.
+        guidance: what flew; it flies the case again if need be.
     """
-    return {name: _flown(results, name, guidance) for name in CASES}
+    if len(flown.history.time) == flown.flights.periods[0]:
+        return flown
+    return replace(flown, history=replay(results, guidance, int(_rows(results, name)[0])))
 
 
 def _rows(results: Results, name: str) -> "np.ndarray[tuple[int], np.dtype[np.intp]]":
@@ -114,13 +122,10 @@ def _rows(results: Results, name: str) -> "np.ndarray[tuple[int], np.dtype[np.in
     return results.rows(number, results.plan.sampled_period(series, results.mission))
 
 
-def _flown(results: Results, name: str, guidance: Guidance | None = None) -> Flown:
+def _flown(results: Results, name: str) -> Flown:
     row = int(_rows(results, name)[0])
     flights = results.as_flights(np.array([row]))
-    if guidance is None:
-        history = results.history(results.kept.tolist().index(row))
-    else:
-        history = replay(results, guidance, row)
+    history = results.history(results.kept.tolist().index(row))
     transfer = results.mission.problem
     extremal = solve(transfer, flights.starts[0])
     return Flown(flights, history, extremal, Optimum.of(transfer, extremal))

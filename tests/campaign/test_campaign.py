@@ -92,14 +92,19 @@ def test_trajectories_of_a_sample_and_of_failures_are_kept(small: Results) -> No
     assert len(failed) > 4
     kept = [row for row in small.kept.tolist() if row in set(rows.tolist())]
     assert [row - rows[0] for row in kept] == [0, 1, *failed[:4]]
-    # At its second period a series leaves failures alone.
-    second = set(small.rows(0, 0.05).tolist())
-    assert not any(small.flights["arrived"][row] for row in small.kept.tolist() if row in second)
     number = failed[3]
     start = random_starts(mission, 1, 5, first=number)
     noise = Disturbance(beta_noise=0.15, seed=5)
     _, (again,) = fly_recorded(mission, GUIDANCE, start, disturbance=noise, period=0.05, first=number)
     assert_same(small.history(small.kept.tolist().index(rows[0] + number)), again)
+
+
+def test_at_its_second_period_a_series_keeps_failures_alone(small: Results, tmp_path: Path) -> None:
+    assert small.flights["arrived"][small.rows(0, 0.05)].all()
+    assert not set(small.rows(0, 0.05).tolist()) & set(small.kept.tolist())
+    found = fly_plan(short(0.3), GUIDANCE, plan_of(failures=1), tmp_path / "x.h5")
+    kept = [np.flatnonzero(np.isin(found.rows(0, period), found.kept)).tolist() for period in (0.02, 0.05)]
+    assert kept == [[0, 1], [0]]
 
 
 def test_long_trajectories_are_thinned_and_keep_their_ends(tmp_path: Path) -> None:

@@ -78,6 +78,7 @@ def test_the_domain_is_filled_evenly(narrow: Mission, aimed: Block) -> None:
 def test_no_sample_is_beaten_by_another_extremal(narrow: Mission, aimed: Block) -> None:
     rows = np.random.default_rng(3).choice(len(aimed.samples["tau"]), 60, replace=False)
     rows = rows[aimed.samples["tau"][rows] > 0.5]
+    assert len(rows) > 30
     states = np.column_stack([aimed.samples[name][rows] for name in "ruv"])
     optima = solve_states(narrow.problem, states)
     assert optima.found.mean() > 0.98

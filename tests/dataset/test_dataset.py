@@ -18,6 +18,7 @@ from sailnet.dataset import (
     open_dataset,
     write_dataset,
 )
+from sailnet.dataset.schema import JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG
 from sailnet.mission.mission import Mission
 from tests.paths import ROOT
 from tests.reference import Array
@@ -78,6 +79,10 @@ def test_all_metadata_is_under_hdf5_s_own_checksums(stored: Path) -> None:
         assert unprotected not in raw
 
 
+def test_flags_are_the_bits_that_files_hold() -> None:
+    assert (JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG) == (1, 2)
+
+
 def test_the_block_size_leaves_no_trace(small: Mission, shard: Block, stored: Path, tmp_path: Path) -> None:
     other = tmp_path / "other.h5"
     write_dataset(other, small, pieces(shard, 1, 0, 11), {"seed": 2})
@@ -93,6 +98,10 @@ def test_the_digest_knows_the_content(small: Mission, shard: Block, stored: Path
     write_dataset(other, small, pieces(dataclasses.replace(shard, samples=samples), 12), {})
     with open_dataset(other) as found, open_dataset(stored) as expected:
         assert found.digest != expected.digest
+    write_dataset(other, small.model_copy(update={"title": "Another"}), iter([shard]), {})
+    write_dataset(tmp_path / "same.h5", small, iter([shard]), {})
+    with open_dataset(other) as another, open_dataset(tmp_path / "same.h5") as same:
+        assert another.digest != same.digest  # the mission is content
 
 
 def test_memory_holds_one_block_at_a_time(small: Mission, shard: Block, tmp_path: Path) -> None:

@@ -93,6 +93,7 @@ def swap(samples: Columns, _: Columns) -> None:
         (put("flags", 0, 2.0), "trajectories/flags of row 0, 2, contradicts"),
         (put("alpha", 200, 0.3), "the commands of trajectory 6 are not the law's"),
         (put("alpha_pre", 200, 0.3), "the commands of trajectory 6 are not the law's"),
+        (put("beta", 200, 0.17), "beta changes along trajectory 6"),
         (wrong_costate, r"along trajectory 0 \|H\| reaches"),
     ],
 )

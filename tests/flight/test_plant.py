@@ -17,7 +17,6 @@ from scipy.stats import kstest
 from c_runtime.shared_library import plant_sources
 from sailnet.errors import SailnetError
 from sailnet.flight.closed_loop import Ending, Flights, fly, fly_recorded
-from sailnet.flight.plant import hold_angle
 from sailnet.flight.plant_library import plant
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.interface import Commands, Guidance, Precision, Steered, Steering
@@ -25,6 +24,7 @@ from sailnet.mission.disturbances import Disturbance
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import motion
 from sailnet.physics.optics import OPTICS, Optics
+from tests.held_angle import hold_angle
 from tests.held_command import hold_command
 from tests.paths import ROOT
 from tests.pilots import MISSION, Constant, Pilot, Wobble
@@ -187,6 +187,20 @@ def test_philox_gives_its_authors_vectors() -> None:
     assert _philox([full] * 4, [full] * 2) == [0x408F276D, 0x41C83B0E, 0xA20BC7C6, 0x6D5451FD]
     pi = [0x243F6A88, 0x85A308D3, 0x13198A2E, 0x03707344]
     assert _philox(pi, [0xA4093822, 0x299F31D0]) == [0xD16CFE09, 0x94FDCCEB, 0x5001E420, 0x24126EA1]
+
+
+def test_draws_are_made_of_all_words_of_a_block() -> None:
+    """53 bits of two words each, and Box and Muller's transform, written out."""
+    seed, flight, stream, period = (7 << 32) + 5, (3 << 32) + 9, 4, 11
+    for period in range(20):
+        words = _philox([period, stream, flight & 0xFFFFFFFF, flight >> 32], [seed & 0xFFFFFFFF, seed >> 32])
+        one, other = ((high // 64 * 2**26 + low // 64 + 0.5) / 2**52 for high, low in (words[:2], words[2:]))
+        drawn = [
+            getattr(plant().functions, f"plant_{law}")(seed, flight, stream, period)
+            for law in ("uniform", "normal")
+        ]
+        normal = math.sqrt(-2.0 * math.log(one)) * math.cos(2.0 * math.pi * other)
+        assert drawn == [one, pytest.approx(normal, rel=1e-12, abs=1e-14)]
 
 
 @pytest.mark.parametrize(("name", "law"), [("uniform", "uniform"), ("normal", "norm")])

@@ -96,7 +96,9 @@ def test_flights_are_nearly_as_fast_as_the_optimum(mission: Mission) -> None:
 def test_c_onnxruntime_and_pytorch_agree() -> None:
     folder = SHIPPED / "earth_mars"
     networks = load_guidance_networks(folder)
-    for record in compare(networks, folder, sails_of_box(networks, 100_000, seed=3)):
+    records = compare(networks, folder, sails_of_box(networks, 100_000, seed=3))
+    assert {record["precision"] for record in records} == {"float32", "float64"}
+    for record in records:
         largest, median = record["largest"], record["median"]
         assert isinstance(largest, float)
         assert isinstance(median, float)

@@ -17,7 +17,6 @@ from sailnet.cli.arguments import disturbance_of
 from sailnet.cli.command_line import parser
 from sailnet.errors import MissionError, SailnetError
 from sailnet.flight.closed_loop import Flights, History, fly, fly_recorded
-from sailnet.flight.plant import hold_angle
 from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus
 from sailnet.mission.disturbances import (
     DEGREES_PER_DAY,
@@ -31,6 +30,7 @@ from sailnet.mission.mission import load_mission, parse_mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS, Optics
 from tests.flight.test_plant import EVERYTHING, taylor_hold
+from tests.held_angle import hold_angle
 from tests.pilots import MISSION, Constant, Optimum, Wobble
 
 PERIOD = 0.01

@@ -261,6 +261,7 @@ def test_every_build_draws_the_same_line(
     outside = outside_in_c(tmp_path, states, beta, *build.analysed)
     sure = certain(facts, states, beta, rounding)
     expected = ~facts.contains(states.astype(precision), beta.astype(precision))
+    assert sure.mean() > 0.5
     np.testing.assert_array_equal(outside[sure], expected[sure])
     assert not outside[: len(samples)][beta[: len(samples)] == BETA].any()
 

@@ -9,6 +9,9 @@ from sailnet.ocp import (
     shooting,
 )
 from sailnet.ocp.problems import earth_mars
+from tests.ocp.compiled import compiled_code_is_dropped
+
+__all__ = ["compiled_code_is_dropped"]
 
 
 @pytest.fixture(scope="session")

@@ -19,5 +19,6 @@ def test_printed_figures_and_their_verdicts() -> None:
             assert row.ours == pytest.approx(row.check, rel=1e-6)
             # The trapezoidal rule is where the paper's costs come from, to the last digit.
             assert "trapezoidal" not in row.reason or row.reason.endswith(row.printed)
+    assert sum("trapezoidal" in row.reason for row in rows) == 4
     assert papers.verdict("18.62", 18.629) == "agrees"
     assert papers.verdict("18.62", 18.631) == "paper in error"

@@ -41,6 +41,7 @@ def test_restoring_gives_the_command_back(box: tuple[Array, Array, Array, Array]
 def test_the_jump_is_gone(box: tuple[Array, Array, Array, Array]) -> None:
     tau, alpha, _, jump_times = box
     jumps = np.isfinite(jump_times)
+    assert min(jumps.sum(), (~jumps).sum()) > 5
     alpha_pre = preprocess(alpha, tau, jump_times[:, None])
     before = np.flatnonzero(jumps)
     column = np.searchsorted(tau, jump_times[jumps])

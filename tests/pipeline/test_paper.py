@@ -10,7 +10,7 @@ import pytest
 from sailnet.expert.fastest import solve
 from sailnet.mission.mission import load_mission
 from sailnet.report.optimum import Optimum
-from sailnet.report.reproduction import reproduction_charts
+from sailnet.report.reproduction import FOUR, reproduction_charts
 from tests.browser import told
 from tests.tools import needs_browser
 from tests.toy_pipeline import python, toy_mission
@@ -23,6 +23,7 @@ TOY = {
     "curvature_samples": "1500",
     "validation_samples": "800",
     "epochs": "15",
+    "longest": "12.0",
 }
 
 
@@ -87,6 +88,7 @@ def test_the_table_has_the_papers_numbers_and_ours(toy: Path) -> None:
 
 def test_the_report_leaves_what_the_page_of_the_paper_s_campaign_draws(toy: Path) -> None:
     record = json.loads((toy / "report" / "reproduction.json").read_text())
+    assert record["training"].keys() == set(FOUR)
     for name, columns in record["training"].items():
         epochs = json.loads((toy / "networks" / f"{name}.history.json").read_text())["epochs"]
         assert columns["test"] == pytest.approx([epoch["test"] for epoch in epochs], rel=1e-4)

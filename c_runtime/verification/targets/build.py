@@ -137,9 +137,10 @@ def build(
         program,
     )
     callgraph = flight.with_suffix(".ci")
-    stack = (deepest_stack(callgraph, "sailnet_guidance"), deepest_stack(callgraph, "sailnet_steer"))
+    guidance, steer = (f"sailnet_{name}_{chosen.suffix}" for name in ("guidance", "steer"))
+    stack = (deepest_stack(callgraph, guidance), deepest_stack(callgraph, steer))
     found = sizes(flight)
-    law = sum(found.functions[name] for name in reached(callgraph, "sailnet_guidance"))
+    law = sum(found.functions[name] for name in reached(callgraph, guidance))
     return Program(program, flags, found, law, stack)
 
 

@@ -14,6 +14,7 @@ from sailnet.errors import GuidanceError
 from sailnet.flight.closed_loop import History, fly_recorded
 from sailnet.flight.starts import random_starts
 from sailnet.guidance.interface import GuidanceStatus, Precision
+from sailnet.guidance.steering import LARGEST_PERIOD
 from sailnet.mission.disturbances import Disturbance
 from sailnet.physics.arrays import Array
 
@@ -153,12 +154,14 @@ def golden_steering(guidance: ReferenceGuidance, histories: list[History], preci
     for flight, history in enumerate(histories):
         if len(inputs) == SEQUENCES:
             break
-        # Departures and arrivals in turn; a state that is no number in the middle of each.
+        # Departures and arrivals in turn; in the middle of each a state that is no number, and two periods
+        # that are none.
         piece = slice(PERIODS) if flight % 2 else slice(-PERIODS, None)
         states = history.ruv[piece].astype(precision)
         states[PERIODS // 2, flight % 3] = np.nan
         period = np.full(PERIODS, guidance.mission.flight.period, precision)
         period[PERIODS // 2 + 2] = -1.0
+        period[PERIODS // 2 + 4] = 1.01 * LARGEST_PERIOD
         given = np.column_stack([states, period])
         steering = guidance.steering(1)
         steered = [steering.steer(row[None, :3], float(row[3]), np.arange(1)) for row in given.astype(float)]

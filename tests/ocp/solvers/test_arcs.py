@@ -45,13 +45,16 @@ def test_goddard_table_1(thrust: float, time: float, altitude: float, structure:
     assert limit["h"][-1] == pytest.approx(altitude, abs=6e-7)
     assert limit["h"][-1] > printed["h"][-1]
     np.testing.assert_allclose(limit.hamiltonian, 0.0, atol=1e-9)
+    singular = 0
     for first, second in zip(limit.switches[:-1], limit.switches[1:], strict=True):
         middle = np.argmin(np.abs(limit.time - 0.5 * (first.time + second.time)))
         if -0.99 < limit["u"][middle] < 0.99:
+            singular += 1
             h, v, m = limit.state[middle]
             # The singular surface.
             drag = 310 * v**2 * np.exp(500 * (1 - h))
             assert m / h**2 == pytest.approx((1 + v / goddard.EXHAUST_VELOCITY) * drag, rel=1e-8)
+    assert singular == structure.count("s")
 
 
 def test_arcs_have_the_exact_jacobian() -> None:
@@ -93,8 +96,11 @@ def test_arcs_refuse_a_root_that_the_law_would_not_fly() -> None:
 def test_arcs_that_do_not_meet_say_so() -> None:
     smooth = collocation.solve(goddard.problem(3.5), options=down_to(1e-3))
     wrong = arcs.Options([(0.0, "+"), (0.02, "-")], iterations=15)
-    with pytest.raises(ConvergenceError, match="do not meet; another structure may"):
+    with pytest.raises(ConvergenceError, match=r"arcs \+ - on goddard: the guess itself fails"):
         arcs.solve(goddard.problem(3.5), smooth, options=wrong)
+    with pytest.raises(ConvergenceError, match="do not meet; another structure may") as caught:
+        arcs.solve(goddard.problem(3.5), smooth, options=arcs.Options(iterations=1))
+    assert caught.value.residuals["largest"] > 1e-10
 
 
 def test_arcs_of_a_transfer_are_its_limit(transfer: Solution) -> None:

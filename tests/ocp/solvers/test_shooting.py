@@ -65,6 +65,7 @@ def test_earth_mars_by_shooting(transfer: Solution) -> None:
     # Eq. (42), and on the arcs the throttle obeys the switching function.
     assert abs(limit["lambda_m"][-1]) < 1e-10
     inside = np.abs(limit["S"]) > 1e-9
+    assert inside.mean() > 0.9
     np.testing.assert_array_equal((limit["delta"] > 0.5)[inside], (limit["S"] < 0.0)[inside])
 
 

@@ -94,7 +94,6 @@ class Judge:
         self._affine = np.array(
             [corner == s for corner, (_, s) in zip(equations.corners, equations.switching, strict=True)], bool
         )
-        self._scales = np.array([c.scale for c in problem.bounded])
         self._bounds = np.array([(c.lower, c.upper) for c in problem.bounded]).reshape(-1, 2)
         self._columns = [problem.control_variables.index(c.variable) for c in problem.bounded]
 

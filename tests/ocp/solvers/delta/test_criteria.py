@@ -69,6 +69,7 @@ def test_no_control_has_less_than_the_least_hamiltonian(seed: int) -> None:
     s = np.linspace(0.0, 1.0, 21)
     criteria = found.evaluate(z, s)[1]
     finite = np.isfinite(criteria.delta_s_h)
+    assert finite.any()
     assert np.all(
         criteria.delta_s_h[finite] >= -1e-9 * (1.0 + np.abs(criteria.hamiltonian[finite]).sum(axis=1))
     )

@@ -43,8 +43,7 @@ def test_sensitivities_are_those_of_flights(
         return np.concatenate([[linear.cost], linear.errors])
 
     linear = linearised(flyer, z, 100, softness)
-    if controls.switched:
-        assert switches(controls, z)
+    assert bool(switches(controls, z)) == bool(controls.switched)
     expected = np.array([(values(z + h) - values(z - h)) / 2e-5 for h in 1e-5 * np.eye(len(z))]).T
     found = np.vstack([linear.cost_slope, linear.error_slopes])
     for row, wanted in zip(found, expected, strict=True):

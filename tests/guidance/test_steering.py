@@ -1,0 +1,83 @@
+"""Steering by the reference in NumPy and by the C that ships, side by side; it takes no compiler."""
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike
+
+from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.interface import Commands, GuidanceStatus
+from sailnet.guidance.steering import ReferenceSteering
+from sailnet.mission.mission import load_mission
+from tests.held_command import hold_command
+
+MISSION = load_mission("earth_mars")
+GUIDANCE = load_guidance(MISSION, "c")
+LOW, HIGH = MISSION.generalisation.corners
+
+
+class Echo:
+    """Commands for the very betas that another steering estimated: steep networks enlarge a last digit."""
+
+    mission, beta_range = MISSION, GUIDANCE.beta_range
+
+    def __init__(self) -> None:
+        self.beta = np.empty(0)
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
+        return GUIDANCE.command(states, self.beta)
+
+
+def test_the_reference_steers_as_the_shipped_c() -> None:
+    rng = np.random.default_rng(21)
+    count, steps = 60, 400
+    starts = rng.uniform(LOW, HIGH, (count, 3))
+    starts[:30] = MISSION.problem.target_state + rng.uniform(-4e-3, 4e-3, (30, 3))
+    states = np.zeros((4, count))
+    states[[0, 2, 3]] = starts.T
+    beta = MISSION.sail.beta * rng.uniform(0.7, 1.3, count)
+    echo = Echo()
+    c, reference = GUIDANCE.steering(count), ReferenceSteering(echo, count)  # type: ignore[arg-type]
+    ended, stopped, learnt = 0, 0, []
+    for step in range(steps):
+        sails = np.flatnonzero(rng.random(count) < 0.9)
+        shown = states[[0, 2, 3]][:, sails].T.copy()
+        shown[rng.random(len(sails)) < 0.02] = np.nan
+        period = [0.005, 0.02, 0.05][step % 3] if step % 50 else [np.nan, -1.0, 0.0][step // 50 % 3]
+        told = c.steer(shown, period, sails)
+        echo.beta = told.beta
+        expected = reference.steer(shown, period, sails)
+        np.testing.assert_array_equal(told.status, expected.status, err_msg=f"step {step}")
+        for name in ("beta", "cone_angle", "time_of_flight", "hold"):
+            values = getattr(told, name), getattr(expected, name)
+            np.testing.assert_allclose(*values, rtol=0, atol=2e-12, err_msg=f"{name}, step {step}")
+        stopped += int((told.arrived & (told.hold == 0.0)).sum())
+        states[:, sails] = hold_command(states[:, sails], told.cone_angle, beta[sails], told.hold)
+        over = sails[told.arrived]
+        ended += len(over)
+        states[[[0], [2], [3]], over] = rng.uniform(LOW, HIGH, (len(over), 3)).T
+        learnt.append(abs(told.beta - MISSION.sail.beta).max())
+    assert ended > 15
+    assert stopped > 3
+    assert max(learnt) > 0.1 * MISSION.sail.beta
+
+
+def test_the_estimate_is_the_mean_of_what_was_measured_with_the_mission_s_beta_as_the_first() -> None:
+    state, period, beta = np.array([[1.1], [0.0], [0.05], [0.95]]), 0.005, 1.08 * MISSION.sail.beta
+    steering, estimates = ReferenceSteering(GUIDANCE, 1), []
+    for _ in range(40):
+        steered = steering.steer(state[[0, 2, 3]].T, period, np.arange(1))
+        estimates.append(steered.beta[0] / MISSION.sail.beta)
+        state = hold_command(state, steered.cone_angle, beta, period)
+    expected = 1.08 - 0.08 / np.arange(1, 41)
+    np.testing.assert_allclose(estimates, expected, atol=5e-5)
+
+
+@pytest.mark.parametrize(("share", "end"), [(0.5, 0), (1.6, 1)])
+def test_the_estimate_stays_in_the_range_of_the_networks(share: float, end: int) -> None:
+    state = np.array([[1.1], [0.0], [0.05], [0.95]])
+    steering = ReferenceSteering(GUIDANCE, 1)
+    for _ in range(100):
+        steered = steering.steer(state[[0, 2, 3]].T, 0.005, np.arange(1))
+        state = hold_command(state, steered.cone_angle, share * MISSION.sail.beta, 0.005)
+    assert steered.status[0] != GuidanceStatus.INVALID_INPUT
+    assert steered.beta[0] == GUIDANCE.beta_range[end]
