@@ -27,6 +27,26 @@ from tests.tools import (  # noqa: F401 (hooks)
     pytest_testnodedown,
 )
 
+SLOW = {
+    "paper_exported",
+    "approach_exported",
+    "exported",
+    "solved",
+    "toy",
+    "made",
+    "flown",
+    "expected",
+    "scheduler",
+}
+"""Fixtures, of tests here and in modules, that take seconds: who asks for one is slow."""
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if isinstance(item, pytest.Function) and not SLOW.isdisjoint(item.fixturenames):
+            item.add_marker("slow")
+
 
 @pytest.fixture(scope="session")
 def mission() -> Mission:

@@ -48,6 +48,7 @@ def test_module_computes_the_same_network_and_gives_its_parameters_back(run: Pro
     torch.testing.assert_close(module(run.test.inputs[:-1].T)[:, 0], expected, rtol=1e-13, atol=1e-13)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("who", [pytest.param(who, marks=PEERS.get(who, ())) for who in CONTESTANTS])
 def test_contestants_lower_the_error_from_the_same_start(who: str, run: Problems) -> None:
     *_, last = islice(CONTESTANTS[who](run.train, 5, 1e9), 200)
@@ -72,6 +73,7 @@ def test_the_best_by_validation_is_judged_and_the_goal_is_the_test_error(run: Pr
     assert (none.steps, none.goal_seconds) == (0, None)
 
 
+@pytest.mark.slow
 def test_all_are_compared_and_an_absent_package_is_named(
     stored: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

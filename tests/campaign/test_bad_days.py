@@ -69,6 +69,7 @@ def until(output: Path, run: subprocess.Popen[str], count: int) -> None:
         time.sleep(0.001)
 
 
+@pytest.mark.slow
 def test_a_killed_worker_costs_no_finished_flight(
     campaign: tuple[Path, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

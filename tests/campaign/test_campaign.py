@@ -70,6 +70,7 @@ def assert_same(one: Any, other: Any) -> None:
         np.testing.assert_array_equal(getattr(one, item.name), getattr(other, item.name), err_msg=item.name)
 
 
+@pytest.mark.slow
 def test_flights_are_those_of_fly(small: Results) -> None:
     starts, mission = [CASE, (1.0, 0.0, 1.0)], small.mission
     for period in (0.02, 0.05):
@@ -83,6 +84,7 @@ def test_flights_are_those_of_fly(small: Results) -> None:
     assert 0 < expected.arrived.sum() < 40
 
 
+@pytest.mark.slow
 def test_trajectories_of_a_sample_and_of_failures_are_kept(small: Results) -> None:
     mission, rows = small.mission, small.rows(1, 0.05)
     arrived = small.flights["arrived"][rows]
@@ -124,6 +126,7 @@ def test_optima_are_the_experts_for_all_periods_of_the_first_flights(small: Resu
     assert np.isnan(optimal[small.rows(1, 0.05)]).all()
 
 
+@pytest.mark.slow
 def test_optima_go_to_series_with_the_same_starts_alone(tmp_path: Path) -> None:
     """As many as each asks for."""
     other = (1.0, 0.0, 1.0)
@@ -191,6 +194,7 @@ def threads(share_files: bool) -> Workers:
     return Workers(lambda: ThreadPoolExecutor(2), 4, share_files)
 
 
+@pytest.mark.slow
 def test_the_same_to_the_last_bit_for_any_workers(tmp_path: Path) -> None:
     series = [
         {"name": "calm", "flights": BATCH + 20},
@@ -246,6 +250,7 @@ def parts(folder: Path) -> dict[str, int]:
     return {path.name: path.stat().st_mtime_ns for path in found}
 
 
+@pytest.mark.slow
 def test_interrupted_and_killed_it_goes_on(tmp_path: Path) -> None:
     """Ctrl-C, then SIGKILL, then a file that is too large; what was flown is not flown again."""
 
@@ -292,6 +297,7 @@ def test_interrupted_and_killed_it_goes_on(tmp_path: Path) -> None:
     assert not folder.exists()
 
 
+@pytest.mark.slow
 def test_what_is_flown_already_is_not_flown_again(tmp_path: Path) -> None:
     plan = plan_of(series=[{"name": "one", "starts": [CASE], "periods": [0.05]}])
     path = tmp_path / "x.h5"
@@ -348,6 +354,7 @@ def test_series_of_another_mission_are_left_out(tmp_path: Path) -> None:
         fly_plan(MISSION, GUIDANCE, plan_of(series=series[2:]), tmp_path / "y.h5")
 
 
+@pytest.mark.slow
 def test_damage_is_noticed(tmp_path: Path) -> None:
     path = tmp_path / "x.h5"
     plan = plan_of(series=[{"name": "one", "starts": [CASE], "periods": [0.05]}])
@@ -471,6 +478,7 @@ def test_the_command_explains_what_it_cannot_do(
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_a_finished_campaign_is_not_replaced_unasked(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

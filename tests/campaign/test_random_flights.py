@@ -14,6 +14,7 @@ from sailnet.workers.executors import workers
 MISSION = load_mission("earth_mars")
 
 
+@pytest.mark.slow
 def test_flights_are_the_same_for_any_number_of_workers() -> None:
     guidance = load_guidance(MISSION, "c", "float64")
     noise = Disturbance(beta_noise=0.15, seed=4)

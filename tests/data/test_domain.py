@@ -47,6 +47,7 @@ def file(narrow: Mission, aimed: Block, tmp_path_factory: pytest.TempPathFactory
     return path
 
 
+@pytest.mark.slow
 def test_each_trajectory_runs_from_arrival_to_its_own_start(narrow: Mission, aimed: Block) -> None:
     low, high = widened(narrow, narrow.dataset.domain.margin)
     assert len(aimed.lengths) == STARTS  # all of them can be solved here
@@ -73,6 +74,7 @@ def test_the_domain_is_filled_evenly(narrow: Mission, aimed: Block) -> None:
     np.testing.assert_array_equal(np.bincount(octant, minlength=8), STARTS // 8)  # Sobol's promise
 
 
+@pytest.mark.slow
 def test_no_sample_is_beaten_by_another_extremal(narrow: Mission, aimed: Block) -> None:
     rows = np.random.default_rng(3).choice(len(aimed.samples["tau"]), 60, replace=False)
     rows = rows[aimed.samples["tau"][rows] > 0.5]
@@ -85,6 +87,7 @@ def test_no_sample_is_beaten_by_another_extremal(narrow: Mission, aimed: Block) 
     np.testing.assert_allclose(optima.cone_angle[found], aimed.samples["alpha"][rows][found], atol=1e-4)
 
 
+@pytest.mark.slow
 def test_shards_are_their_own_and_depend_on_nothing_else(narrow: Mission, aimed: Block, file: Path) -> None:
     again, other = domain_shard(narrow, 0), domain_shard(narrow, 1)
     np.testing.assert_array_equal(again.samples["lambda_v"], aimed.samples["lambda_v"])

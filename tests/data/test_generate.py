@@ -37,6 +37,7 @@ def _only(executor: Executor, ahead: int = 4) -> Workers:
     return Workers(lambda: executor, ahead)
 
 
+@pytest.mark.slow
 def test_the_executor_leaves_no_trace(mission: Mission, tmp_path: Path) -> None:
     wanted = with_recipe(mission, samples_per_trajectory=21)
     shard_of = partial(box_shard, wanted, NOMINAL)
@@ -166,6 +167,7 @@ def command(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> int:
     return data.__main__.main()
 
 
+@pytest.mark.slow
 def test_the_command_makes_a_data_set(
     mission: Mission, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -200,6 +202,7 @@ def test_the_command_reports_a_target_that_cannot_be_written(
     assert streams.out == ""
 
 
+@pytest.mark.slow
 def test_python_m_data_fails_in_words(tmp_path: Path) -> None:
     run = subprocess.run(
         [sys.executable, "-m", "data", str(tmp_path / "x.h5"), "--mission", "earth_pluto"],

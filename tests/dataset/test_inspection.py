@@ -76,6 +76,7 @@ def swap(samples: Columns, _: Columns) -> None:
         column[[40, 41]] = column[[41, 40]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "said"),
     [
@@ -148,6 +149,7 @@ def test_a_damaged_file_and_an_unknown_origin(
         assert str(path) in streams.err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("delta", [1e-2, 1e-3, 1e-5, 0.0])
 @pytest.mark.parametrize(("target_radius", "beta"), [(1.524, 0.16892), (0.723, 0.16892), (1.524, 0.05)])
 def test_the_bound_on_h_holds_and_is_tight_enough(target_radius: float, beta: float, delta: float) -> None:

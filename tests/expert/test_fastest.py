@@ -26,6 +26,7 @@ def arrives(transfer: Transfer, found: Extremal) -> np.ndarray[tuple[int], np.dt
     return np.abs(flown.states[-1, :3] - transfer.target_state)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("state", "time", "jumps"),
     [
@@ -44,6 +45,7 @@ def test_the_golden_times_of_flight(
     np.testing.assert_allclose(arrives(problem, found), 0.0, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_states_along_an_extremal_take_at_most_its_time(problem: Transfer) -> None:
     rng = np.random.default_rng(11)
     for _ in range(4):
@@ -165,6 +167,7 @@ def test_a_state_on_the_target_orbit_is_refused(problem: Transfer) -> None:
         solve(problem, problem.target_state)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("state", [(100.0, 0.0, 0.1), (1.0, 0.0, 2.0)])
 def test_a_state_out_of_reach_is_refused(
     problem: Transfer, state: tuple[float, float, float], monkeypatch: pytest.MonkeyPatch

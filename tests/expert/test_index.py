@@ -45,6 +45,7 @@ def passing(unit: Transfer) -> tuple[Array, Array, Array]:
     return directions[extremal], tau[sample], states[extremal, sample]
 
 
+@pytest.mark.slow
 def test_an_extremal_is_found_where_it_passes(index: Index, passing: tuple[Array, Array, Array]) -> None:
     directions, tau, states = passing
     assert len(tau) > 30

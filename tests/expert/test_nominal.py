@@ -81,6 +81,7 @@ TIGHT = [
 """Times of flight for delta = 0, found by the direct method (to 1e-4) and forward shooting."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "changes", "time"), TIGHT)
 def test_the_homotopy_alone_reaches_tight_bounds(
     name: str, changes: dict[str, float], time: float, monkeypatch: pytest.MonkeyPatch
@@ -98,6 +99,7 @@ def test_the_homotopy_alone_reaches_tight_bounds(
         assert miss(transfer_of(mission, which), getattr(tight, which)) < 1e-6
 
 
+@pytest.mark.slow
 def test_a_faster_extremal_takes_the_place_of_the_homotopy_s(monkeypatch: pytest.MonkeyPatch) -> None:
     mercury = load_mission("earth_mercury").with_overrides(max_cone_angle=33.1, smoothing=0.0)
     with monkeypatch.context() as patch:
@@ -110,6 +112,7 @@ def test_a_faster_extremal_takes_the_place_of_the_homotopy_s(monkeypatch: pytest
     assert miss(mercury.problem, fastest) < 1e-6
 
 
+@pytest.mark.slow
 def test_where_the_branch_ends_the_expert_must_answer(monkeypatch: pytest.MonkeyPatch) -> None:
     silence(monkeypatch)
     with pytest.raises(SolveError, match="silenced"):

@@ -112,6 +112,7 @@ def test_c_onnx_torch_and_numpy_agree(exported: Exported, precision: Precision, 
     assert set(np.unique(c.status)) == {0, 1, 2}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("approach", [False, True], ids=["paper", "approach"])
 @pytest.mark.parametrize(
     "hidden",
@@ -359,6 +360,7 @@ def test_a_baseline_with_other_inputs_is_refused(
     assert "a baseline takes" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_smaller_bound_of_the_mission_bounds_every_graph(tmp_path: Path) -> None:
     narrow = MISSION.model_copy(update={"sail": MISSION.sail.model_copy(update={"max_cone_angle": 11.3})})
     save_guidance(random_guidance((4,), (4,), (4,), mission=narrow), tmp_path / "networks")

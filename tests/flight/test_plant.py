@@ -363,6 +363,7 @@ def test_what_does_not_fit_the_period_is_refused(disturbance: Disturbance, perio
         fly(MISSION, Constant(0.0), [(1.0, 0.0, 1.0)], disturbance=disturbance, period=period)
 
 
+@pytest.mark.slow
 @every_compiler
 def test_the_plant_compiles_without_a_warning_and_stands_the_sanitizers(
     compiler: list[str], tmp_path: Path

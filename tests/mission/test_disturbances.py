@@ -92,6 +92,7 @@ def test_beta_noise_is_white_and_uniform() -> None:
     assert abs(correlation(error, 1)) < 0.03
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["beta", "r", "u", "v"])
 def test_a_wander_has_its_sigma_from_the_start_and_its_correlation_time(name: str) -> None:
     sigma, time = 0.01, 0.2
@@ -319,6 +320,7 @@ def test_a_disturbance_leaves_the_draws_of_the_others_alone() -> None:
         np.testing.assert_allclose(drawn(alone)[name], whole[name], rtol=0, atol=3e-15, err_msg=name)
 
 
+@pytest.mark.slow
 def test_no_two_disturbances_draw_the_same_numbers() -> None:
     """Errors that keep nothing from one period to the next, each switched on alone."""
     drawn = []
@@ -333,6 +335,7 @@ def test_no_two_disturbances_draw_the_same_numbers() -> None:
     np.testing.assert_allclose(among, np.eye(len(drawn)), atol=0.07)
 
 
+@pytest.mark.slow
 def test_each_disturbance_changes_a_flight() -> None:
     """None is forgotten on its way to the plant."""
     companions = {

@@ -53,6 +53,7 @@ def test_the_target_itself_has_finite_coordinates() -> None:
     assert at.tolist() == [0.0, 0.0, 0.0, SMALLEST_SCALE, PROBLEM.beta]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0.8, 1.0, 1.2])
 def test_near_arrival_the_direction_alone_decides_whatever_the_sail(share: float) -> None:
     """The claim behind the coordinates: one arrival angle, one limit of time over s and command."""

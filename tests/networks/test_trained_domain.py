@@ -178,6 +178,7 @@ def test_a_sail_of_another_beta_is_outside(networks: GuidanceNetworks) -> None:
     assert not facts.contains(states[:1], np.array([np.nan])).any()
 
 
+@pytest.mark.slow
 def test_every_back_end_draws_the_same_line(
     samples: Array, networks: GuidanceNetworks, tmp_path: Path
 ) -> None:
@@ -248,6 +249,7 @@ def outside_in_c(folder: Path, states: Array, beta: Array, *flags: str) -> NDArr
     return np.asarray(np.frombuffer(run.stdout, np.uint8) > 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("build", BUILDS.values(), ids=BUILDS)
 def test_every_build_draws_the_same_line(
     samples: Array, networks: GuidanceNetworks, tmp_path: Path, build: Build
@@ -264,6 +266,7 @@ def test_every_build_draws_the_same_line(
     assert not outside[: len(samples)][beta[: len(samples)] == BETA].any()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mutant", list(MUTANTS))
 def test_mutants_of_the_guard_are_noticed(
     samples: Array, domain: TrainedDomain, tmp_path: Path, mutant: str
@@ -283,6 +286,7 @@ def test_mutants_of_the_guard_are_noticed(
     assert (outside == facts.contains(states, beta))[sure].any()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", [{"size_step": 0.5}, {"momentum_min": 0.0, "momentum_step": 0.12}])
 def test_beyond_the_last_knot_is_outside(change: dict[str, float], tmp_path: Path) -> None:
     plain = random_guidance((4, 4), (4, 4), (4, 4), approach=True)
@@ -330,6 +334,7 @@ def test_networks_without_a_domain_are_refused() -> None:
         describe(bare, MISSION)
 
 
+@pytest.mark.slow
 def test_the_command_adds_the_domain_and_nothing_else(
     stored: Path, domain: TrainedDomain, tmp_path: Path
 ) -> None:

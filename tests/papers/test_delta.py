@@ -50,6 +50,7 @@ def test_rendezvous_has_three_switches_by_two_methods_and_in_the_paper() -> None
     assert math.isclose(asteroid_rendezvous.EXHAUST_VELOCITY, 0.987755, abs_tol=5e-7)
 
 
+@pytest.mark.slow
 def test_fastest_transfer_by_shooting_and_by_collocation() -> None:
     reference = delta.REFERENCES["leo-geo-time"]
     first, second = reference.solve(), reference.check()
@@ -61,6 +62,7 @@ def test_fastest_transfer_by_shooting_and_by_collocation() -> None:
     assert 1.0 - first["m"][-1] == pytest.approx(burnt, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_every_figure_has_two_values_that_agree() -> None:
     rows = delta.rows()
     assert {row.printed for row in rows} == {

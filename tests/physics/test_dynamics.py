@@ -51,6 +51,7 @@ def test_a_circular_orbit_returns_after_its_period() -> None:
         np.testing.assert_allclose(flown[:, 0] - circular[:, i], [0, 2 * np.pi, 0, 0], atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("period", [0.005, 0.013, 0.1])
 def test_a_whole_flight_agrees_with_dop853(period: float) -> None:
     strength, steps = 0.16892, round(7.0 / period)

@@ -41,6 +41,7 @@ def energy(problem: Transfer, states: Array) -> Array:
     return evaluate_hamiltonian(problem, states[:, :3], states[:, 3:], alpha)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("delta", "bound"), [(1e-3, 2.31e-3), (1e-5, 3.6e-5), (0.0, 1e-9)])
 def test_the_hamiltonian_stays_within_the_bound_delta_allows(
     problem: Transfer, nominal: Nominal, delta: float, bound: float
@@ -59,6 +60,7 @@ def test_the_hamiltonian_stays_within_the_bound_delta_allows(
         assert largest > 0.9 * bound  # the bound is the paper's law's, not slack
 
 
+@pytest.mark.slow
 def test_the_nominal_s_arrival_costates(nominal: Nominal) -> None:
     np.testing.assert_allclose(nominal.smoothed.arrival_costates, NOMINAL_ARRIVAL, rtol=0, atol=6e-5)
 
@@ -74,6 +76,7 @@ def test_the_nominal_flown_back_meets_the_departure_orbit(problem: Transfer, nom
     np.testing.assert_allclose(printed.states[0, 1, :3], (1.0, 0.0, 1.0), atol=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["smooth", "sharp", "exact", "unconstrained"])
 @pytest.mark.parametrize(
     "direction",
@@ -108,6 +111,7 @@ def case_2(problem: Transfer, tau: Array) -> Extremals:
     return propagate_extremals(problem, arrival(problem, np.array([-20.81666, 7.31994, -45.17494]))[3:], tau)
 
 
+@pytest.mark.slow
 def test_the_jump_is_where_lambda_v_vanishes_with_lambda_u_positive(
     problem: Transfer, jumping: Extremal
 ) -> None:
@@ -139,6 +143,7 @@ def test_a_crossing_with_lambda_u_negative_is_no_jump(problem: Transfer) -> None
     np.testing.assert_array_equal(np.isnan(found.jump_times), jumps == 0)
 
 
+@pytest.mark.slow
 def test_a_branch_that_is_not_flipped_ends_elsewhere(problem: Transfer, jumping: Extremal) -> None:
     start = np.array([*problem.target_state, *jumping.arrival_costates])
     tau = np.array([0.0, jumping.jump_time - 0.01, jumping.time_of_flight])

@@ -57,6 +57,7 @@ def test_the_law_is_eq_16_as_printed() -> None:
     np.testing.assert_allclose(unconstrained_law(a, b), bar.astype(float), rtol=0, atol=1e-12)
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None)
 @given(st.floats(1e-3, 1e3), st.floats(-300, 0), st.booleans(), st.booleans())
 def test_the_law_near_lambda_v_zero(size: float, exponent: float, averted: bool, negative: bool) -> None:
@@ -81,6 +82,7 @@ def test_the_exact_law_minimises_the_hamiltonian() -> None:
         assert abs(at_law - grid[candidates.argmin()]) <= grid[1] - grid[0]
 
 
+@pytest.mark.slow
 @settings(max_examples=500, deadline=None)
 @given(finite, finite, degrees, smoothings)
 def test_the_command_is_finite_and_within_the_bound(a: float, b: float, phi: float, delta: float) -> None:

@@ -279,6 +279,7 @@ def test_a_flight_is_shown_with_what_differs() -> None:
 NOISY_FLIGHT = ("fly", "1.05", "0.15", "1.03", "--period", "0.02", "--beta-noise", "0.1")
 
 
+@pytest.mark.slow
 def test_fly_plots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     picture = tmp_path / "x" / "f.png"
     assert main([*NOISY_FLIGHT, "--plot", str(picture)]) == 0

@@ -40,6 +40,7 @@ def _plain_output(layers: Layers, inputs: Tensor, parameters: Tensor) -> Tensor:
     return (matrices[-1][:, :-1] @ layer + matrices[-1][:, -1:])[0]
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=20)
 @given(layers=SHAPES, samples=st.integers(1, 40), seed=st.integers(0, 99))
 def test_derivatives_equal_automatic_differentiation(layers: Layers, samples: int, seed: int) -> None:

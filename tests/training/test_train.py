@@ -124,6 +124,7 @@ class _Killed(BaseException):
     pass
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("last_epoch", [4, 10, 12])
 def test_killed_and_resumed_run_gives_the_same_bits(dataset: Path, tmp_path: Path, last_epoch: int) -> None:
     target = TARGETS["lambda_v"]

@@ -77,6 +77,7 @@ def states(kind: type[np.floating], beta: float) -> Reals:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("build", ON_VECTORS, ids=lambda build: build.name)
 @pytest.mark.parametrize(
     ("sizes", "approach"),
@@ -105,6 +106,7 @@ def test_vectors_and_single_numbers_give_the_same_bits(
         np.testing.assert_array_equal(commands(library, given), expected, err_msg=name)
 
 
+@pytest.mark.slow
 def test_the_flight_file_agrees_however_near_the_target(tmp_path: Path, mission: Mission) -> None:
     """Where the scale of what is missing meets its least value, too."""
     networks = random_guidance(approach=True)

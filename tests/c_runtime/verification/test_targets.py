@@ -246,6 +246,7 @@ def test_a_flight_file_of_other_networks_is_refused(reference: ReferenceGuidance
         Bench(reference, tmp_path, tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("precision", ["float32", "float64"])
 def test_golden_vectors_cover_what_can_happen(
     reference: ReferenceGuidance, flights: list[History], precision: Precision

@@ -24,6 +24,7 @@ from sailnet.physics.arrays import Array
 from tests.ocp.posed import PROBLEMS, differences, points
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PROBLEMS)
 @pytest.mark.parametrize("form", [L2Norm(), HyperbolicTangent(), Saturation()], ids=lambda form: form.name)
 def test_canonical_equations_have_exact_derivatives(name: str, form: Form) -> None:

@@ -20,6 +20,7 @@ from sailnet.ocp.problems import goddard, reorientation
 from tests.ocp.posed import differences
 
 
+@pytest.mark.slow
 def test_second_reorientation_has_no_digit_more() -> None:
     problem = reorientation.problem(three_torques=False)
     smooth = shooting.solve(problem, [-0.25, -2.16, -0.07, -2.22], options=shooting.Options(L2Norm(), 0.1))
@@ -39,6 +40,7 @@ def test_second_reorientation_has_no_digit_more() -> None:
     assert direct.final_time == pytest.approx(limit.final_time, rel=1e-7)
 
 
+@pytest.mark.slow
 def test_multiple_shooting_where_single_fails() -> None:
     problem = goddard.problem(3.5)
     path = Schedule(1.0, goddard.PRINTED_RHO, 0.5)

@@ -17,6 +17,7 @@ from sailnet.ocp.solvers.delta.sensitivity import aligned
 from tests.ocp.solvers.delta.cases import double_integrator, fitted
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("basis", "terms", "end"),
     [(delta.Fourier(), 16, 5e-6), (delta.Chebyshev(), 16, 1e-5), (delta.Legendre(), 16, 1e-5)],

@@ -15,6 +15,7 @@ from sailnet.physics.arrays import Array
 from tests.ocp.solvers.delta.cases import least_effort
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("softness", [0.0, 0.4])
 @pytest.mark.parametrize(
     ("problem", "basis", "rtol"),

@@ -17,6 +17,7 @@ from sailnet.ocp.solvers.delta.heuristics import Heuristic
 from tests.ocp.solvers.delta.cases import BASES, HEURISTICS, double_integrator, least_effort
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("heuristic", HEURISTICS, ids=lambda heuristic: str(heuristic.name))
 @pytest.mark.parametrize("basis", BASES, ids=lambda basis: str(basis.name))
 def test_double_integrator_by_every_basis_and_heuristic(basis: delta.Basis, heuristic: Heuristic) -> None:

@@ -59,6 +59,7 @@ def test_networks_have_the_exact_jacobian_and_hold_the_ends(name: str) -> None:
         )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("problem", "words"),
     [

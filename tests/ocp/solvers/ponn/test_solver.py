@@ -24,6 +24,7 @@ def least_squares(basis: Basis, points: int = 20) -> ponn.Options:
     return ponn.Options(basis=basis, points=points, training="iterative least squares")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("gamma", [0.0, 1.0, 5.0, 10.0])
 def test_intercept_from_any_start(gamma: float) -> None:
     oracle = minimize_scalar(intercept_cost, bounds=(10, 80), args=(gamma,), options={"xatol": 1e-10})

@@ -20,6 +20,7 @@ from tests.ocp.intercepts import bounded_cost
 from tests.ocp.solvers.ponn.cases import SMALL_WEIGHTS
 
 
+@pytest.mark.slow
 def test_bounded_intercept_after_the_split() -> None:
     oracle = minimize_scalar(bounded_cost, bounds=(50.5, 55.0), options={"xatol": 1e-10})
     problem = intercept.problem(1.0, intercept.BOUND)
@@ -38,6 +39,7 @@ def test_bounded_intercept_after_the_split() -> None:
     np.testing.assert_allclose(exact.costate[-1, 3:], 0.0, atol=1e-14)
 
 
+@pytest.mark.slow
 def test_mars_landing(landing: Solution) -> None:
     problem = mars_landing.problem()
     exact = ponn.split.solve(problem, landing)
@@ -55,6 +57,7 @@ def test_mars_landing(landing: Solution) -> None:
     assert landing.residuals["dynamics"] > 1e-3 > 1e-7 > exact.residuals["dynamics"]
 
 
+@pytest.mark.slow
 def test_earth_mars_after_the_split() -> None:
     problem = earth_mars.problem()
     smooth = ponn.solve(
