@@ -126,7 +126,7 @@ mutation: | $(READY)
 
 # Packages that ours are compared with.
 peers: | $(READY)
-	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[benchmarks]'
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[benchmarks,mutation]'
 
 # Every figure that the four papers on optimal control print, beside ours and a second method's, and a page with
 # every solution drawn; some minutes.

@@ -33,9 +33,9 @@ def needs_browser() -> pytest.MarkDecorator:
 
 
 def needs_peer(module: str) -> pytest.MarkDecorator:
-    """Mark a test that needs a Python module of the extra ``benchmarks``."""
+    """Mark a test that needs a Python module of the extras ``benchmarks`` and ``mutation``."""
     absent = [module] if importlib.util.find_spec(module) is None else []
-    return _marked("peer", absent, "pip install -c constraints.txt -e '.[benchmarks]'")
+    return _marked("peer", absent, "pip install -c constraints.txt -e '.[benchmarks,mutation]'")
 
 
 def _marked(marker: str, absent: Sequence[str], install: str) -> pytest.MarkDecorator:

@@ -9,7 +9,7 @@ import pytest
 from benchmarks.mutation import report, runner
 from benchmarks.mutation.mutants import Mutant, places, sample
 from benchmarks.mutation.runner import MutationError, Outcome, Package, holds, known, try_all
-from tests.tools import missing, needs
+from tests.tools import missing, needs, needs_peer
 
 needs_git = needs("analyser", missing("git"), "git")
 
@@ -58,8 +58,8 @@ def test_faults_of_c_are_in_its_code_alone(tmp_path: Path) -> None:
     }
 
 
+@needs_peer("cosmic_ray")
 def test_faults_of_python_leave_types_and_comments_alone(tmp_path: Path) -> None:
-    pytest.importorskip("cosmic_ray")
     found = faults(tmp_path, "x.py", PYTHON)
     assert {line for line, _ in found} == {2, 3}
     assert (2, "def f(a: int | None = 4) -> int | None:") in found
