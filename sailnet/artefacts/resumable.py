@@ -217,7 +217,7 @@ def _check_run(folder: Path, run: dict[str, str], text: str) -> None:
     except ValueError:
         found = {}
     if found != run:
-        different = ", ".join(sorted(name for name in run if found.get(name) != run[name]))
+        different = ", ".join(sorted(name for name in {*run, *found} if found.get(name) != run.get(name)))
         raise DatasetError(
             f"{folder} holds what an earlier run made with another {different}: "
             "go on with what it had, or throw them away with --restart"

@@ -77,6 +77,10 @@ def test_shards_of_something_else_are_not_mixed_in(tmp_path: Path) -> None:
     leave(output, run, 3)
     with pytest.raises(DatasetError, match=r"another mission: .*--restart"), claim(output, other):
         pass
+    with pytest.raises(DatasetError, match=r"another layout: "), claim(output, run | {"layout": "host"}):
+        pass
+    with pytest.raises(DatasetError, match=r"another heyoka: "), claim(output, {"mission": "one"}):
+        pass
     parts = leave(output, run, 5)
     assert parts.finished() == {3, 5}
     assert parts.load(3) is not None

@@ -93,7 +93,7 @@ def test_a_killed_worker_costs_no_finished_flight(
         return carry_out(job, number)
 
     monkeypatch.setattr(Job, "carry_out", counted)
-    mission, facts = load_mission("earth_mars"), {"backend": "c", "precision": "float64"}
+    mission, facts = load_mission("earth_mars"), {"backend": "c", "precision": "float64", "layout": "flight"}
     found = fly_plan(mission, load_guidance(mission), load_plan(file), tmp_path / "many.h5", facts=facts)
     assert found.digest == expected
     assert sorted(flown) == sorted(set(range(8)) - {int(name.split(".")[0]) for name in kept})

@@ -291,7 +291,7 @@ def test_interrupted_and_killed_it_goes_on(tmp_path: Path) -> None:
     damaged.write_bytes(damaged.read_bytes()[:-3])
     plan = load_plan(tmp_path / "many.toml")
     whole = fly_plan(MISSION, GUIDANCE, plan, tmp_path / "whole.h5")
-    facts = {"backend": "c", "precision": "float64"}
+    facts = {"backend": "c", "precision": "float64", "layout": "flight"}
     finished = fly_plan(MISSION, GUIDANCE, plan, tmp_path / "out" / "many.h5", facts=facts)
     assert finished.digest == whole.digest
     assert not folder.exists()

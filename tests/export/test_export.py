@@ -101,10 +101,11 @@ def test_c_onnx_torch_and_numpy_agree(exported: Exported, precision: Precision, 
         (alpha_torch, tau_torch),
     ):
         np.testing.assert_allclose(other_tau, tau, rtol=slack, atol=slack)
-        for reference in (alpha, c.cone_angle):
+        # Between two evaluations there are the errors of both.
+        for reference, rounded in ((alpha, 1), (c.cone_angle, 2)):
             error = np.abs(other_alpha - reference)[certain]
-            assert np.quantile(error, 0.999) < bound.most
-            assert error.max() < bound.all
+            assert np.quantile(error, 0.999) < rounded * bound.most
+            assert error.max() < rounded * bound.all
         assert np.abs(other_alpha).max() <= round_down(MISSION.problem.phi_max, precision)
     clear = np.abs(tau - MISSION.flight.arrival_threshold) > slack
     assert clear.mean() > 0.5

@@ -272,8 +272,10 @@ def test_mutants_of_the_guard_are_noticed(
     samples: Array, domain: TrainedDomain, tmp_path: Path, mutant: str
 ) -> None:
     plain = random_guidance((4, 4), (4, 4), (4, 4), approach=True)
-    tau = dataclasses.replace(plain.tau, provenance={**plain.tau.provenance, "domain": asdict(domain)})
-    networks = dataclasses.replace(plain, tau=tau)
+    # A box as tight as that of trained networks, so that there are states out of it within the tube.
+    box = {"state_min": samples.min(axis=0).tolist(), "state_max": samples.max(axis=0).tolist()}
+    trained = {**plain.tau.provenance, **box, "domain": asdict(domain)}
+    networks = dataclasses.replace(plain, tau=dataclasses.replace(plain.tau, provenance=trained))
     facts = describe(networks, MISSION)
     write_c(networks, facts, tmp_path)
     source = (tmp_path / "sailnet_guidance.c").read_text()

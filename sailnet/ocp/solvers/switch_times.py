@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import heyoka as hy
 import numpy as np
-from scipy.optimize import minimize
+from scipy.optimize import least_squares, minimize
 
 from sailnet.errors import SailnetError
 from sailnet.ocp.definition.functions import ProblemFunctions
@@ -36,7 +36,7 @@ class Options:
     Attributes:
         lengths: (arcs,) to begin at, where nothing but the structure is to come from the guess; the guess's
             own for None.
-        goal: largest miss of the final state.
+        goal: largest miss of the final state; an arc that is no longer [unit of time] is none.
         samples: points of the solution, at least.
 
     Raises:
@@ -165,9 +165,13 @@ def solve(problem: Problem, guess: Solution, *, options: Options | None = None) 
     begin = own if options.lengths is None else np.asarray(options.lengths, float)
     if begin.shape != own.shape:
         raise SailnetError(f"{problem.name} needs the lengths of {len(own)} arcs, got {begin.shape}")
+    # First to the end, then to the soonest: from far off, linearised steps may end at no length at all.
+    there = least_squares(
+        lambda x: arcs.fly(x).miss, begin, jac=lambda x: arcs.fly(x).by_lengths, bounds=(0.0, np.inf)
+    )
     result = minimize(
         np.sum,
-        begin,
+        there.x,
         jac=np.ones_like,
         bounds=[(0.0, None)] * len(begin),
         constraints={
@@ -178,7 +182,8 @@ def solve(problem: Problem, guess: Solution, *, options: Options | None = None) 
         method="SLSQP",
         options={"ftol": 1e-13, "maxiter": 300},
     )
-    miss = float(np.abs(arcs.fly(result.x).miss).max())
+    lengths = np.where(result.x > options.goal, result.x, 0.0)
+    miss = float(np.abs(arcs.fly(lengths).miss).max())
     step = Step(0.0, miss, int(result.nit), miss <= options.goal)
     if not step.converged:
         raise ConvergenceError(
@@ -186,7 +191,7 @@ def solve(problem: Problem, guess: Solution, *, options: Options | None = None) 
             {"boundary": miss},
             [step],
         )
-    solution = _tabulate(arcs, np.asarray(result.x), options.samples)
+    solution = _tabulate(arcs, lengths, options.samples)
     solution.history, solution.wall_time = [step], time.perf_counter() - began
     return solution
 

@@ -35,7 +35,7 @@ def structure(*times: float, stop: float) -> Solution:
     )
 
 
-@pytest.mark.parametrize("lengths", [None, [0.3, 2.0]])
+@pytest.mark.parametrize("lengths", [None, [0.3, 2.0], [3.0, 0.1], [0.0, 5.0]])
 def test_the_cart_by_hand(lengths: list[float] | None) -> None:
     guess = structure(0.8, stop=2.5)
     found = switch_times.solve(cart(), guess, options=switch_times.Options(lengths, samples=50))
