@@ -96,6 +96,8 @@ def test_states_out_of_reach_are_not_found_and_spoil_no_others(
     for name, column in vars(part(optima, [0, 2])).items():
         if name == "jumps":
             assert not column.any()
+        elif name == "searched":
+            assert (column >= 7.0 * problem.target_radius**1.5).all()
         elif name != "state":
             assert np.isnan(column).all()
 
