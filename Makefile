@@ -13,8 +13,8 @@ PYTHON3 ?= python3
 VENV    ?= .venv
 PYTHON  := $(VENV)/bin/python
 READY   := $(VENV)/.ready
-# Markers of tests that need more than a bare machine has; pyproject.toml says what each is.
-TOOLS   := emulator or browser or analyser or peer or install or mount or cuda
+# Markers of tests that need more than a bare machine or a few minutes; pyproject.toml says what each is.
+TOOLS   := exhaustive or emulator or browser or analyser or peer or install or mount or cuda
 # Threads of BLAS beside the processes would only wait for each other.
 PYTEST  := OMP_NUM_THREADS=1 $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
@@ -146,11 +146,11 @@ lint: | $(READY)
 quick: lint
 	$(PYTEST) -m "not (slow or $(TOOLS))"
 
-# Every test that needs no more than Python, make and a C compiler.
+# Every test that needs no more than Python, make, a C compiler and ten seconds.
 test: lint
 	$(PYTEST) -m "not ($(TOOLS))"
 
-# The others. A tool that is missing is named with the line that installs it; where CI=true that fails.
+# The others, and the exhaustive ones. A tool that is missing is named with the line that installs it; where CI=true that fails.
 test-tools: | $(READY)
 	$(PYTEST) -m "$(TOOLS)"
 

@@ -145,7 +145,7 @@ class Job:
         series = self.plan.whole[batch.series]
         states = series.states(self.mission, self.plan.seed, batch.first, batch.count)
         region = None
-        if series.starts == "generalisation" and (series.optima or 0) > FEW:
+        if series.starts == "generalisation" and min(series.optima or 0, series.count) > FEW:
             region = self.mission.generalisation.corners
         distinct, which = np.unique(states, axis=0, return_inverse=True)
         optima = solve_states(self.mission.problem, distinct, region=region)
