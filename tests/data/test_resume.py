@@ -115,7 +115,8 @@ def test_killed_between_shards(finished: int, tmp_path: Path, expected: str) -> 
 
 
 @pytest.mark.parametrize(
-    "moment", ["header", *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("rename", "removal"))]
+    "moment",
+    ["header", *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("rename", "removal"))],
 )
 def test_killed_at_the_end(moment: str, tmp_path: Path, expected: str) -> None:
     output = tmp_path / "x.h5"
