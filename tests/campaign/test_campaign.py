@@ -15,6 +15,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
+import h5py
 import numpy as np
 import pytest
 from scipy.stats import binomtest
@@ -377,6 +378,15 @@ def test_damage_is_noticed(tmp_path: Path) -> None:
             open_results(path)
     with pytest.raises(CampaignError, match="cannot open results"):
         open_results(tmp_path / "none.h5")
+
+
+def test_results_of_another_version_are_refused_with_a_remedy(tmp_path: Path) -> None:
+    path = tmp_path / "old.h5"
+    fly_plan(MISSION, GUIDANCE, plan_of(series=[{"name": "a", "starts": [CASE], "periods": [0.05]}]), path)
+    with h5py.File(path, "r+") as file:
+        file.attrs["schema"] = np.bytes_("sailnet-campaign/1")
+    with pytest.raises(CampaignError, match=r"campaign/1', this version reads .*/2': fly the campaign again"):
+        open_results(path)
 
 
 @pytest.mark.parametrize("name", ready_campaigns())
