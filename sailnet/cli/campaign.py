@@ -7,7 +7,8 @@ from pathlib import Path
 
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.run import fly_plan
-from sailnet.campaign.scores import score_lines, score_record, scores_of
+from sailnet.campaign.scores import score_record, scores_of
+from sailnet.campaign.tables import score_tables
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.disturbances import catalogue
@@ -51,7 +52,8 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
         )
     scores = scores_of(results)
     if not options.json:
-        print("\n".join(score_lines(scores)), end="\n\n")
+        for table in score_tables(scores):
+            print("\n".join([f"{table.title}:", *table.lines()]), end="\n\n")
     try:
         rows = report("campaign_page").write_report(results, folder, guidance, command=_command(options))
     except (SailnetError, OSError) as error:

@@ -4,7 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.campaign.results import Results
-from sailnet.campaign.scores import Score, Share, largest_error, optimality_gap
+from sailnet.campaign.scores import Score, largest_error, time_above_optimum
+from sailnet.campaign.shares import Share
 from sailnet.physics.arrays import Array
 from sailnet.report.charts import BAD, GREY, PALETTE, Chart, Curve
 
@@ -91,7 +92,7 @@ def _detours(scores: list[Score]) -> Chart | None:
     return Chart(
         "detours",
         "Detours",
-        "Flights that arrive, but take more than twice the optimum of the sail as assumed; bars are 95 % "
+        "Flights that arrive, but take more than twice the optimum of the sail that flew; bars are 95 % "
         "Wilson intervals. The latest of each are listed below.",
         "",
         "of the flights that arrive [%]",
@@ -165,7 +166,7 @@ def _gaps(results: Results, scores: list[Score]) -> Chart | None:
     columns: dict[str, Array] = {}
     curves, ends = [], []
     for number, score in enumerate(scores):
-        gap = optimality_gap(results, results.rows(score.series, score.period))
+        gap = time_above_optimum(results, results.rows(score.series, score.period))
         if len(gap) < FEWEST:
             continue
         value, level = _distribution(100.0 * gap)
@@ -177,10 +178,10 @@ def _gaps(results: Results, scores: list[Score]) -> Chart | None:
     return Chart(
         "gaps",
         "Time above the optimum",
-        "Of flights that arrived, against the expert's shortest time for the sail as assumed; a "
-        f"stronger sail is faster than that. The last {100 * (1 - SHOWN):.0f} % lie beyond the right edge: "
-        "zoom out.",
-        "time above the optimum [%]",
+        "Of all flights, against the shortest time of the sail that flew, with what was still to go; those "
+        "that never came near count as the longest. "
+        f"The last {100 * (1 - SHOWN):.0f} % lie beyond the right edge: zoom out.",
+        "time above the optimum of the sail that flew [%]",
         "flights [%]",
         curves,
         columns,

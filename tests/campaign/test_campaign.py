@@ -53,6 +53,7 @@ def short(longest: float) -> Mission:
 
 def plan_of(**changes: Any) -> Plan:
     content: dict[str, Any] = {"schema": 1, "name": "small", "title": "Small", "seed": 5, "sample": 2}
+    content["optima"] = 0
     content["series"] = [
         {"name": "calm", "starts": [CASE, (1.0, 0.0, 1.0)], "periods": [0.02, 0.05], "optima": 1},
         {"name": "rough", "flights": 40, "periods": [0.05], "disturbance": {"beta_noise": 0.15}},
@@ -223,6 +224,7 @@ title = "Many"
 flights = 40
 sample = 0
 failures = 0
+optima = 0
 [[series]]
 name = "a"
 periods = [0.005, 0.006, 0.007, 0.008, 0.009, 0.01, 0.012, 0.015]
@@ -494,8 +496,8 @@ def test_a_finished_campaign_is_not_replaced_unasked(
 ) -> None:
     file, out = tmp_path / "small.toml", ("--output", str(tmp_path / "out"))
     file.write_text(
-        'schema = 1\nname = "small"\ntitle = "Small"\nflights = 12\nsample = 1\nperiods = [0.05]\n'
-        '[[series]]\nname = "a"\n'
+        'schema = 1\nname = "small"\ntitle = "Small"\nflights = 12\nsample = 1\noptima = 0\n'
+        'periods = [0.05]\n[[series]]\nname = "a"\n'
     )
     small = ("evaluate", "--campaign", str(file), "--json", *out)
     assert main([*small]) == 0

@@ -1,0 +1,49 @@
+"""The optimum of the sail that flew, whose constant beta and optics the guidance was not told."""
+
+import numpy as np
+
+from sailnet.expert.fastest import Optima, solve_states
+from sailnet.flight.closed_loop import Flights
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+from sailnet.physics.optics import Optics
+from sailnet.physics.transfer import Transfer
+
+FEW = 25
+"""Up to so many states are solved one by one: indexing the generalisation set takes some twenty seconds."""
+
+
+def own_optimal_times(
+    transfer: Transfer,  # noqa: ARG001
+    assumed: Optima,
+    beta_errors: Array,  # noqa: ARG001
+    optics: Optics,  # noqa: ARG001
+) -> Array:
+    """(n,) shortest times for sails other than the one assumed [TU]; NaN where none is known.
+
+    Args:
+        transfer: the problem with the sail as assumed.
+        assumed: its optima, one a flight.
+        beta_errors: (n,) constant relative error of each sail's beta.
+        optics: of all of them.
+    """
+    return assumed.time_of_flight.copy()
+
+
+def assumed_optima(mission: Mission, states: Array, *, anywhere: bool = False) -> Optima:
+    """Optima of the sail as assumed from (n, 3) states, those that occur several times solved once.
+
+    Args:
+        mission: poses the problem.
+        states: rows r [AU], u, v [AU/TU].
+        anywhere: these need not be of the generalisation set, which is otherwise indexed once for many.
+    """
+    distinct, which = np.unique(states, axis=0, return_inverse=True)
+    region = None if anywhere or len(distinct) <= FEW else mission.generalisation.corners
+    return solve_states(mission.problem, distinct, region=region).rows(which.ravel())
+
+
+def optimal_times_of(mission: Mission, flights: Flights, optics: Optics) -> Array:
+    """(n,) :func:`own_optimal_times` of flights from random starts of the generalisation set [TU]."""
+    assumed = assumed_optima(mission, flights.starts)
+    return own_optimal_times(mission.problem, assumed, flights.beta_error, optics)
