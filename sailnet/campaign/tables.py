@@ -1,6 +1,6 @@
 """Scores as tables for people: what counts first, in the units of a mission beside those of the files."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from sailnet.campaign.excess import FIRST_APPROACH
@@ -106,13 +106,23 @@ def _percents(*values: float) -> str:
     return ", ".join(percent(value) for value in values)
 
 
+def plain(value: float, digits: int = 3) -> str:
+    """A number with so many significant digits and without an exponent."""
+    return f"{float(f'{value:.{digits}g}'):,.15g}" if abs(value) >= 1e-4 else f"{value:.{digits}g}"
+
+
 def _degrees(spread: Spread) -> str:
-    return ", ".join(f"{value:,.0f}" for value in (spread.median, spread.high))
+    return ", ".join(plain(value) for value in (spread.median, spread.high))
+
+
+def kilometres_and_speeds(components: Iterable[float]) -> str:
+    """Sizes of r [AU], u, v [AU/TU] in km and m/s."""
+    distance, *speeds = in_si(components)
+    return f"{plain(distance)} km; {', '.join(plain(speed, 2) for speed in speeds)} m/s"
 
 
 def _si(score: Score, level: float) -> str:
-    kilometres, *speeds = in_si(score.component_quantiles[level])
-    return f"{kilometres:,.3g} km; " + ", ".join(f"{speed:.2g}" for speed in speeds) + " m/s"
+    return kilometres_and_speeds(score.component_quantiles[level])
 
 
 def _raw(score: Score, level: float) -> str:
@@ -132,7 +142,9 @@ def within_columns(scores: Sequence[Score]) -> list[Column]:
 
 
 def _within(threshold: float) -> Column:
-    return f"within {threshold:g}", lambda score: share_text(score.within[threshold])
+    distance, speed, _ = in_si((threshold,) * 3)
+    head = f"within {threshold:g}: {plain(distance)} km, {plain(speed)} m/s"
+    return head, lambda score: share_text(score.within[threshold])
 
 
 SERIES: Column = ("series", lambda s: s.name)
@@ -140,7 +152,7 @@ PERIOD: Column = ("period [TU]", lambda s: f"{s.period:g} ({s.period * HOURS:.1f
 FLIGHTS: Column = ("flights", lambda s: f"{s.arrived.of:,}")
 MEAN: Column = (
     "mean time above own optimum",
-    _excess(lambda relative, days, _: f"{percent(relative.mean)} ({days.mean:.2f} days)"),
+    _excess(lambda relative, days, _: f"{percent(relative.mean)} ({plain(days.mean)} days)"),
 )
 HOME: Column = (
     f"home at the first approach: within {FIRST_APPROACH:g} optima",
@@ -149,7 +161,7 @@ HOME: Column = (
 REVERSALS: Column = (
     "reversals: median, 99 %, worst",
     lambda s: ", ".join(
-        f"{value:.0f}"
+        f"{value:,.0f}"
         for value in (s.behaviour.reversals.median, s.behaviour.reversals.high, s.behaviour.reversals.worst)
     ),
 )

@@ -1,6 +1,7 @@
 """``sailnet fly``: one closed-loop flight."""
 
 import argparse
+import math
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -40,6 +41,7 @@ def add(commands: Commands) -> None:
 
 def run(options: argparse.Namespace) -> Result:
     """Fly; how it ended by name."""
+    from sailnet.campaign.scores import in_si
     from sailnet.expert.fastest import solve
     from sailnet.flight.closed_loop import Ending, fly_recorded
     from sailnet.report import need_pictures, report
@@ -66,7 +68,11 @@ def run(options: argparse.Namespace) -> Result:
         "time_of_flight": float(flight.time_of_flight[0]),
         "terminal_error": flight.terminal_error[0].tolist(),
         "nearest_error": float(flight.nearest_error[0]),
+        "terminal_error_km_mps": in_si(flight.terminal_error[0]),
         "max_cone_angle": float(flight.max_cone_angle[0]),
+        "max_attitude": float(flight.max_attitude[0]),
+        "reversals": int(flight.reversals[0]),
+        "command_slew_deg": math.degrees(flight.command_slew[0]),
         "beta_error": float(flight.beta_error[0]),
         "beta_estimate": float(flight.beta_estimate[0]),
         "optimal_time_of_flight": None if optimum is None else optimum.time_of_flight,

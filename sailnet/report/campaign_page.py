@@ -180,9 +180,6 @@ def _facts(scores: Sequence[Score]) -> list[tuple[str, str]]:
             f"{100 * first.arrived.share:.2f} %",
             f"of {first.name!r} arrive (95 %: {100 * low:.2f} to {100 * high:.2f} %)",
         )
-        facts.append(
-            (f"{first.error_quantiles[0.99]:.1e}", f"99 % of the errors of {first.name!r} are below")
-        )
     if first.excess is not None:
         late, home = first.excess.relative.mean, first.excess.first_approach
         facts.insert(

@@ -7,7 +7,7 @@ from scipy.stats import binomtest
 from sailnet.campaign.behaviour import DEGREE_PER_HOUR, behaviour_of
 from sailnet.campaign.scores import Score, score_of
 from sailnet.campaign.shares import Share, Spread
-from sailnet.campaign.tables import failures_text, percent, score_tables
+from sailnet.campaign.tables import failures_text, percent, plain, score_tables
 from sailnet.flight.closed_loop import fly
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.disturbances import Disturbance
@@ -41,7 +41,7 @@ def test_time_counts_first(score: Score) -> None:
     row = dict(zip(time.heads, time.cells[0], strict=True))
     assert score.excess is not None
     above, days = score.excess.relative, score.excess.days
-    assert row["mean time above own optimum"] == f"{percent(above.mean)} ({days.mean:.2f} days)"
+    assert row["mean time above own optimum"] == f"{percent(above.mean)} ({plain(days.mean)} days)"
     assert row["optimum unknown"] == "1"
     assert row["period [TU]"] == "0.005 (7.0 h)"
     assert dict(zip(attitude.heads, attitude.cells[0], strict=True))["attitude beyond the bound"].endswith(
@@ -81,4 +81,10 @@ def test_a_spread_is_mean_and_quantiles() -> None:
 def test_percents_have_the_digits_that_count() -> None:
     assert [percent(x) for x in (0.00123, 0.0456, 0.41234, 4.567, -0.0003)] == [
         "0.123 %", "4.56 %", "41.2 %", "457 %", "-0.030 %",
+    ]  # fmt: skip
+
+
+def test_numbers_for_people_have_no_exponent_but_where_they_are_tiny() -> None:
+    assert [plain(x) for x in (4.0912e6, 663.45, 0.0161803, 1.2345e-7, 0.0)] == [
+        "4,090,000", "663", "0.0162", "1.23e-07", "0",
     ]  # fmt: skip

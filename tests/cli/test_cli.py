@@ -113,7 +113,8 @@ def test_negative_numbers_are_numbers(number: str) -> None:
 
 def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
     keys = {"arrived", "time_of_flight", "terminal_error", "max_cone_angle", "optimal_time_of_flight"}
-    keys |= {"beta_error", "beta_estimate", "ending", "nearest_error"}
+    keys |= {"beta_error", "beta_estimate", "ending", "nearest_error", "terminal_error_km_mps"}
+    keys |= {"max_attitude", "reversals", "command_slew_deg"}
     ends = []
     for options in (("--backend", "onnx"), ("--layout", "host"), ()):
         result = _json("fly", "1", "0", "1", *options)
