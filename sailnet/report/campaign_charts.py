@@ -23,6 +23,9 @@ FAILED_SHOWN = 3000
 
 BINS = 12
 
+NONE = 0.5
+"""Where a logarithmic axis shows flights without any."""
+
 COUNTED = 10
 """Flights of a series below which a share says nothing."""
 
@@ -39,6 +42,7 @@ def campaign_charts(results: Results, scores: list[Score]) -> list[Chart]:
         charts += [
             _errors(results, many),
             _gaps(results, many),
+            _reversals(results, many),
             _detours(many),
             *_where(results, many),
             *_bins(results, many),
@@ -150,6 +154,26 @@ def _errors(results: Results, scores: list[Score]) -> Chart:
         "Terminal error",
         "Share of the flights whose largest component is below; dashed: the mission's tolerance.",
         "largest component of the terminal error [AU, AU/TU]",
+        "flights [%]",
+        curves,
+        columns,
+        logarithmic="x",
+    )
+
+
+def _reversals(results: Results, scores: list[Score]) -> Chart:
+    columns: dict[str, Array] = {}
+    curves = []
+    for number, score in enumerate(scores):
+        counts, level = _distribution(results.flights["reversals"][results.rows(score.series, score.period)])
+        columns |= {f"reversals_{number}": np.maximum(counts, NONE), f"share_{number}": level}
+        curves.append(_curve(number, "reversals", _label(score, scores)))
+    return Chart(
+        "reversals",
+        "Reversals",
+        "Share of the flights with no more steps of the command over 40° from one period to the next; an "
+        f"optimum has one at most. No reversal is drawn at {NONE:g}.",
+        "reversals of a flight",
         "flights [%]",
         curves,
         columns,

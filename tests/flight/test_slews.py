@@ -63,9 +63,9 @@ def short(longest: float) -> Mission:
     return MISSION.model_copy(update={"flight": rules_of_flight})
 
 
-def steps_of(history: History) -> Array:
-    """Sizes of the changes of the command [rad]."""
-    return np.asarray(abs(np.diff(history.cone_angle)))
+def steps_of(history: History, lasted: float = np.inf) -> Array:
+    """Sizes of the changes of the command [rad]; that of a flight that ended at once is none."""
+    return np.asarray(abs(np.diff(history.cone_angle[history.time < lasted])))
 
 
 DISTURBED = Disturbance(
@@ -80,7 +80,7 @@ def test_the_sums_are_those_of_the_histories(disturbance: Disturbance) -> None:
     period = 0.01
     starts = random_starts(MISSION, 12, 11)
     flights, histories = fly_recorded(MISSION, GUIDANCE, starts, disturbance=disturbance, period=period)
-    commanded = [steps_of(history) for history in histories]
+    commanded = [steps_of(*flown) for flown in zip(histories, flights.time_of_flight, strict=True)]
     assert flights.reversals.tolist() == [(steps > REVERSAL).sum() for steps in commanded]
     assert flights.reversals.max() >= 1
     np.testing.assert_allclose(flights.command_slew, [steps.sum() for steps in commanded], rtol=1e-9)

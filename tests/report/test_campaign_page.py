@@ -240,7 +240,7 @@ def test_there_is_a_picture_and_a_table_of_everything(flown: tuple[Results, Path
     drawn = set(re.findall(r'data-chart="([a-z-]+)"', (folder / "index.html").read_text("utf-8")))
     assert drawn == {path.stem for path in folder.glob("*.png")}
     assert drawn == {path.stem for path in folder.glob("*.csv")} - {"flights", "scores"}
-    assert {"shares", "periods", "errors", "where-r", "where-u", "bins-v"} <= drawn
+    assert {"shares", "reversals", "periods", "errors", "where-r", "where-u", "bins-v"} <= drawn
     for path in folder.rglob("*.png"):
         with Image.open(path) as picture:
             assert min(picture.size) > 500

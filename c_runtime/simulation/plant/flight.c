@@ -224,16 +224,16 @@ static void obey(const plant_rules *rules, plant_sail *sail, double *queue, cons
     const uint32_t period = sail->periods;
     sail->time = (double)period * rules->period;
     const double angle = accepted(rules, sail, queue, slots, command, status);
-    if (period == 0u) {
-        sail->attitude = angle;
-    }
-    else {
-        plant_count_step(rules, angle - queue[(period - 1u) % slots], sail);
-    }
-    queue[period % slots] = angle;
     /* A guidance that asks for longer than it may, or for NaN, gets what is allowed. */
     const double allowed = fmax(rules->period, rules->longest);
     const double lasting = sail->out ? rules->period : fmin(fmax(command->hold, 0.0), allowed);
+    if (period == 0u) {
+        sail->attitude = angle;
+    }
+    else if (lasting > 0.0) { /* where a flight ends at once, its last command is none */
+        plant_count_step(rules, angle - queue[(period - 1u) % slots], sail);
+    }
+    queue[period % slots] = angle;
     const double first = fmin(late, lasting);
     const double beta = real_beta(rules, sail);
     const plant_state start = sail->state;
