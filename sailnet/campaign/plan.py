@@ -203,6 +203,11 @@ def ready_campaigns() -> list[str]:
     return shipped_names(FOLDER)
 
 
+def single_precision(name: str) -> str:
+    """What the results of a campaign are called that was flown in float32 beside those in float64."""
+    return f"{name}-float32"
+
+
 def load_plan(name_or_path: str | Path) -> Plan:
     """Load a campaign by name (``generalisation``) or from a TOML file.
 

@@ -5,6 +5,7 @@ from contextlib import nullcontext
 from pathlib import Path
 
 from sailnet.cli.arguments import (
+    BOTH,
     Commands,
     add_command,
     backend_parser,
@@ -13,6 +14,7 @@ from sailnet.cli.arguments import (
     loop_parser,
 )
 from sailnet.cli.output import Result
+from sailnet.errors import SailnetError
 from sailnet.mission.mission import load_mission
 
 
@@ -23,10 +25,10 @@ def add(commands: Commands) -> None:
         "evaluate",
         run,
         "Closed-loop flights from random starts of the generalisation set, or a whole campaign.",
-        backend_parser(),
+        backend_parser(BOTH),
         loop_parser(),
         example="sailnet evaluate --flights 1000 --beta-noise 0.15 --rate-limit 5 --optics jpl; "
-        "sailnet evaluate --campaign everything --workers 2",
+        "sailnet evaluate --campaign everything --precision both --workers 2",
     )
     evaluate.add_argument(
         "--campaign",
@@ -60,6 +62,8 @@ def run(options: argparse.Namespace) -> Result:
         from sailnet.cli.campaign import evaluate_campaign
 
         return evaluate_campaign(options)
+    if options.precision == BOTH:
+        raise SailnetError("--precision both is for campaigns: say float64 or float32, or --campaign NAME")
     from sailnet.campaign.behaviour import behaviour_of, behaviour_record
     from sailnet.campaign.excess import excess_of, excess_record
     from sailnet.campaign.own_optima import optimal_times_of

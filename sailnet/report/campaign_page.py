@@ -106,6 +106,7 @@ def write_report(
         mission=results.mission,
         facts=_facts(scores),
         scored=tables,
+        precision=_precision(results),
         days=TU / DAY,
         kilometres=AU / 1e3,
         metres_per_second=AU_PER_TU,
@@ -192,6 +193,11 @@ def _facts(scores: Sequence[Score]) -> list[tuple[str, str]]:
     return facts
 
 
+def _precision(results: Results) -> str:
+    """In which the guidance flew; of flights without a command line, the usual one."""
+    return str(results.provenance["run"].get("precision", "float64"))
+
+
 def _conditions(results: Results) -> list[tuple[str, str]]:
     """What disturbs each series, in words."""
     described = []
@@ -234,6 +240,7 @@ def _write_files(
         "title": results.plan.title,
         "mission": results.mission.name,
         "seed": results.plan.seed,
+        "precision": _precision(results),
         "networks": results.networks,
         "results": results.digest,
         "scores": [score_record(score) for score in scores],

@@ -513,6 +513,32 @@ def test_a_finished_campaign_is_not_replaced_unasked(
     assert len(open_results(tmp_path / "out" / "small.h5").flights["number"]) == 3
 
 
+def test_both_precisions_are_flown_one_after_the_other(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, out = tmp_path / "small.toml", tmp_path / "out"
+    file.write_text(
+        'schema = 1\nname = "small"\ntitle = "Small"\nflights = 12\noptima = 0\nperiods = [0.05]\n'
+        '[[series]]\nname = "a"\n'
+    )
+    assert (
+        main(["evaluate", "--campaign", str(file), "--output", str(out), "--precision", "both", "--json"])
+        == 0
+    )
+    answer = json.loads(capsys.readouterr().out)
+    for name, said in (("small", answer), ("small-float32", answer["float32"])):
+        found = open_results(out / f"{name}.h5")
+        assert found.provenance["run"]["precision"] == (name.partition("-")[2] or "float64")
+        assert said["digest"] == found.digest
+        assert said["scores"][0]["flights"] == 12
+        assert (out / name / "index.html").exists()
+    assert answer["digest"] != answer["float32"]["digest"]
+    assert "guidance in float32" in (out / "small-float32" / "index.html").read_text("utf-8")
+    assert error_of(capsys, "--flights", "2", "--precision", "both").startswith(
+        "error: --precision both is for"
+    )
+
+
 def test_a_flight_that_cannot_be_keeps_what_was_flown(tmp_path: Path) -> None:
     series = [
         {"name": "fine", "starts": [CASE], "periods": [0.05]},

@@ -341,7 +341,7 @@ def test_tables_for_the_readme(flown: tuple[Results, Path]) -> None:
         "*Time and arrivals*", "*Attitude and estimate*", "*Where flights end*",
     ]  # fmt: skip
     assert record["table"] == {name: record["tables"][0][name] for name in ("heads", "cells")}
-    assert lines[0].startswith("**A <page> & more** (`page`, networks `")
+    assert lines[0].startswith("**A <page> & more** (`page`, float64, networks `")
     with pytest.raises(CampaignError, match="make campaigns"):
         read_records(flown[1])
 
