@@ -72,11 +72,17 @@ def run(options: argparse.Namespace) -> Result:
 
 
 def _facts(extremal: "Extremal") -> Result:
+    if not extremal.complete:
+        print(
+            "note: the search ended before every faster extremal was looked for: this may not be the fastest",
+            file=sys.stderr,
+        )
     return {
         "time_of_flight": extremal.time_of_flight,
         "cone_angle": extremal.cone_angle,
         "costates": extremal.costates.tolist(),
         "jumps": extremal.jumps,
         "residual": extremal.residual,
+        "complete": extremal.complete,
         "next_time_of_flight": None if math.isnan(extremal.rival_time) else extremal.rival_time,
     }

@@ -12,10 +12,10 @@ from sailnet.errors import SolveError
 from sailnet.physics.arrays import Array
 from sailnet.physics.pontryagin import guidance_law
 from sailnet.physics.propagation import MOST_STEPS, propagator
-from sailnet.physics.transfer import Transfer
+from sailnet.physics.transfer import AnyTransfer, Transfer
 
 
-def arrival_gain(transfer: Transfer, costates: Array) -> Array:
+def arrival_gain(transfer: AnyTransfer, costates: Array) -> Array:
     """lambda . dx/dt at the target, whose value must be -1 for H = 0, Eq. (19).
 
     On the target orbit U = 0 and V^2/R = 1/R^2, so only the sail's force counts and lambda_R
@@ -74,11 +74,11 @@ class Extremals:
     jump_times: Array
 
 
-def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike) -> Extremals:
+def propagate_extremals(transfer: AnyTransfer, costates: ArrayLike, tau: ArrayLike) -> Extremals:
     """Propagate Eq. (15) from the target orbit, Eq. (17), for many arrival costates at once.
 
     Args:
-        transfer: the problem.
+        transfer: the problem, or one a row.
         costates: (n, 3) arrival costates (lambda_R0, lambda_U0, lambda_V0).
         tau: (m,) increasing grid of time to go [TU], beginning at 0; or (n, m), one a row.
 
@@ -99,7 +99,7 @@ def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike)
         initial = np.empty((6, engine.lanes))
         initial[:3] = np.array(transfer.target_state)[:, None]
         initial[3:] = arrivals[lanes].T
-        engine.start(transfer, initial)
+        engine.start(transfer.rows(lanes), initial)
         sampled = engine.integrator.propagate_grid(grid[lanes].T.copy(), max_steps=MOST_STEPS)[1]
         kept = len(rows)
         states[rows] = sampled[:, :6, :kept].transpose(2, 0, 1)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import Expression, alpha, motion, r, u, v
-from sailnet.physics.transfer import Transfer
+from sailnet.physics.transfer import AnyTransfer, Transfer
 
 lambda_r, lambda_u, lambda_v = hy.make_vars("lambda_r", "lambda_u", "lambda_v")
 
@@ -80,7 +80,7 @@ def _compiled_hamiltonian() -> Any:
     return hy.cfunc([hamiltonian()], vars=[r, u, v, lambda_r, lambda_u, lambda_v, alpha])
 
 
-def guidance_law(transfer: Transfer, lambda_u: ArrayLike, lambda_v: ArrayLike) -> Array:
+def guidance_law(transfer: AnyTransfer, lambda_u: ArrayLike, lambda_v: ArrayLike) -> Array:
     """Optimal cone angle [rad], Eq. (12); finite for all finite costates.
 
     Args:
@@ -99,7 +99,7 @@ def unconstrained_law(lambda_u: ArrayLike, lambda_v: ArrayLike) -> Array:
     return np.asarray(_law(Transfer(1.0, math.pi / 2, 0.0, 1.0), lambda_u, lambda_v)[1])
 
 
-def _law(transfer: Transfer, lambda_u: ArrayLike, lambda_v: ArrayLike) -> Array:
+def _law(transfer: AnyTransfer, lambda_u: ArrayLike, lambda_v: ArrayLike) -> Array:
     a, b = np.broadcast_arrays(np.asarray(lambda_u, float), np.asarray(lambda_v, float))
     inputs = np.ascontiguousarray([a.ravel(), b.ravel()])
     # Only the direction counts; the square of a huge or tiny costate would leave the float range.
@@ -117,7 +117,7 @@ def _law(transfer: Transfer, lambda_u: ArrayLike, lambda_v: ArrayLike) -> Array:
 
 
 def evaluate_hamiltonian(
-    transfer: Transfer, states: ArrayLike, costates: ArrayLike, alpha: ArrayLike
+    transfer: AnyTransfer, states: ArrayLike, costates: ArrayLike, alpha: ArrayLike
 ) -> Array:
     """H of Eq. (7) at given cone angles.
 
@@ -132,7 +132,7 @@ def evaluate_hamiltonian(
     return np.asarray(_compiled_hamiltonian()(inputs, pars=pars)[0])
 
 
-def hamiltonian_bound(transfer: Transfer, states: Array, costates: Array) -> Array:
+def hamiltonian_bound(transfer: AnyTransfer, states: Array, costates: Array) -> Array:
     """How large |H| may get along an extremal of the smoothed law, with H = 0 at arrival.
 
     The smoothed law misses the minimiser by an angle of the order of delta, so H drifts in
@@ -147,6 +147,8 @@ def hamiltonian_bound(transfer: Transfer, states: Array, costates: Array) -> Arr
     Returns:
         (...) one bound a trajectory.
     """
-    share = transfer.beta * np.hypot(costates[..., 1], costates[..., 2]) / states[..., 0] ** 2
+    share = (
+        np.expand_dims(transfer.beta, -1) * np.hypot(costates[..., 1], costates[..., 2]) / states[..., 0] ** 2
+    )
     largest = share.max(axis=-1)
     return np.asarray(10.0 * transfer.delta * largest + 1e-9 * (1.0 + largest))

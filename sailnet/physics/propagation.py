@@ -34,7 +34,7 @@ from sailnet.physics.pontryagin import (
     unconstrained_angle,
     unconstrained_law,
 )
-from sailnet.physics.transfer import Transfer
+from sailnet.physics.transfer import AnyTransfer
 
 TOLERANCE = 1e-12
 """Local error of the Taylor integrator."""
@@ -50,7 +50,7 @@ LawKind = Literal["unconstrained", "smooth", "exact"]
 STATES = [r, u, v, lambda_r, lambda_u, lambda_v]
 
 
-def law_kind(transfer: Transfer) -> LawKind:
+def law_kind(transfer: AnyTransfer) -> LawKind:
     """Which treatment the saturation of this problem needs."""
     if transfer.delta > 0.0:
         return "smooth"
@@ -67,7 +67,7 @@ def law_expression(kind: LawKind) -> Expression:
     return hy.select(hy.eq(MODE, hy.expression(0.0)), bar, MODE * PHI_MAX)
 
 
-def parameters(transfer: Transfer, lambda_u: Array, lambda_v: Array) -> Array:
+def parameters(transfer: AnyTransfer, lambda_u: Array, lambda_v: Array) -> Array:
     """(5, n) parameters beta, phi_max, delta, branch, mode that belong to these costates."""
     pars = np.empty((5, len(lambda_v)))
     pars[0], pars[1], pars[2] = transfer.beta, transfer.phi_max, transfer.delta
@@ -129,8 +129,11 @@ class Propagator:
         # heyoka deep-copies its callbacks, which must write into this very object.
         return self
 
-    def start(self, transfer: Transfer, states: Array, tangents: Array | None = None) -> None:
-        """Begin at tau = 0 from (6, lanes) states and costates, and (6, 2, lanes) tangents."""
+    def start(self, transfer: AnyTransfer, states: Array, tangents: Array | None = None) -> None:
+        """Begin at tau = 0 from (6, lanes) states and costates, and (6, 2, lanes) tangents.
+
+        The problem may be another one in every lane.
+        """
         ta = self.integrator
         ta.set_time(np.zeros(self.lanes))
         ta.reset_cooldowns()
@@ -190,7 +193,7 @@ class _Compiled(threading.local):
 _compiled = _Compiled()
 
 
-def propagator(transfer: Transfer, variational: bool = False, tolerance: float = TOLERANCE) -> Propagator:
+def propagator(transfer: AnyTransfer, variational: bool = False, tolerance: float = TOLERANCE) -> Propagator:
     """The compiled propagator for a problem; compiled once per form of the law, tolerance and thread."""
     kind = law_kind(transfer)
     split = kind == "exact" or (kind == "smooth" and transfer.delta < SHARP_DELTA)

@@ -3,6 +3,14 @@
 import math
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
+from sailnet.physics.arrays import Array
+
+Chosen = NDArray[np.bool_] | NDArray[np.intp]
+"""Rows of a batch: which, or their numbers."""
+
 
 @dataclass(frozen=True)
 class Transfer:
@@ -24,3 +32,48 @@ class Transfer:
     def target_state(self) -> tuple[float, float, float]:
         """(r, u, v) on the target orbit [AU, AU/TU, AU/TU], Eq. (5)."""
         return (self.target_radius, 0.0, 1.0 / math.sqrt(self.target_radius))
+
+    def rows(self, chosen: Chosen) -> "Transfer":
+        """Itself: the same for all rows of a batch, see :class:`Transfers`."""
+        return self
+
+
+@dataclass(frozen=True)
+class Transfers:
+    """One transfer for many sails, one a row of a batch; it stands wherever the same rows stand.
+
+    Attributes:
+        common: what they share; its own beta is not used.
+        beta: (n,) normalised characteristic accelerations.
+    """
+
+    common: Transfer
+    beta: Array
+
+    @property
+    def phi_max(self) -> float:
+        """Bound on the cone angle [rad]."""
+        return self.common.phi_max
+
+    @property
+    def delta(self) -> float:
+        """Smoothing of the saturation."""
+        return self.common.delta
+
+    @property
+    def target_radius(self) -> float:
+        """Radius of the target orbit [AU]."""
+        return self.common.target_radius
+
+    @property
+    def target_state(self) -> tuple[float, float, float]:
+        """(r, u, v) on the target orbit [AU, AU/TU, AU/TU]."""
+        return self.common.target_state
+
+    def rows(self, chosen: Chosen) -> "Transfers":
+        """Some of them."""
+        return Transfers(self.common, self.beta[chosen])
+
+
+AnyTransfer = Transfer | Transfers
+"""One sail for all rows, or one a row."""

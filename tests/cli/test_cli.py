@@ -11,6 +11,8 @@ from typing import Any
 
 import pytest
 
+import sailnet.expert.fastest
+import sailnet.expert.index
 from sailnet.cli.command_line import main
 
 
@@ -56,8 +58,9 @@ def _json(*arguments: str) -> dict[str, Any]:
 def test_solve_prints_the_optimum() -> None:
     result = _json("solve", "1", "0", "1")
     assert set(result) == {
-        "time_of_flight", "cone_angle", "costates", "jumps", "residual", "next_time_of_flight",
+        "time_of_flight", "cone_angle", "costates", "jumps", "residual", "complete", "next_time_of_flight",
     }  # fmt: skip
+    assert result["complete"] is True
     assert result["next_time_of_flight"] is None
     assert result["time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
     assert result["costates"] == pytest.approx([-7.23123, -4.31783, -7.73808], abs=1e-4)
@@ -83,6 +86,15 @@ def test_beyond_the_tested_range_solve_says_so_on_stderr() -> None:
     done = _run("solve", "1", "0", "1", "--phi-max", "90", "--smoothing", "0", "--beta", "0.45", "--json")
     assert done.stderr == "note: beta = 0.45 is outside the tested range, 0.05 to 0.4\n"
     assert json.loads(done.stdout)["residual"] <= 1e-9
+
+
+def test_solve_says_when_its_search_ended_early(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sailnet.expert.fastest, "build_index", sailnet.expert.index.build_index.__wrapped__)
+    monkeypatch.setattr(sailnet.expert.index, "MOST", 2600)
+    monkeypatch.setattr(sailnet.expert.fastest, "EFFORT", 1)
+    done = _run("solve", "1.049", "0.0987", "0.9275", "--json")
+    assert json.loads(done.stdout)["complete"] is False
+    assert "may not be the fastest" in done.stderr
 
 
 def test_solve_reads_a_mission_file(tmp_path: Path) -> None:
