@@ -112,7 +112,7 @@ def plain(value: float, digits: int = 3) -> str:
 
 
 def _degrees(spread: Spread) -> str:
-    return ", ".join(plain(value) for value in (spread.median, spread.high))
+    return ", ".join(f"{value:,.0f}" for value in (spread.median, spread.high))
 
 
 def kilometres_and_speeds(components: Iterable[float]) -> str:

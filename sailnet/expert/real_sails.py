@@ -20,7 +20,7 @@ Extremals = tuple[Array, Array]
 
 
 def own_optima(
-    transfer: Transfer, states: Array, beta: Array, known: Sequence[Extremals]
+    transfer: Transfer, states: Array, beta: Array, known: Sequence[Extremals], *, search: bool = True
 ) -> tuple[Optima, NDArray[np.bool_]]:
     """Minimum-time extremals of many sails, one a state.
 
@@ -33,9 +33,10 @@ def own_optima(
         states: (n, 3) r [AU], u, v [AU/TU] at the start.
         beta: (n,) normalised characteristic accelerations of the sails.
         known: extremals of the nominal sail from these states, at least its optima.
+        search: solve sails anew, which takes many seconds each; otherwise theirs are not found.
 
     Returns:
-        The optima of the sails; and (n,) which of them were solved anew.
+        The optima of the sails; and (n,) which of them were solved anew, or would have been.
     """
     beta = np.asarray(beta, float)
     best = no_optima(states)
@@ -52,7 +53,7 @@ def own_optima(
             best, at, optima_of(Transfers(transfer, beta[at]), states[at], followed.shots.rows(ended))
         )
     anew = ~best.found
-    for row in np.flatnonzero(anew):
+    for row in np.flatnonzero(anew) if search else ():
         own = replace(transfer, beta=float(beta[row]))
         keep_faster(best, np.array([row]), solve_states(own, states[[row]]))
     return best, anew
