@@ -14,7 +14,7 @@ FEW = 25
 """Up to so many states are solved one by one: indexing the generalisation set takes some twenty seconds."""
 
 
-def own_optimal_times(transfer: Transfer, assumed: Optima, beta_errors: Array, optics: Optics) -> Array:  # noqa: ARG001
+def own_optimal_times(transfer: Transfer, assumed: Optima, beta_errors: Array, optics: Optics) -> Array:
     """(n,) shortest times for sails other than the one assumed [TU]; NaN where none is known.
 
     By continuation from the optima of the sail as assumed. Where that ends at a fold, in some half a per cent
@@ -28,14 +28,17 @@ def own_optimal_times(transfer: Transfer, assumed: Optima, beta_errors: Array, o
         optics: of all of them.
     """
     times = assumed.time_of_flight.copy()
-    others = np.flatnonzero((beta_errors != 0.0) & assumed.found)
+    another = (beta_errors != 0.0) | (optics.force != transfer.optics.force)
+    others = np.flatnonzero(another & assumed.found)
     if len(others):
         nominal = assumed.rows(others)
         own, _ = own_optima(
             transfer,
             nominal.state,
+            nominal.arrival_costates,
+            nominal.time_of_flight,
             transfer.beta * (1.0 + beta_errors[others]),
-            [(nominal.arrival_costates, nominal.time_of_flight)],
+            optics,
             search=len(others) <= FEW,
         )
         times[others] = own.time_of_flight

@@ -35,7 +35,7 @@ class Followed:
     """Where continuation ended.
 
     Attributes:
-        shots: at share 1, one row an extremal; meaningless where it was not reached.
+        shots: at share 1, one row an extremal; not flown where it was not reached.
         reached: (n,) largest share that was solved: 1, or where a fold ended the branch.
         passed: (k, n) the shares after every step, the first of them 0.
     """
@@ -83,4 +83,7 @@ def follow(family: Family, states: Array, directions: Array, tau: Array) -> Foll
         share[won] = ahead[won]
         step[active] *= np.where(good, 2.0, 0.5)
         passed.append(share.copy())
-    return Followed(shoot(family(share), states, point[:, :3], point[:, 3]), share, np.array(passed))
+    ended = np.flatnonzero(share == 1.0)
+    shots, at = Shots.not_flown(point[:, :3], point[:, 3]), point[ended]
+    shots.put(ended, shoot(family(share).rows(ended), states[ended], at[:, :3], at[:, 3]))
+    return Followed(shots, share, np.array(passed))

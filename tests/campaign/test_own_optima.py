@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from sailnet.campaign import own_optima
 from sailnet.campaign.own_optima import assumed_optima, own_optimal_times
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.run import fly_plan
@@ -26,6 +27,24 @@ def test_a_stronger_sail_has_a_shorter_optimum_and_the_assumed_one_its_own() -> 
     assert times[0] < assumed.time_of_flight[0] < times[2]
     strong = solve(replace(PROBLEM, beta=1.1 * PROBLEM.beta), STATES[0])
     assert times[0] == pytest.approx(strong.time_of_flight, abs=1e-7)
+
+
+def test_a_real_sail_is_compared_with_what_a_real_sail_can_do() -> None:
+    """JPL's from the departure orbit, solved independently: 7.4397331 TU."""
+    assumed = assumed_optima(MISSION, STATES[1:2], anywhere=True)
+    times = own_optimal_times(PROBLEM, assumed, np.zeros(1), OPTICS["jpl"])
+    assert times[0] == pytest.approx(7.4397331, abs=1e-6)
+
+
+def test_of_many_what_cannot_be_followed_stays_unknown(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A search for each would take longer than all the rest; of a few it is made."""
+    assumed = assumed_optima(MISSION, STATES[1:2], anywhere=True)
+    lost = replace(assumed, arrival_costates=-assumed.arrival_costates)  # of no extremal
+    errors = np.full(1, 0.1)
+    assert np.isfinite(own_optimal_times(PROBLEM, lost, errors, OPTICS["ideal"])).all()
+    monkeypatch.setattr(own_optima, "FEW", 0)
+    assert np.isnan(own_optimal_times(PROBLEM, lost, errors, OPTICS["ideal"])).all()
+    assert np.isfinite(own_optimal_times(PROBLEM, assumed, errors, OPTICS["ideal"])).all()
 
 
 def test_every_flight_of_a_campaign_has_the_optimum_of_its_own_sail(tmp_path: Path) -> None:
