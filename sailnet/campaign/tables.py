@@ -102,23 +102,36 @@ def _excess(cell: Callable[[Spread, Spread, Share], str]) -> Callable[[Score], s
     return text
 
 
-def _percents(*values: float) -> str:
-    return ", ".join(percent(value) for value in values)
-
-
 def plain(value: float, digits: int = 3) -> str:
     """A number with so many significant digits and without an exponent."""
     return f"{float(f'{value:.{digits}g}'):,.15g}" if abs(value) >= 1e-4 else f"{value:.{digits}g}"
 
 
-def _degrees(spread: Spread) -> str:
-    return ", ".join(f"{value:,.0f}" for value in (spread.median, spread.high))
+def _several(score: Score, text: Callable[[float], str], *values: float) -> str:
+    """Quantiles in a row; of a single flight they are one number."""
+    return ", ".join(text(value) for value in (values if score.arrived.of > 1 else values[:1]))
+
+
+def _whole(value: float) -> str:
+    return f"{value:,.0f}"
+
+
+def _degrees(score: Score, spread: Spread) -> str:
+    return _several(score, _whole, spread.median, spread.high)
 
 
 def kilometres_and_speeds(components: Iterable[float]) -> str:
     """Sizes of r [AU], u, v [AU/TU] in km and m/s."""
     distance, *speeds = in_si(components)
     return f"{plain(distance)} km; {', '.join(plain(speed, 2) for speed in speeds)} m/s"
+
+
+def _reversals(score: Score, spread: Spread) -> str:
+    return _several(score, _whole, spread.median, spread.high, spread.worst)
+
+
+def _percents(score: Score, spread: Spread) -> str:
+    return _several(score, percent, spread.median, spread.high, spread.worst)
 
 
 def _si(score: Score, level: float) -> str:
@@ -158,16 +171,10 @@ HOME: Column = (
     f"home at the first approach: within {FIRST_APPROACH:g} optima",
     _excess(lambda _, __, home: share_text(home)),
 )
-REVERSALS: Column = (
-    "reversals: median, 99 %, worst",
-    lambda s: ", ".join(
-        f"{value:,.0f}"
-        for value in (s.behaviour.reversals.median, s.behaviour.reversals.high, s.behaviour.reversals.worst)
-    ),
-)
+REVERSALS: Column = ("reversals: median, 99 %, worst", lambda s: _reversals(s, s.behaviour.reversals))
 LATE: Column = (
     "above own optimum: median, 99 %, worst",
-    _excess(lambda relative, _, __: _percents(relative.median, relative.high, relative.worst)),
+    lambda s: NOTHING if s.excess is None else _percents(s, s.excess.relative),
 )
 ARRIVE: Column = ("arrive", lambda s: share_text(s.arrived))
 FAIL: Column = ("do not arrive", lambda s: failures_text(s.arrived))
@@ -175,11 +182,17 @@ UNKNOWN: Column = (
     "optimum unknown",
     lambda s: "all" if s.excess is None else f"{s.excess.unknown:,}" if s.excess.unknown else "none",
 )
-SLEW: Column = ("slew of the command [deg]: median, 99 %", lambda s: _degrees(s.behaviour.command_slew))
-TURNED: Column = ("of the sail [deg]: median, 99 %", lambda s: _degrees(s.behaviour.attitude_slew))
+SLEW: Column = (
+    "slew of the command [deg]: median, 99 %",
+    lambda s: _degrees(s, s.behaviour.command_slew),
+)
+TURNED: Column = (
+    "of the sail [deg]: median, 99 %",
+    lambda s: _degrees(s, s.behaviour.attitude_slew),
+)
 RATE: Column = (
     "rate of the command [deg/h]: median, 99 %",
-    lambda s: ", ".join(f"{value:.2g}" for value in (s.behaviour.rate.median, s.behaviour.rate.high)),
+    lambda s: _several(s, lambda value: f"{value:.2g}", s.behaviour.rate.median, s.behaviour.rate.high),
 )
 KEPT: Column = ("arrive, attitude kept too", lambda s: share_text(s.behaviour.kept))
 BEYOND: Column = (

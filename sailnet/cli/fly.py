@@ -6,6 +6,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from sailnet.cli.arguments import (
     Commands,
     add_command,
@@ -43,6 +45,7 @@ def run(options: argparse.Namespace) -> Result:
     """Fly; how it ended by name."""
     from sailnet.campaign.scores import in_si
     from sailnet.expert.fastest import solve
+    from sailnet.expert.real_sails import own_optima
     from sailnet.flight.closed_loop import Ending, fly_recorded
     from sailnet.report import need_pictures, report
 
@@ -62,6 +65,12 @@ def run(options: argparse.Namespace) -> Result:
     except SolveError as error:
         print(f"note: {error}", file=sys.stderr)
         optimum = None
+    own = None
+    if optimum is not None:
+        costates, times = optimum.arrival_costates[None], np.array([optimum.time_of_flight])
+        beta = mission.problem.beta * (1.0 + flight.beta_error)
+        sails, _ = own_optima(mission.problem, flight.starts, costates, times, beta, disturbance.optics)
+        own = float(sails.time_of_flight[0]) if sails.found[0] else None
     result: Result = {
         "arrived": bool(flight.arrived[0]),
         "ending": Ending(flight.ending[0]).name.lower(),
@@ -76,6 +85,7 @@ def run(options: argparse.Namespace) -> Result:
         "beta_error": float(flight.beta_error[0]),
         "beta_estimate": float(flight.beta_estimate[0]),
         "optimal_time_of_flight": None if optimum is None else optimum.time_of_flight,
+        "own_optimal_time_of_flight": own,
     }
     if options.plot is not None:
         facts = {key.replace("_", " "): readable(value) for key, value in result.items()}

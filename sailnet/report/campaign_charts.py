@@ -12,8 +12,8 @@ from sailnet.report.charts import BAD, GREY, PALETTE, Chart, Curve
 POINTS = 300
 """Of a distribution's curve."""
 
-SHOWN = 0.99
-"""Share of the times above the optimum that is in view: one detour would squeeze the rest."""
+LEAST_GAP = 1e-3
+"""Time above the optimum [%] below which flights are drawn together."""
 
 ARRIVED_SHOWN = 1500
 """Starts of flights that arrived, as a background."""
@@ -188,13 +188,12 @@ def _curve(number: int, name: str, label: str) -> Curve:
 
 def _gaps(results: Results, scores: list[Score]) -> Chart | None:
     columns: dict[str, Array] = {}
-    curves, ends = [], []
+    curves = []
     for number, score in enumerate(scores):
         gap = time_above_optimum(results, results.rows(score.series, score.period))
         if len(gap) < FEWEST:
             continue
-        value, level = _distribution(100.0 * gap)
-        ends += np.quantile(value, [0.0, SHOWN]).tolist()
+        value, level = _distribution(np.maximum(100.0 * gap, LEAST_GAP))
         columns |= {f"gap_{number}": value, f"share_{number}": level}
         curves.append(_curve(number, "gap", _label(score, scores)))
     if not curves:
@@ -203,13 +202,12 @@ def _gaps(results: Results, scores: list[Score]) -> Chart | None:
         "gaps",
         "Time above the optimum",
         "Of all flights, against the shortest time of the sail that flew, with what was still to go; those "
-        "that never came near count as the longest. "
-        f"The last {100 * (1 - SHOWN):.0f} % lie beyond the right edge: zoom out.",
+        f"that never came near count as the longest. What is below {LEAST_GAP:g} % is drawn there.",
         "time above the optimum of the sail that flew [%]",
         "flights [%]",
         curves,
         columns,
-        x_range=(min(ends), max(ends)),
+        logarithmic="x",
     )
 
 

@@ -136,7 +136,7 @@ def test_negative_numbers_are_numbers(number: str) -> None:
 def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
     keys = {"arrived", "time_of_flight", "terminal_error", "max_cone_angle", "optimal_time_of_flight"}
     keys |= {"beta_error", "beta_estimate", "ending", "nearest_error", "terminal_error_km_mps"}
-    keys |= {"max_attitude", "reversals", "command_slew_deg"}
+    keys |= {"max_attitude", "reversals", "command_slew_deg", "own_optimal_time_of_flight"}
     ends = []
     for options in (("--backend", "onnx"), ("--layout", "host"), ()):
         result = _json("fly", "1", "0", "1", *options)
@@ -146,6 +146,7 @@ def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
         assert max(result["terminal_error"]) < 1e-5
         assert result["beta_estimate"] == pytest.approx(0.16892, rel=1e-6)
         assert result["optimal_time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
+        assert result["own_optimal_time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
         ends.append([*result["terminal_error"], result["time_of_flight"]])
     for other in ends[:2]:
         assert ends[2] == pytest.approx(other, abs=1e-9)
