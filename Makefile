@@ -86,11 +86,12 @@ accept: $(exported)/exported
 	    --flights $(FLIGHTS) --seed $(SEED) --workers 2 --output $(run) --overwrite $(if $(RESTART),--restart)
 
 # Every other campaign with the networks that ship: results, pages, pictures; then the tables of them. One that
-# was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
+# was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small; PRECISION=both: also
+# in float32, which is what a Cortex-M4F flies.
 campaigns: | $(READY)
 	for name in $(filter-out acceptance,$(basename $(notdir $(wildcard sailnet/campaign/campaigns/*.toml)))); do \
 	    $(VENV)/bin/sailnet evaluate --campaign $$name --overwrite --mission $(MISSION) --output $(BUILD)/campaigns \
-	        --workers 2 $(addprefix --flights ,$(CAMPAIGN_FLIGHTS)) || exit 1; \
+	        --workers 2 $(addprefix --flights ,$(CAMPAIGN_FLIGHTS)) $(addprefix --precision ,$(PRECISION)) || exit 1; \
 	done
 	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.score_tables $(BUILD)/campaigns sailnet/campaign/RESULTS.md)
 

@@ -4,22 +4,29 @@ Guesses come from an index of coarse extremals, refined around the states that a
 Newton's method finishes them, and of the extremals that reach a state the fastest wins.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet.errors import SolveError
+from sailnet.expert.directions import Rows
 from sailnet.expert.index import Guesses, Index, build_index
 from sailnet.expert.prisms import bins_of
 from sailnet.expert.shooting import Shots, shoot
 from sailnet.physics.arrays import Array
 from sailnet.physics.extremals import arrival_gain, propagate_extremals
 from sailnet.physics.pontryagin import evaluate_hamiltonian, guidance_law, hamiltonian_bound
-from sailnet.physics.transfer import Transfer
+from sailnet.physics.transfer import AnyTransfer, Transfer
+
+Region = tuple[ArrayLike, ArrayLike]
+"""Lowest and highest state of a box."""
 
 RESIDUAL_GOAL = 1e-9
 """An extremal counts as found when it passes this close to the state (any component)."""
+
+EFFORT = 2
+"""How many times the budget of directions a second search may take, of the few states that need one."""
 
 SAME = 0.02
 """Guesses of one extremal from neighbouring prisms differ by less than this in time to go."""
@@ -40,6 +47,7 @@ class Extremal:
         residual: largest component of the error in the state.
         rival_time: time of flight [TU] of the next extremal found to reach the same state, NaN where
             none was. Extremals that take much longer are not looked for.
+        searched: time [TU] up to which every extremal was looked for, NaN if none but this one was.
     """
 
     state: Array
@@ -51,6 +59,12 @@ class Extremal:
     jump_time: float
     residual: float
     rival_time: float
+    searched: float
+
+    @property
+    def complete(self) -> bool:
+        """Whether all that could be faster was looked for: else the search ran out of directions before."""
+        return self.time_of_flight <= self.searched
 
 
 @dataclass(frozen=True)
@@ -69,11 +83,21 @@ class Optima:
     jump_time: Array
     residual: Array
     rival_time: Array
+    searched: Array
+
+    @property
+    def complete(self) -> NDArray[np.bool_]:
+        """(n,) which of them are known to be the fastest, see :attr:`Extremal.complete`."""
+        return np.asarray(self.time_of_flight <= self.searched)
 
     @property
     def found(self) -> NDArray[np.bool_]:
         """(n,) which states an extremal was found for."""
         return np.isfinite(self.time_of_flight)
+
+    def rows(self, chosen: object) -> "Optima":
+        """Some of them, in any order and any number of times."""
+        return Optima(*(column[chosen] for column in vars(self).values()))
 
     def extremal(self, row: int) -> Extremal:
         """One of them."""
@@ -109,7 +133,7 @@ def solve(transfer: Transfer, state: ArrayLike) -> Extremal:
 def solve_states(
     transfer: Transfer,
     states: ArrayLike,
-    region: tuple[ArrayLike, ArrayLike] | None = None,
+    region: Region | None = None,
     rivals: bool = False,
 ) -> Optima:
     """The minimum-time extremals from many states.
@@ -119,6 +143,8 @@ def solve_states(
         states: (n, 3) rows r [AU], u, v [AU/TU].
         region: lowest and highest state of a box to index at once, for this and later calls. By
             default what surrounds the states is indexed, and what was not found once more alone.
+            Where a faster one than found may have been missed, the search goes on until none is left, with
+            ``EFFORT`` times its budget.
         rivals: also look for the second fastest extremal.
 
     Raises:
@@ -132,13 +158,10 @@ def solve_states(
     if (np.abs(given - transfer.target_state).max(axis=1) < RESIDUAL_GOAL).any():
         raise SolveError("the state is on the target orbit already: there is nothing to solve")
     optima = _nothing(given)
-    for _ in range(2 if region is None else 1):
-        open_ = np.flatnonzero(~optima.found)
-        if not len(open_):
-            break
-        index = _index(transfer, given[open_], region)
-        guesses = _distinct(index.look_up(_scaled(transfer, given[open_])))
-        _put(optima, open_, _fastest(transfer, given[open_], guesses, rivals))
+    _search(transfer, optima, np.arange(len(given)), region, rivals)
+    if region is None:
+        _search(transfer, optima, np.flatnonzero(~optima.found), None, rivals)
+    _search(transfer, optima, np.flatnonzero(optima.found & ~optima.complete), None, rivals, longer=True)
     return optima
 
 
@@ -173,7 +196,7 @@ def sample_many(
 
 def extremal_of(transfer: Transfer, state: Array, shots: Shots, row: int) -> Extremal | None:
     """One shot as an extremal, or None if it does not reach the state."""
-    optima = _optima(transfer, state[None], shots.rows([row]))
+    optima = optima_of(transfer, state[None], shots.rows([row]))
     return optima.extremal(0) if optima.found[0] else None
 
 
@@ -183,16 +206,35 @@ def _scaled(transfer: Transfer, states: ArrayLike) -> Array:
     return np.asarray(np.asarray(states, float) * [1.0 / size, np.sqrt(size), np.sqrt(size)])
 
 
-def _index(transfer: Transfer, states: Array, region: tuple[ArrayLike, ArrayLike] | None) -> Index:
-    bins = bins_of(_scaled(transfer, states))
+def _search(
+    transfer: Transfer, optima: Optima, rows: Rows, region: Region | None, rivals: bool, longer: bool = False
+) -> None:
+    """Put what is found faster into some rows of ``optima``, and how far it was looked for."""
+    if not len(rows):
+        return
+    states = optima.state[rows]
+    scaled, size = _scaled(transfer, states), transfer.target_radius
+    index = _index(transfer, scaled, region, optima.time_of_flight[rows] / size**1.5 if longer else None)
+    _keep_faster(optima, rows, _fastest(transfer, states, _distinct(index.look_up(scaled)), rivals))
+    optima.searched[rows] = np.fmax(optima.searched[rows], index.searched(scaled) * size**1.5)
+
+
+def _index(transfer: Transfer, scaled: Array, region: Region | None, until: Array | None = None) -> Index:
+    """The index of the states' bins, or of a region; searched until all that is faster is known, if asked."""
+    bins = bins_of(scaled)
     if region is not None:
         low, high = bins_of(_scaled(transfer, np.array(region, float)))
         if (bins < low).any() or (bins > high).any():
             raise SolveError("a state lies outside the region that was to be indexed")
         bins = np.stack(np.meshgrid(*map(np.arange, low, high + 1), indexing="ij"), axis=-1).reshape(-1, 3)
-    wanted = tuple(map(tuple, np.unique(bins, axis=0).tolist()))
-    unit = Transfer(transfer.beta, transfer.phi_max, transfer.delta, 1.0)
-    return build_index(unit, wanted)
+    wanted, which = np.unique(bins, axis=0, return_inverse=True)
+    unit = replace(transfer, target_radius=1.0)
+    named = tuple(map(tuple, wanted.tolist()))
+    if until is None:
+        return build_index(unit, named)
+    last = np.zeros(len(wanted))
+    np.maximum.at(last, which.ravel(), until)
+    return build_index(unit, named, EFFORT, tuple(last.tolist()))
 
 
 def _distinct(guesses: Guesses) -> Guesses:
@@ -231,21 +273,24 @@ def _fastest(transfer: Transfer, states: Array, guesses: Guesses, rivals: bool) 
         rows, waiting = waiting[first], waiting[~first]
         at = guesses.state[rows]
         _keep_faster(
-            best, at, _optima(transfer, states[at], shoot(transfer, states[at], directions[rows], tau[rows]))
+            best,
+            at,
+            optima_of(transfer, states[at], shoot(transfer, states[at], directions[rows], tau[rows])),
         )
 
 
 def _keep_faster(best: Optima, at: NDArray[np.intp], found: Optima) -> None:
-    """Replace rows of ``best`` by what is faster; the slower of two different ones is a rival."""
+    """Replace rows ``at`` of ``best`` by what is faster; the slower of two different ones is a rival."""
     old, new = best.time_of_flight[at], found.time_of_flight
     faster = found.found & ~(new >= old)
     rival = np.where(np.abs(new - old) < 1e-6, np.nan, np.where(faster, old, new))
-    rival = np.fmin(best.rival_time[at], rival)
-    _put(best, at[faster], found, faster)
+    rival = np.fmin(np.fmin(best.rival_time[at], found.rival_time), rival)
+    put(best, at[faster], found, faster)
     best.rival_time[at] = rival
 
 
-def _put(best: Optima, at: NDArray[np.intp], found: Optima, chosen: object = ...) -> None:
+def put(best: Optima, at: NDArray[np.intp], found: Optima, chosen: object = ...) -> None:
+    """Replace rows ``at`` of ``best`` by the chosen ones of ``found``."""
     for mine, theirs in zip(vars(best).values(), vars(found).values(), strict=True):
         mine[at] = theirs[chosen]
 
@@ -255,10 +300,11 @@ def _nothing(states: Array) -> Optima:
         return np.full((len(states), *width), np.nan)
 
     jumps = np.zeros(len(states), int)
-    return Optima(states.copy(), empty(), empty(3), empty(3), empty(), jumps, empty(), empty(), empty())
+    columns = (empty(), empty(3), empty(3), empty(), jumps, empty(), empty(), empty(), empty())
+    return Optima(states.copy(), *columns)
 
 
-def _optima(transfer: Transfer, states: Array, shots: Shots) -> Optima:
+def optima_of(transfer: AnyTransfer, states: Array, shots: Shots) -> Optima:
     """Shots as extremals, their costates scaled to H = 0 (Eq. 19); NaN for what is none."""
     with np.errstate(divide="ignore"):
         scale = -1.0 / arrival_gain(transfer, shots.directions)[:, None]
@@ -274,11 +320,12 @@ def _optima(transfer: Transfer, states: Array, shots: Shots) -> Optima:
         jump_time=shots.jump_times.copy(),
         residual=shots.residual.copy(),
         rival_time=np.full(len(states), np.nan),
+        searched=np.full(len(states), np.nan),
     )
     drift = np.abs(evaluate_hamiltonian(transfer, states, costates, alpha))
     # Both ends stand for the whole: an order of magnitude is left to what lies between.
     ends = np.stack([np.broadcast_to(transfer.target_state, states.shape), states], axis=1)
     bound = 10.0 * hamiltonian_bound(transfer, ends, np.stack([optima.arrival_costates, costates], axis=1))
     reached = (shots.residual <= RESIDUAL_GOAL) & (drift <= bound) & (scale[:, 0] > 0.0)
-    _put(optima, np.flatnonzero(~reached), _nothing(states[~reached]))
+    put(optima, np.flatnonzero(~reached), _nothing(states[~reached]))
     return optima

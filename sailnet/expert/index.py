@@ -40,7 +40,8 @@ PRISM = 0.1
 """Longest edge of a prism that is not halved."""
 
 MOST = 60_000
-"""Directions at which the search ends: what is left to find is a needle in a haystack."""
+"""Directions at which the search ends, unless asked for more effort: what is left to find is a needle in a
+haystack. How far the search came is known for every bin (:meth:`Index.searched`)."""
 
 BULGE = 0.3
 """How far beyond its corners a prism may reach, in units of its largest extent."""
@@ -78,16 +79,20 @@ class Guesses:
 class Index:
     """Prisms listed by the bins they meet. Made by :func:`build_index`."""
 
-    def __init__(self, grid: Grid, directions: Array, prisms: list[Prisms]) -> None:
+    def __init__(self, grid: Grid, directions: Array, prisms: list[Prisms], searched: Array) -> None:
         columns = zip(*(vars(part).values() for part in prisms), strict=True)
         self._prisms = Prisms(*(np.concatenate(column) for column in columns))
-        self._grid, self._directions = grid, directions
+        self._grid, self._directions, self._searched = grid, directions, searched
         prism, bins = grid.listing(self._prisms.lowest, self._prisms.highest)
         self._listed = prism[np.argsort(bins, kind="stable")]
         self._first = np.append(0, np.cumsum(np.bincount(bins, minlength=len(grid))))
 
     def __len__(self) -> int:
         return len(self._prisms.column)
+
+    def searched(self, states: Array) -> Array:
+        """(n,) time to go up to which all that passes through the bins of (n, 3) states was refined."""
+        return np.asarray(self._searched[self._grid.numbers(states)])
 
     def look_up(self, states: Array) -> Guesses:
         """Everything that passes through or near (n, 3) states in the bins asked for."""
@@ -121,13 +126,22 @@ class Index:
 
 
 @lru_cache(maxsize=32)
-def build_index(transfer: Transfer, wanted: tuple[tuple[int, int, int], ...]) -> Index:
+def build_index(
+    transfer: Transfer,
+    wanted: tuple[tuple[int, int, int], ...],
+    effort: int = 1,
+    until: tuple[float, ...] = (),
+) -> Index:
     """Refine whatever passes through the bins that are wanted.
 
     Args:
         transfer: the problem with target radius 1.
         wanted: bins of states, see :func:`sailnet.expert.prisms.bins_of`.
+        effort: how many times ``MOST`` directions the search may take.
+        until: time to go up to which each of the bins is searched, filled or not. By default a bin is done
+            with soon after prisms hold its corners and its centre.
     """
+    most = effort * MOST
     grid = Grid(np.array(wanted))
     points = _test_points(grid)
     radii = (INNERMOST * min(1.0, BIN * grid.low[0]), max(OUTERMOST, 1.5 * points[:, :, 0].max()))
@@ -135,20 +149,21 @@ def build_index(transfer: Transfer, wanted: tuple[tuple[int, int, int], ...]) ->
     paths = np.empty((0, 1, 3), np.float32)
     held = np.zeros(points.shape[:2], bool)
     active = grid.wanted.copy()
+    searched = np.zeros(len(grid))
     found: list[Prisms] = []
     horizons = iter(HORIZONS)
     for start in range(0, round(HORIZONS[-1] / SPACING), WINDOW):
-        if not active.any() or len(directions) > MOST:
+        if not active.any() or len(directions) > most:
             break
         paths = paths[:, WINDOW:]
         if paths.shape[1] <= WINDOW:
             horizon = next(horizons)
             paths = _paths(transfer, directions, horizon, start, radii)
-        filled = grid.places[held.all(axis=1)]
+        done = np.array(until) <= SPACING * (start + WINDOW) if until else held.all(axis=1)
         sums, kept = sums_of(active), []
         for halving in range(HALVINGS + 1):
             near, edges = _near(grid, sums, paths[:, : WINDOW + 1], directions, leaves)
-            fine = (edges.max(axis=1) <= PRISM) | (halving == HALVINGS) | (len(directions) > MOST)
+            fine = (edges.max(axis=1) <= PRISM) | (halving == HALVINGS) | (len(directions) > most)
             kept.append(leaves[fine])
             which, column = np.nonzero(near & fine[:, None])
             found.append(Prisms.of(paths, leaves[which], start, column))
@@ -159,8 +174,10 @@ def build_index(transfer: Transfer, wanted: tuple[tuple[int, int, int], ...]) ->
             directions, leaves = halve(directions, leaves[~fine], np.argmax(edges[~fine], axis=1))
             paths = np.concatenate([paths, _paths(transfer, directions[born:], horizon, start, radii)])
         leaves = np.concatenate(kept)
-        active[tuple(filled.T)] = False
-    return Index(grid, directions, found)
+        if len(directions) <= most:
+            searched[active[grid.wanted]] = SPACING * (start + WINDOW)
+        active[tuple(grid.places[done].T)] = False
+    return Index(grid, directions, found, searched)
 
 
 def _test_points(grid: Grid) -> Array:

@@ -12,17 +12,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sailnet.errors import SolveError
+from sailnet.expert.continuation import follow
 from sailnet.expert.fastest import RESIDUAL_GOAL, Extremal, extremal_of, solve
-from sailnet.expert.shooting import shoot
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
+from sailnet.physics.optics import OPTICS, Optics
 from sailnet.physics.transfer import Transfer
-
-FIRST_STEP, SMALLEST_STEP = 0.2, 1e-4
-"""Steps of a homotopy as shares of its way: the first, and the one at which it gives up."""
-
-LARGEST_DEVIATION = 0.02
-"""A step whose time of flight is this far from the predicted one, relatively, left the branch."""
 
 
 @dataclass(frozen=True)
@@ -43,13 +38,17 @@ class Nominal:
     homotopy: Array
 
 
-def solve_nominal(mission: Mission) -> Nominal:
+def solve_nominal(mission: Mission, optics: Optics = OPTICS["ideal"]) -> Nominal:
     """Indirect shooting from the departure orbit with a homotopy in phi_max, then in delta.
+
+    Args:
+        mission: the problem and the departure orbit.
+        optics: of the sail; other than ideal they need a mission without smoothing.
 
     Raises:
         SolveError: neither the homotopy nor the expert found one of the three solutions.
     """
-    problem = mission.problem
+    problem = replace(mission.problem, optics=optics)
 
     def tightened(share: float) -> Transfer:
         bound = problem.phi_max if share == 1.0 else math.pi / 2 + share * (problem.phi_max - math.pi / 2)
@@ -76,40 +75,16 @@ def _fastest(transfer: Transfer, departure: Extremal, followed: Extremal | None)
         return followed
     if followed is None or found.time_of_flight < followed.time_of_flight - RESIDUAL_GOAL:
         return found
-    return followed
+    return replace(followed, searched=found.searched)
 
 
-def _follow(family: Callable[[float], Transfer], start: Extremal) -> tuple[list[float], Extremal | None]:
-    """Follow the branch of ``start``, which solves ``family(0)``, to ``family(1)``.
-
-    The arrival direction and the time are predicted along the last secant. The step is halved when
-    Newton's method fails or ends far from the prediction, and doubled after a success.
-
-    Returns:
-        The shares of the way that were solved, and the extremal at the end, None if it was not reached.
-    """
-    shares, extremal, step = [0.0], start, FIRST_STEP
-    point = previous = _unknowns(start)
-    while shares[-1] < 1.0:
-        share = min(shares[-1] + step, 1.0)
-        stretch = (share - shares[-1]) / (shares[-1] - shares[-2]) if len(shares) > 1 else 0.0
-        guess = point + stretch * (point - previous)
-        transfer = family(share)
-        shots = shoot(transfer, start.state[None], guess[None, :3], guess[3:], iterations=15)
-        deviation = abs(shots.tau[0] - guess[3])
-        reached = extremal_of(transfer, start.state, shots, 0)
-        if reached is None or deviation > LARGEST_DEVIATION * guess[3]:
-            step /= 2.0
-            if step < SMALLEST_STEP:
-                return shares, None
-            continue
-        extremal, previous, point = reached, point, _unknowns(reached)
-        shares.append(share)
-        step *= 2.0
-    return shares, extremal
-
-
-def _unknowns(extremal: Extremal) -> Array:
-    """(4,) the unit arrival costates and the time of flight: what shooting solves for."""
-    direction = extremal.arrival_costates / np.linalg.norm(extremal.arrival_costates)
-    return np.append(direction, extremal.time_of_flight)
+def _follow(family: Callable[[float], Transfer], start: Extremal) -> tuple[Array, Extremal | None]:
+    """The shares of the way that the branch of ``start`` was followed, and its end, None if not reached."""
+    followed = follow(
+        lambda shares: family(shares.item()),
+        start.state[None],
+        start.arrival_costates[None],
+        np.array([start.time_of_flight]),
+    )
+    end = extremal_of(family(1.0), start.state, followed.shots, 0) if followed.reached[0] == 1.0 else None
+    return np.unique(followed.passed), end

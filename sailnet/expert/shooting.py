@@ -12,7 +12,7 @@ import numpy as np
 
 from sailnet.physics.arrays import Array
 from sailnet.physics.propagation import MOST_STEPS, Propagator, propagator
-from sailnet.physics.transfer import Transfer
+from sailnet.physics.transfer import AnyTransfer
 
 ROUGH, ROUGH_GOAL = 1e-7, 1e-4
 """Tolerance of the derivatives and of the first steps, which cost a third so, and where those end."""
@@ -53,6 +53,19 @@ class Shots:
     jumps: Array
     jump_times: Array
 
+    @classmethod
+    def not_flown(cls, directions: Array, tau: Array) -> "Shots":
+        """Guesses, not propagated yet."""
+        count = len(tau)
+        return cls(
+            directions.copy(),
+            np.array(tau, float),
+            np.full((count, 6), np.nan),
+            np.full(count, np.inf),
+            np.zeros(count, int),
+            np.full(count, np.nan),
+        )
+
     def rows(self, chosen: object) -> "Shots":
         """A part of the problems."""
         return Shots(*(column[chosen] for column in vars(self).values()))
@@ -64,7 +77,7 @@ class Shots:
 
 
 def shoot(
-    transfer: Transfer,
+    transfer: AnyTransfer,
     targets: Array,
     directions: Array,
     tau: Array,
@@ -77,7 +90,7 @@ def shoot(
     so that the lanes of the integrator stay full.
 
     Args:
-        transfer: the problem.
+        transfer: the problem, or one a row.
         targets: (n, 3) states (r, u, v) to be met.
         directions: (n, 3) guesses of the arrival costates; only their direction counts.
         tau: (n,) guesses of the time to go [TU].
@@ -96,16 +109,16 @@ def shoot(
     best = _refine(fine, rough, transfer, targets, best, jacobian, goal, iterations)
     hard = np.flatnonzero((best.residual > goal) & (best.residual < PROMISING))
     if len(hard):
-        fine = propagator(transfer, variational=True)
-        start, jacobian = _fly_back(fine, transfer, targets[hard], best.directions[hard], best.tau[hard])
-        best.put(hard, _refine(fine, fine, transfer, targets[hard], start, jacobian, goal, iterations))
+        fine, hardest = propagator(transfer, variational=True), transfer.rows(hard)
+        start, jacobian = _fly_back(fine, hardest, targets[hard], best.directions[hard], best.tau[hard])
+        best.put(hard, _refine(fine, fine, hardest, targets[hard], start, jacobian, goal, iterations))
     return best
 
 
 def _refine(
     engine: Propagator,
     variational: Propagator,
-    transfer: Transfer,
+    transfer: AnyTransfer,
     targets: Array,
     best: Shots,
     jacobian: Array,
@@ -126,7 +139,7 @@ def _refine(
         turned = best.directions[active] + move[:, :3]
         turned /= np.linalg.norm(turned, axis=1, keepdims=True)
         later = np.maximum(best.tau[active] + move[:, 3], 1e-3)
-        trial, derivative = _fly_back(engine, transfer, targets[active], turned, later)
+        trial, derivative = _fly_back(engine, transfer.rows(active), targets[active], turned, later)
         old = best.residual[active]
         better = trial.residual < old
         won = active[better]
@@ -137,24 +150,18 @@ def _refine(
         else:
             stale = active[(trial.residual > STALE * old) & (best.residual[active] > goal)]
             at = best.rows(stale)
-            jacobian[stale] = _fly_back(variational, transfer, targets[stale], at.directions, at.tau)[1]
+            own = transfer.rows(stale)
+            jacobian[stale] = _fly_back(variational, own, targets[stale], at.directions, at.tau)[1]
         step[active] = _newton_step(best.rows(active), targets[active], jacobian[active])
     return best
 
 
 def _fly_back(
-    engine: Propagator, transfer: Transfer, targets: Array, directions: Array, tau: Array
+    engine: Propagator, transfer: AnyTransfer, targets: Array, directions: Array, tau: Array
 ) -> tuple[Shots, Array]:
     """Propagate every problem to its own time; also (n, 3, 3) derivatives along both tangents and tau."""
     count, lanes = len(tau), engine.lanes
-    shots = Shots(
-        directions.copy(),
-        np.array(tau, float),
-        np.full((count, 6), np.nan),
-        np.full(count, np.inf),
-        np.zeros(count, int),
-        np.full(count, np.nan),
-    )
+    shots = Shots.not_flown(directions, tau)
     jacobian = np.full((count, 3, 3), np.nan)
     initial = np.zeros((6, lanes))
     initial[:3] = np.array(transfer.target_state)[:, None]
@@ -169,7 +176,7 @@ def _fly_back(
         filled = np.resize(rows, lanes)
         initial[3:] = directions[filled].T
         tangents[3:] = across[filled].transpose(1, 2, 0)
-        engine.start(transfer, initial, tangents if engine.variational else None)
+        engine.start(transfer.rows(filled), initial, tangents if engine.variational else None)
         engine.integrator.propagate_until(tau[filled].tolist(), max_steps=MOST_STEPS)
         arrived = np.array(engine.integrator.time[:kept] == tau[rows])
         stopped = rows[~arrived & ~engine.failed()[:kept]]

@@ -9,12 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.errors import SolveError
 from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import IDEAL
 from sailnet.physics.pontryagin import guidance_law
 from sailnet.physics.propagation import MOST_STEPS, propagator
-from sailnet.physics.transfer import Transfer
+from sailnet.physics.real_law import force_curve
+from sailnet.physics.transfer import AnyTransfer, Transfer
 
 
-def arrival_gain(transfer: Transfer, costates: Array) -> Array:
+def arrival_gain(transfer: AnyTransfer, costates: Array) -> Array:
     """lambda . dx/dt at the target, whose value must be -1 for H = 0, Eq. (19).
 
     On the target orbit U = 0 and V^2/R = 1/R^2, so only the sail's force counts and lambda_R
@@ -25,8 +27,10 @@ def arrival_gain(transfer: Transfer, costates: Array) -> Array:
         costates: (n, 3) rows (lambda_R, lambda_U, lambda_V).
     """
     alpha = guidance_law(transfer, costates[:, 1], costates[:, 2])
-    pressure = transfer.beta * np.cos(alpha) ** 2 / transfer.target_radius**2
-    return np.asarray(pressure * (costates[:, 1] * np.cos(alpha) + costates[:, 2] * np.sin(alpha)))
+    coefficients = np.array([IDEAL]) if transfer.law is None else transfer.law.coefficients
+    radial, transverse = force_curve(alpha, coefficients)[0]
+    pressure = transfer.beta / transfer.target_radius**2
+    return np.asarray(pressure * (costates[:, 1] * radial + costates[:, 2] * transverse))
 
 
 def arrival_lambda_v(transfer: Transfer, lambda_u0: ArrayLike, arrival_sign: float) -> Array:
@@ -76,11 +80,11 @@ class Extremals:
     jump_times: Array
 
 
-def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike) -> Extremals:
+def propagate_extremals(transfer: AnyTransfer, costates: ArrayLike, tau: ArrayLike) -> Extremals:
     """Propagate Eq. (15) from the target orbit, Eq. (17), for many arrival costates at once.
 
     Args:
-        transfer: the problem.
+        transfer: the problem, or one a row.
         costates: (n, 3) arrival costates (lambda_R0, lambda_U0, lambda_V0).
         tau: (m,) increasing grid of time to go [TU], beginning at 0; or (n, m), one a row.
 
@@ -101,7 +105,7 @@ def propagate_extremals(transfer: Transfer, costates: ArrayLike, tau: ArrayLike)
         initial = np.empty((6, engine.lanes))
         initial[:3] = np.array(transfer.target_state)[:, None]
         initial[3:] = arrivals[lanes].T
-        engine.start(transfer, initial)
+        engine.start(transfer.rows(lanes), initial)
         sampled = engine.integrator.propagate_grid(grid[lanes].T.copy(), max_steps=MOST_STEPS)[1]
         kept = len(rows)
         states[rows] = sampled[:, :6, :kept].transpose(2, 0, 1)

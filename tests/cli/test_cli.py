@@ -11,6 +11,8 @@ from typing import Any
 
 import pytest
 
+import sailnet.expert.fastest
+import sailnet.expert.index
 from sailnet.cli.command_line import main
 
 
@@ -56,8 +58,9 @@ def _json(*arguments: str) -> dict[str, Any]:
 def test_solve_prints_the_optimum() -> None:
     result = _json("solve", "1", "0", "1")
     assert set(result) == {
-        "time_of_flight", "cone_angle", "costates", "jumps", "residual", "next_time_of_flight",
+        "time_of_flight", "cone_angle", "costates", "jumps", "residual", "complete", "next_time_of_flight",
     }  # fmt: skip
+    assert result["complete"] is True
     assert result["next_time_of_flight"] is None
     assert result["time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
     assert result["costates"] == pytest.approx([-7.23123, -4.31783, -7.73808], abs=1e-4)
@@ -83,6 +86,25 @@ def test_beyond_the_tested_range_solve_says_so_on_stderr() -> None:
     done = _run("solve", "1", "0", "1", "--phi-max", "90", "--smoothing", "0", "--beta", "0.45", "--json")
     assert done.stderr == "note: beta = 0.45 is outside the tested range, 0.05 to 0.4\n"
     assert json.loads(done.stdout)["residual"] <= 1e-9
+
+
+def test_solve_takes_a_sail_that_is_not_ideal() -> None:
+    """Golden: DOP853, the control minimised numerically."""
+    assert _json("solve", "1", "0", "1", "--optics", "jpl")["time_of_flight"] == pytest.approx(
+        7.4397331, abs=1e-7
+    )
+    done = _run("solve", "1", "0", "1", "--optics", "jpl", "--smoothing", "1e-3")
+    assert done.returncode == 1
+    assert "delta must be 0" in done.stderr
+
+
+def test_solve_says_when_its_search_ended_early(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sailnet.expert.fastest, "build_index", sailnet.expert.index.build_index.__wrapped__)
+    monkeypatch.setattr(sailnet.expert.index, "MOST", 2600)
+    monkeypatch.setattr(sailnet.expert.fastest, "EFFORT", 1)
+    done = _run("solve", "1.049", "0.0987", "0.9275", "--json")
+    assert json.loads(done.stdout)["complete"] is False
+    assert "may not be the fastest" in done.stderr
 
 
 def test_solve_reads_a_mission_file(tmp_path: Path) -> None:
@@ -113,7 +135,8 @@ def test_negative_numbers_are_numbers(number: str) -> None:
 
 def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
     keys = {"arrived", "time_of_flight", "terminal_error", "max_cone_angle", "optimal_time_of_flight"}
-    keys |= {"beta_error", "beta_estimate", "ending", "nearest_error"}
+    keys |= {"beta_error", "beta_estimate", "ending", "nearest_error", "terminal_error_km_mps"}
+    keys |= {"max_attitude", "reversals", "command_slew_deg", "own_optimal_time_of_flight"}
     ends = []
     for options in (("--backend", "onnx"), ("--layout", "host"), ()):
         result = _json("fly", "1", "0", "1", *options)
@@ -123,19 +146,37 @@ def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
         assert max(result["terminal_error"]) < 1e-5
         assert result["beta_estimate"] == pytest.approx(0.16892, rel=1e-6)
         assert result["optimal_time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
+        assert result["own_optimal_time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
         ends.append([*result["terminal_error"], result["time_of_flight"]])
     for other in ends[:2]:
         assert ends[2] == pytest.approx(other, abs=1e-9)
         assert ends[2] != other
 
 
-def test_evaluate_counts_arrivals() -> None:
-    result = _json("evaluate", "--flights", "20", "--seed", "6", "--period", "0.02")
-    counts = {"flights", "arrived", "success_share", "attitude_violations"}
-    assert set(result) == counts | {"confidence_interval", "error_quantiles"}
-    assert result["flights"] == 20
-    assert result["success_share"] == result["arrived"] / 20
+def test_evaluate_counts_arrivals_and_all_flights_against_the_optimum() -> None:
+    result = _json("evaluate", "--flights", "3", "--seed", "6", "--period", "0.02")
+    assert {
+        "flights", "arrived", "success_share", "attitude_violations", "confidence_interval",
+        "error_quantiles", "error_quantiles_km_mps", "time_above_own_optimum", "days_above_own_optimum",
+        "first_approach", "reversals", "command_slew_deg", "command_rate_deg_per_hour",
+        "attitude_beyond_bound", "arrived_attitude_kept", "outside_domain_periods", "beta_at_limit_periods",
+    } <= set(result)  # fmt: skip
+    assert result["flights"] == result["arrived"] == result["first_approach"] == 3
+    assert result["own_optimum_unknown"] == 0
+    above, days = result["time_above_own_optimum"], result["days_above_own_optimum"]
+    assert 0.0 < above["0.5"] <= above["0.99"] <= above["1"] < 0.02
+    assert 5.5 * 58.13 < days["mean"] / above["mean"] < 60.0 * 58.13
+    raw, si = result["error_quantiles"]["1"], result["error_quantiles_km_mps"]["1"]
+    assert si == pytest.approx([raw[0] * 149597870.7, raw[1] * 29784.69, raw[2] * 29784.69], rel=1e-6)
     assert result["attitude_violations"] == 0
+
+
+def test_evaluate_can_leave_the_expert_alone() -> None:
+    result = _json("evaluate", "--flights", "60", "--seed", "6", "--period", "0.05", "--without-optima")
+    assert result["time_above_own_optimum"] is None
+    assert result["reversals"]["1"] >= result["reversals"]["0.5"] >= 0.0
+    assert result["flights"] == 60
+    assert result["success_share"] == result["arrived"] / 60
 
 
 @pytest.mark.parametrize(

@@ -175,3 +175,25 @@ def test_a_state_out_of_reach_is_refused(
     monkeypatch.setattr(sailnet.expert.index, "HORIZONS", (7.0,))  # the rest only costs time here
     with pytest.raises(SolveError, match=f"no extremal found from r = {state[0]:g} AU"):
         solve(problem, state)
+
+
+def limit_search(monkeypatch: pytest.MonkeyPatch, most: int, effort: int) -> None:
+    monkeypatch.setattr(sailnet.expert.fastest, "build_index", sailnet.expert.index.build_index.__wrapped__)
+    monkeypatch.setattr(sailnet.expert.index, "MOST", most)
+    monkeypatch.setattr(sailnet.expert.fastest, "EFFORT", effort)
+
+
+@pytest.mark.slow
+def test_an_exhausted_search_says_so_and_one_with_more_effort_does_not(
+    problem: Transfer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    state = (1.049, 0.0987, 0.9275)
+    limit_search(monkeypatch, most=2600, effort=1)
+    short = solve(problem, state)
+    assert not short.complete
+    assert short.searched < short.time_of_flight
+    limit_search(monkeypatch, most=2600, effort=2)
+    longer = solve(problem, state)
+    assert longer.complete
+    assert short.searched < longer.time_of_flight <= longer.searched
+    assert longer.time_of_flight <= short.time_of_flight + 1e-9

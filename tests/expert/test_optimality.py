@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
+import sailnet.expert.fastest
 import sailnet.expert.index
 from sailnet.expert.fastest import solve, solve_states
 from sailnet.physics.extremals import arrival_gain, propagate_extremals
@@ -100,3 +101,16 @@ def test_a_much_finer_index_finds_nothing_faster(
     optima = solve_states(problem, states)
     assert optima.found.all()
     np.testing.assert_allclose(expected.time_of_flight, optima.time_of_flight, rtol=0, atol=1e-8)
+
+
+def test_half_the_prism_finds_nothing_faster_anywhere(
+    problem: Transfer, solved: Solved, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Random states of the generalisation set; the slowest are left to those who have minutes."""
+    rows = np.flatnonzero(solved.optima.time_of_flight < 12.0)[:6]
+    monkeypatch.setattr(sailnet.expert.index, "PRISM", 0.5 * sailnet.expert.index.PRISM)
+    monkeypatch.setattr(sailnet.expert.fastest, "build_index", sailnet.expert.index.build_index.__wrapped__)
+    finer = solve_states(problem, solved.states[rows])
+    assert finer.complete.all()
+    assert solved.optima.complete.all()
+    np.testing.assert_allclose(finer.time_of_flight, solved.optima.time_of_flight[rows], rtol=0, atol=1e-8)

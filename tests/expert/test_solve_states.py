@@ -156,9 +156,8 @@ def test_rivals_are_slower_and_do_exist(problem: Transfer, solved: Solved) -> No
 def extremal_with_time(problem: Transfer, solved: Solved, row: int, time: float) -> Array:
     """Arrival direction of the extremal that Newton's method finds from a guess with this time of flight."""
     size, state = problem.target_radius, solved.states[row]
-    guesses = sailnet.expert.fastest._index(problem, state[None], solved.region).look_up(
-        state[None] * [1 / size, size**0.5, size**0.5]
-    )
+    scaled = state[None] * [1 / size, size**0.5, size**0.5]
+    guesses = sailnet.expert.fastest._index(problem, scaled, solved.region).look_up(scaled)
     near = np.abs(guesses.tau * size**1.5 - time) < 0.2
     directions = guesses.directions[near] * [size**0.5, size**2, size**2]
     tau = guesses.tau[near] * size**1.5

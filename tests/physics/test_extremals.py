@@ -11,9 +11,9 @@ from sailnet.expert.fastest import Extremal
 from sailnet.expert.nominal import Nominal
 from sailnet.expert.shooting import shoot
 from sailnet.physics.extremals import Extremals, arrival_gain, arrival_lambda_v, propagate_extremals
-from sailnet.physics.pontryagin import evaluate_hamiltonian, guidance_law
+from sailnet.physics.pontryagin import evaluate_hamiltonian, guidance_law, hamiltonian_bound
 from sailnet.physics.propagation import propagator
-from sailnet.physics.transfer import Transfer
+from sailnet.physics.transfer import Transfer, Transfers
 from tests.reference import Array, fly, smoothed, unconstrained_angle
 
 NOMINAL_ARRIVAL = (-21.5117, 8.5435, -46.6171)
@@ -295,3 +295,24 @@ def test_the_slopes_are_the_derivative_by_time_to_go(problem: Transfer, jumping:
         ahead = propagate_extremals(problem, start[3:], grid).states[0]
         estimate = (4 * ahead[1] - ahead[2] - 3 * here) / 2e-4
         np.testing.assert_allclose(slope, estimate, rtol=1e-5, atol=1e-5)
+
+
+def test_every_row_may_have_a_sail_of_its_own(problem: Transfer) -> None:
+    beta = problem.beta * np.linspace(0.8, 1.2, 7)
+    sails = Transfers(problem, beta)
+    direction = np.tile([-20.81666, 7.31994, -45.17494], (7, 1))
+    costates = direction / -arrival_gain(sails, direction)[:, None]
+    found = propagate_extremals(sails, costates, [0.0, 6.5])
+    targets = found.states[:, 1, :3]
+    shots = shoot(sails, targets, direction + 0.05, np.full(7, 6.45))
+    assert shots.residual.max() <= 1e-10
+    alpha = guidance_law(problem, found.states[:, 1, 4], found.states[:, 1, 5])
+    bound = hamiltonian_bound(sails, found.states[..., :3], found.states[..., 3:])
+    h = evaluate_hamiltonian(sails, targets, found.states[:, 1, 3:], alpha)
+    assert (np.abs(h) <= bound).all()
+    for row in (0, 3, 6):
+        own = dataclasses.replace(problem, beta=float(beta[row]))
+        alone = propagate_extremals(own, costates[row], [0.0, 6.5])
+        np.testing.assert_allclose(alone.states[0], found.states[row], rtol=1e-9, atol=1e-9)
+        np.testing.assert_allclose(shots.tau[row], 6.5, rtol=0, atol=1e-8)
+    assert sails.rows(np.array([2])).beta == beta[2]
