@@ -13,8 +13,8 @@ PYTHON3 ?= python3
 VENV    ?= .venv
 PYTHON  := $(VENV)/bin/python
 READY   := $(VENV)/.ready
-# Markers of tests that need more than a bare machine has; pyproject.toml says what each is.
-TOOLS   := emulator or browser or analyser or peer or install or mount or cuda
+# Markers of tests that need more than a bare machine or a few minutes; pyproject.toml says what each is.
+TOOLS   := exhaustive or emulator or browser or analyser or peer or install or mount or cuda
 # Threads of BLAS beside the processes would only wait for each other.
 PYTEST  := OMP_NUM_THREADS=1 $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
@@ -86,11 +86,12 @@ accept: $(exported)/exported
 	    --flights $(FLIGHTS) --seed $(SEED) --workers 2 --output $(run) --overwrite $(if $(RESTART),--restart)
 
 # Every other campaign with the networks that ship: results, pages, pictures; then the tables of them. One that
-# was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small.
+# was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small; PRECISION=both: also
+# in float32, which is what a Cortex-M4F flies.
 campaigns: | $(READY)
 	for name in $(filter-out acceptance,$(basename $(notdir $(wildcard sailnet/campaign/campaigns/*.toml)))); do \
 	    $(VENV)/bin/sailnet evaluate --campaign $$name --overwrite --mission $(MISSION) --output $(BUILD)/campaigns \
-	        --workers 2 $(addprefix --flights ,$(CAMPAIGN_FLIGHTS)) || exit 1; \
+	        --workers 2 $(addprefix --flights ,$(CAMPAIGN_FLIGHTS)) $(addprefix --precision ,$(PRECISION)) || exit 1; \
 	done
 	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.score_tables $(BUILD)/campaigns sailnet/campaign/RESULTS.md)
 
@@ -146,11 +147,11 @@ lint: | $(READY)
 quick: lint
 	$(PYTEST) -m "not (slow or $(TOOLS))"
 
-# Every test that needs no more than Python, make and a C compiler.
+# Every test that needs no more than Python, make, a C compiler and ten seconds.
 test: lint
 	$(PYTEST) -m "not ($(TOOLS))"
 
-# The others. A tool that is missing is named with the line that installs it; where CI=true that fails.
+# The others, and the exhaustive ones. A tool that is missing is named with the line that installs it; where CI=true that fails.
 test-tools: | $(READY)
 	$(PYTEST) -m "$(TOOLS)"
 

@@ -131,7 +131,7 @@ def period_costs(mission: Mission, guidance: Guidance, seed: int) -> dict[str, o
     idle = Idle(cone_angle=0.5, time_of_flight=1.0, beta=0.17, hold=mission.flight.period)
 
     def plant_alone(disturbance: Disturbance) -> float:
-        given = rules(mission, disturbance, mission.flight.period)
+        given = rules(mission, disturbance, mission.flight.period, guidance.beta_range)
         run = _seconds(lambda: SideBySide(given, starts, 0, idle).fly(500))
         return 1e9 * run / BATCH / 500
 

@@ -6,7 +6,6 @@ one, so no sample is beaten by another extremal that the expert knows.
 """
 
 import numpy as np
-from scipy.stats.qmc import Sobol
 
 from data.block import block_of
 from data.flights import sample_evenly
@@ -33,6 +32,9 @@ def domain_shard(mission: Mission, shard: int) -> Block:
         mission: its ``dataset.domain`` section is the recipe.
         shard: number of the shard; with the recipe's seed it fixes the starts.
     """
+    # scipy.stats takes longer to load than all of this package.
+    from scipy.stats.qmc import Sobol
+
     recipe, problem = mission.dataset.domain, mission.problem
     low, high = widened(mission, recipe.margin)
     sequence = Sobol(3, rng=np.random.default_rng(recipe.seed))

@@ -10,7 +10,6 @@ from dataclasses import replace
 
 import numpy as np
 from scipy.spatial import cKDTree
-from scipy.stats.qmc import Sobol
 
 from data.block import block_of
 from data.domain import flights_block, widened
@@ -49,6 +48,9 @@ def wide_shard(mission: Mission, level: int) -> Block:
         mission: its ``dataset.wide`` section is the recipe.
         level: number of the value, which with the recipe's seed fixes everything.
     """
+    # scipy.stats takes longer to load than all of this package.
+    from scipy.stats.qmc import Sobol
+
     recipe = mission.dataset.wide
     share = np.linspace(*recipe.beta, recipe.levels)[level]
     problem = replace(mission.problem, beta=mission.sail.beta * float(share))

@@ -18,6 +18,12 @@ LIMITS = (
     "beta of one per cent a TU is beyond the networks: many flights miss. What they stand is below."
 )
 
+READING = (
+    "Times are above the shortest one of the sail that flew, its constant beta and its optics, over all "
+    "flights, with the least time still to go where a flight was stopped short. A reversal is a step "
+    "of the command of more than 40 degrees from one period to the next."
+)
+
 Facts = Mapping[str, Any]
 """JSON that a command of the run left."""
 
@@ -123,9 +129,9 @@ def model_card(
             "## Closed loop",
             "",
             "The exported C from random starts of the generalisation set, guidance period "
-            f"{rules.period:g} TU. Arrived: every component of the terminal error at most "
-            f"{rules.arrival_tolerance:g} "
-            "[AU, AU/TU, AU/TU], the cone angle never out of bounds; in brackets the 95 % interval.",
+            f"{rules.period:g} TU. Arrive: every component of the terminal error at most "
+            f"{rules.arrival_tolerance:g} [AU, AU/TU, AU/TU], no command out of bounds; in brackets the 95 % "
+            f"interval. {READING} A flight that never came near counts as {rules.longest:g} TU, a floor.",
             "",
             *acceptance_table(acceptance),
             "",

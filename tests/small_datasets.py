@@ -50,9 +50,13 @@ def with_recipe(mission: Mission, **changes: object) -> Mission:
 def invented_shard(seconds: float, number: int) -> Block:
     """A shard of trajectories of several lengths that takes the time it is told to take.
 
-    Its number is appended to the file that the variable SHARD_LOG names, if it is set.
+    Its number is appended to the file that the variable SHARD_LOG names, if it is set; but for the first,
+    it waits for the file that SHARD_GATE names.
     """
     time.sleep(seconds)
+    gate = os.environ.get("SHARD_GATE")
+    while gate and number and not Path(gate).exists():
+        time.sleep(0.01)
     if log := os.environ.get("SHARD_LOG"):
         with Path(log).open("a") as file:
             file.write(f"{number}\n")

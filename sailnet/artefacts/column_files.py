@@ -128,7 +128,9 @@ class ColumnFile:
     def __init__(self, path: Path, file: Any, layout: Layout) -> None:
         self._path, self._file, self._layout = path, file, layout
         if (schema := self.text("schema")) != layout.schema:
-            raise layout.error(f"{path} has schema {schema!r}, this version reads {layout.schema!r}")
+            raise layout.error(
+                f"{path} has schema {schema!r}, this version reads {layout.schema!r}: {layout.remedy}"
+            )
         self.digest: str = self.text("sha256")
         header = (content_digest(file, layout), _text_digest(self.text("provenance")))
         if header != (self.digest, self.text("provenance_sha256")):

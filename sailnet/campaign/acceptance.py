@@ -2,55 +2,58 @@
 
 from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, scores_of
+from sailnet.campaign.tables import (
+    ARRIVE,
+    BEYOND,
+    ERROR,
+    FAIL,
+    FLIGHTS,
+    HOME,
+    KEPT,
+    LATE,
+    MEAN,
+    MEDIAN,
+    PERIOD,
+    RATE,
+    RAW_MEDIAN,
+    REQUIRED,
+    REVERSALS,
+    SLEW,
+    Column,
+    table_of,
+    within_columns,
+)
 
 CAMPAIGN = "acceptance"
-
-CLOSE = 1e-4
-"""A terminal error [AU, AU/TU] that is reported apart."""
 
 
 def acceptance_table(results: Results) -> list[str]:
     """Lines of Markdown: random starts by disturbance, then single flights at several guidance periods."""
-    lines = [
-        "| flights | arrive within 1e-3 | within 1e-4 | median error (r, u, v) | 99 % error "
-        "| time above optimum: median, 99 %, largest |",
-        "|---|---|---|---|---|---|",
-    ]
     many, single = _by_kind(results)
-    for score in many:
-        low, high = score.arrived.interval
-        lines.append(
-            f"| {score.arrived.of}, {score.name} | {score.arrived.count} "
-            f"({100 * low:.2f} to {100 * high:.2f} %) | {100 * score.within[CLOSE].share:.2f} % "
-            f"| {_triple(score.component_quantiles[0.5])} | {max(score.component_quantiles[0.99]):.1e} "
-            f"| {_gaps(score, 0.5, 0.99, 1.0)} |"
-        )
+    flown: Column = ("flown", lambda score: score.name)
+    lines = []
+    for columns in (
+        [flown, FLIGHTS, MEAN, HOME, REVERSALS, LATE, FAIL],
+        [flown, *within_columns(many), REQUIRED, MEDIAN, ERROR, RAW_MEDIAN],
+        [flown, SLEW, RATE, KEPT, BEYOND],
+    ):
+        lines += [*table_of("", columns, many).markdown(), ""]
     if single:
-        head = "| case | period [TU] | terminal error (r, u, v) | time of flight [TU] |"
-        lines += ["", head, "|---|---|---|---|"]
-    for score in single:
-        flight = results.as_flights(results.rows(score.series, score.period))
-        lines.append(
-            f"| {score.name} | {score.period:g} | {_triple(flight.terminal_error[0].tolist())} "
-            f"| {flight.time_of_flight[0]:.5f} |"
-        )
+        case: Column = ("case", lambda score: score.name)
+        time: Column = ("time of flight [TU]", lambda score: f"{_time_of_flight(results, score):.5f}")
+        lines += table_of(
+            "", [case, PERIOD, MEAN, REVERSALS, SLEW, time, MEDIAN, RAW_MEDIAN], single
+        ).markdown()
     return lines
 
 
 def headline_table(results: Results) -> list[str]:
     """The same in a few rows: each series, the single flights at the mission's guidance period."""
-    lines = [
-        "| flown | arrive within 1e-3 | median error (r, u, v) | time above optimum: median, 99 % |",
-        "|---|---|---|---|",
-    ]
     many, single = _by_kind(results)
-    for score in [*many, *(score for score in single if score.period == results.mission.flight.period)]:
-        quantiles = (0.5, 0.99) if score.arrived.of > 1 else (0.5,)
-        lines.append(
-            f"| {score.name} | {score.arrived.count:,} of {score.arrived.of:,} "
-            f"| {_triple(score.component_quantiles[0.5])} | {_gaps(score, *quantiles)} |"
-        )
-    return lines
+    usual = [score for score in single if score.period == results.mission.flight.period]
+    flown: Column = ("flown", lambda score: score.name)
+    columns = [flown, MEAN, HOME, REVERSALS, ARRIVE, FAIL, MEDIAN]
+    return table_of("", columns, [*many, *usual]).markdown()
 
 
 def _by_kind(results: Results) -> tuple[list[Score], list[Score]]:
@@ -60,10 +63,5 @@ def _by_kind(results: Results) -> tuple[list[Score], list[Score]]:
     return [s for s in scores if not listed[s.series]], [s for s in scores if listed[s.series]]
 
 
-def _gaps(score: Score, *quantiles: float) -> str:
-    gap = score.gap_quantiles
-    return ", ".join(f"{100 * gap[q]:.3f} %" for q in quantiles) if gap else ""
-
-
-def _triple(values: list[float]) -> str:
-    return "(" + ", ".join(f"{value:.1e}" for value in values) + ")"
+def _time_of_flight(results: Results, score: Score) -> float:
+    return float(results.flights["time_of_flight"][results.rows(score.series, score.period)[0]])

@@ -8,18 +8,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.campaign.columns import KEPT, RECORDS, flight_columns, record_columns
+from sailnet.campaign.own_optima import assumed_optima, own_optimal_times
 from sailnet.campaign.plan import Plan, Starts
 from sailnet.campaign.random_flights import BATCH
-from sailnet.expert.fastest import solve_states
+from sailnet.campaign.time_to_go import time_to_go
+from sailnet.expert.fastest import Optima
 from sailnet.flight.closed_loop import Flights, History, fly, fly_recorded
+from sailnet.flight.plant import constant_errors, rules
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
 
 OPTIMA_BATCH = 2500
 """States solved at once."""
-
-FEW = 25
-"""Up to so many states are solved one by one: indexing the generalisation set takes some twenty seconds."""
 
 MOST_RECORDS = 1500
 """Periods of a trajectory of the sample that are kept at most: evenly spread, and a fifth are the last."""
@@ -63,9 +64,9 @@ def batches_of(plan: Plan, mission: Mission) -> list[Batch]:
             for first in range(0, series.count, BATCH):
                 count = min(BATCH, series.count - first)
                 batches.append(Batch("flights", number, period, first, count, sampled, plan.failures))
-        if optima := min(series.optima or 0, series.count):
+        if series.known:
             shown_by, most = wanted.get(series.starts, (number, 0))
-            wanted[series.starts] = (shown_by, max(most, optima))
+            wanted[series.starts] = (shown_by, max(most, series.known))
     for number, count in wanted.values():
         for first in range(0, count, OPTIMA_BATCH):
             batches.append(Batch("optima", number, 0.0, first, min(OPTIMA_BATCH, count - first), 0, 0))
@@ -126,6 +127,7 @@ class Job:
             # Memory for the histories of all flights would be too much; flown again, a flight is the same.
             histories = [history for row in kept.tolist() for history in recorded(row)[1]]
         columns = {f"flights/{name}": values for name, values in flight_columns(flights).items()}
+        columns["flights/time_to_go"] = time_to_go(self.mission, flights)
         columns["flights/series"] = np.full(batch.count, batch.series)
         columns["flights/period"] = np.full(batch.count, batch.period)
         columns["flights/number"] = numbers
@@ -142,21 +144,35 @@ class Job:
         return columns
 
     def _optima(self, batch: Batch) -> Columns:
-        series = self.plan.whole[batch.series]
+        """Of the sail as assumed, which all series with these starts share, and of each series' own sails."""
+        whole = self.plan.whole
+        series = whole[batch.series]
+        sharing = [number for number, other in enumerate(whole) if other.starts == series.starts]
         states = series.states(self.mission, self.plan.seed, batch.first, batch.count)
-        region = None
-        if series.starts == "generalisation" and (series.optima or 0) > FEW:
-            region = self.mission.generalisation.corners
-        distinct, which = np.unique(states, axis=0, return_inverse=True)
-        optima = solve_states(self.mission.problem, distinct, region=region)
-        costates = optima.arrival_costates[which.ravel()]
-        return {
-            "optimal_time": optima.time_of_flight[which.ravel()],
-            **{
-                f"optimal_{name}": costates[:, i]
-                for i, name in enumerate(("lambda_r", "lambda_u", "lambda_v"))
-            },
-        }
+        optima = assumed_optima(self.mission, states, anywhere=series.starts != "generalisation")
+        columns = {"optimal_time": optima.time_of_flight}
+        for i, name in enumerate(("lambda_r", "lambda_u", "lambda_v")):
+            columns[f"optimal_{name}"] = optima.arrival_costates[:, i]
+        for number in sharing:
+            known = max(0, min(batch.count, whole[number].known - batch.first))
+            own = np.full(batch.count, np.nan)
+            own[:known] = self._own(number, batch.first, optima.rows(slice(known)))
+            columns[own_column(number)] = own
+        return columns
+
+    def _own(self, number: int, first: int, assumed: Optima) -> Array:
+        """Optimal times of the sails of a series, from flight ``first`` on [TU]."""
+        series = self.plan.whole[number]
+        disturbance = series.disturbances(self.mission, self.plan.seed)
+        period = self.plan.periods_of(series, self.mission)[0]
+        given = rules(self.mission, disturbance, period, self.guidance.beta_range)
+        errors = constant_errors(given, range(first, first + len(assumed.time_of_flight)))
+        return own_optimal_times(self.mission.problem, assumed, errors, disturbance.optics)
+
+
+def own_column(series: int) -> str:
+    """Name, in a batch of optima, of the optimal times of the sails of a series."""
+    return f"own/{series}"
 
 
 def _thinned(record: Columns, most: int) -> Columns:

@@ -11,7 +11,7 @@ from sailnet.artefacts.column_files import Layout
 from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import Flights, History
 
-SCHEMA = "sailnet-campaign/1"
+SCHEMA = "sailnet-campaign/2"
 
 FLIGHTS: Mapping[str, tuple[str, str]] = {
     "series": ("1", "number of the series in the campaign"),
@@ -31,18 +31,26 @@ FLIGHTS: Mapping[str, tuple[str, str]] = {
     "optimal_lambda_r": ("TU/AU", "costate of r at the optimum's arrival; NaN likewise"),
     "optimal_lambda_u": ("TU^2/AU", "costate of u at the optimum's arrival"),
     "optimal_lambda_v": ("TU^2/AU", "costate of v at the optimum's arrival"),
+    "own_optimal_time": ("TU", "shortest time for the sail that flew, its constant beta and its optics"),
+    "time_to_go": ("TU", "least that was left to do where the flight ended; NaN where it was not near"),
     "ending": ("1", "1 stopped by its guidance, 2 lost, 3 too long"),
-    "arrived": ("1", "stopped within the mission's tolerance, the cone angle never out of bounds"),
+    "arrived": ("1", "stopped within the mission's tolerance, no command out of bounds"),
     "max_cone_angle": ("rad", "largest size of the command"),
     "max_attitude": ("rad", "largest size of the cone angle flown"),
     "beta_error": ("1", "constant relative error of beta"),
     "beta_estimate": ("1", "the guidance's last estimate of beta"),
     "nearest_error": ("1", "smallest largest component of the deviation at the end of any period"),
     "nearest_time": ("TU", "when that was"),
+    "command_slew": ("rad", "sum of the sizes of all steps of the command from one period to the next"),
+    "attitude_slew": ("rad", "by how much the actuator turned the sail in all"),
+    "command_rate": ("rad/TU", "that 99 % of the steps of the command, over the period, do not exceed"),
     "dose": ("TU/AU^2", "sunlight on the sail"),
     "periods": ("1", "guidance periods flown"),
     "outside": ("1", "of these, with a state outside the domain of the networks"),
     "outages": ("1", "of these, without guidance"),
+    "beyond_bound": ("1", "of these, with the cone angle flown beyond the bound"),
+    "beta_at_limit": ("1", "of these, with the estimate of beta at an end of its range"),
+    "reversals": ("1", "steps of the command of more than 40 degrees from one period to the next"),
 }
 KEPT: Mapping[str, tuple[str, str]] = {
     "flight": ("1", "row of /flights"),
@@ -66,7 +74,7 @@ RECORDS: Mapping[str, tuple[str, str]] = {
 }
 INTEGER = {
     **dict.fromkeys(("series", "number", "flight", "records"), "<i8"),
-    **dict.fromkeys(("periods", "outside", "outages"), "<u4"),
+    **dict.fromkeys(("periods", "outside", "outages", "beyond_bound", "beta_at_limit", "reversals"), "<u4"),
     **dict.fromkeys(("ending", "arrived", "status"), "<u1"),
 }
 LAYOUT = Layout(
@@ -80,7 +88,8 @@ LAYOUT = Layout(
     texts=("mission", "campaign", "networks"),
     small=True,
 )
-OPTIMUM = ("optimal_time", "optimal_lambda_r", "optimal_lambda_u", "optimal_lambda_v")
+OWN = "own_optimal_time"
+OPTIMUM = ("optimal_time", "optimal_lambda_r", "optimal_lambda_u", "optimal_lambda_v", OWN)
 """Columns of ``FLIGHTS`` that the expert fills."""
 
 _TRIPLES = {"starts": "start", "ends": "end", "terminal_error": "error"}

@@ -63,7 +63,7 @@ class Series(Section):
             (r, u, v), flown in turn.
         periods: guidance periods [TU], each of which flies all the flights; the mission's by default.
         disturbance: table of disturbances by name, on top of the mission's.
-        optima: for the first so many flights the expert is asked how fast they could have been.
+        optima: the expert is asked how fast the first so many flights could have been; by default all.
     """
 
     name: Annotated[str, Field(min_length=1, max_length=60)]
@@ -73,6 +73,11 @@ class Series(Section):
     periods: Periods | None = None
     disturbance: Annotated[dict[str, Any], AfterValidator(_known)] = Field(default_factory=dict)
     optima: Annotated[int, Field(ge=0)] | None = None
+
+    @property
+    def known(self) -> int:
+        """Flights whose optima are known, for each guidance period."""
+        return self.count if self.optima is None else min(self.optima, self.count)
 
     @property
     def count(self) -> int:
@@ -117,7 +122,7 @@ class Plan(Section):
     flights: Count | None = None
     starts: Starts = "generalisation"
     periods: Periods | None = None
-    optima: Annotated[int, Field(ge=0)] = 0
+    optima: Annotated[int, Field(ge=0)] | None = None
     thresholds: Increasing = (1e-4, 1e-3, 1e-2)
     sample: Annotated[int, Field(ge=0)] = 10
     failures: Annotated[int, Field(ge=0)] = 5000
@@ -196,6 +201,11 @@ FOLDER = "campaign/campaigns"
 def ready_campaigns() -> list[str]:
     """Names of the campaigns that come with the package."""
     return shipped_names(FOLDER)
+
+
+def single_precision(name: str) -> str:
+    """What the results of a campaign are called that was flown in float32 beside those in float64."""
+    return f"{name}-float32"
 
 
 def load_plan(name_or_path: str | Path) -> Plan:

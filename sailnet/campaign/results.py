@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.artefacts.column_files import Columns, open_columns, write_columns
-from sailnet.campaign.batches import Batch, Job
-from sailnet.campaign.columns import FLIGHTS, LAYOUT, OPTIMUM, flights_from, history_from
+from sailnet.campaign.batches import Batch, Job, own_column
+from sailnet.campaign.columns import FLIGHTS, LAYOUT, OPTIMUM, OWN, flights_from, history_from
 from sailnet.campaign.plan import Plan, parse_plan
 from sailnet.flight.closed_loop import Flights, History
 from sailnet.mission.mission import Mission, parse_mission
@@ -80,11 +80,13 @@ def _spread(plan: Plan, batch: Batch, optima: Columns, flown: list[tuple[Batch, 
     for flights, rows in flown:
         series = whole[flights.series]
         low = max(batch.first, flights.first)
-        high = min(batch.first + batch.count, flights.first + flights.count, series.optima or 0)
+        high = min(batch.first + batch.count, flights.first + flights.count, series.known)
         if series.starts == whole[batch.series].starts and low < high:
             target = slice(low - flights.first, high - flights.first)
+            source = slice(low - batch.first, high - batch.first)
             for name in OPTIMUM:
-                rows[f"flights/{name}"][target] = optima[name][low - batch.first : high - batch.first]
+                values = optima[own_column(flights.series) if name == OWN else name]
+                rows[f"flights/{name}"][target] = values[source]
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from sailnet.artefacts.files import fill_block
-from sailnet.campaign.plan import ready_campaigns
+from sailnet.campaign.plan import ready_campaigns, single_precision
+from sailnet.campaign.tables import Table
 from sailnet.errors import CampaignError, SailnetError
 
 MARK = "campaigns"
@@ -18,13 +19,14 @@ def campaign_tables(records: Sequence[Mapping[str, Any]]) -> str:
     """Markdown of what ``scores.json`` of some campaigns hold."""
     blocks = []
     for record in records:
-        table = record["table"]
-        software, lines = record["software"], [table["heads"], ["---"] * len(table["heads"]), *table["cells"]]
+        software = record["software"]
         made = f"{software['machine']}, {software['date']}, revision {software['revision']}"
         blocks.append(
-            f"**{record['title']}** (`{record['campaign']}`, networks `{record['networks'][:8]}`, seed "
-            f"{record['seed']}, {made})\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines)
+            f"**{record['title']}** (`{record['campaign']}`, {record['precision']}, networks "
+            f"`{record['networks'][:8]}`, seed {record['seed']}, {made})"
         )
+        for table in record["tables"]:
+            blocks.append("\n".join([f"*{table['title']}*", "", *Table(**table).markdown()]))
     return "\n\n".join(blocks)
 
 
@@ -34,7 +36,8 @@ def read_records(folder: Path) -> list[dict[str, Any]]:
     Raises:
         CampaignError: none was, or a file is damaged.
     """
-    paths = [folder / name / "scores.json" for name in ready_campaigns()]
+    names = [each for name in ready_campaigns() for each in (name, single_precision(name))]
+    paths = [folder / name / "scores.json" for name in names]
     try:
         records = [json.loads(path.read_text(encoding="utf-8")) for path in paths if path.exists()]
     except (OSError, ValueError) as error:

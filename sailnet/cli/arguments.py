@@ -40,11 +40,15 @@ def state_parser(nargs: Literal["?"] | None = None) -> argparse.ArgumentParser:
     return parser
 
 
-def backend_parser() -> argparse.ArgumentParser:
-    """Which guidance flies."""
+BOTH = "both"
+"""A choice of precision: a campaign in one after the other."""
+
+
+def backend_parser(*more: str) -> argparse.ArgumentParser:
+    """Which guidance flies; ``more`` are further choices of its precision."""
     parser = argparse.ArgumentParser(add_help=False)
     parser.add_argument("--backend", choices=("c", "onnx"), default="c", help="what runs the networks")
-    parser.add_argument("--precision", choices=("float64", "float32"), default="float64")
+    parser.add_argument("--precision", choices=("float64", "float32", *more), default="float64")
     parser.add_argument(
         "--layout",
         choices=("flight", "host"),

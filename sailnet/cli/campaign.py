@@ -5,19 +5,25 @@ import shlex
 from contextlib import nullcontext
 from pathlib import Path
 
-from sailnet.campaign.plan import load_plan
+from sailnet.campaign.plan import Plan, load_plan, single_precision
 from sailnet.campaign.run import fly_plan
-from sailnet.campaign.scores import score_lines, score_record, scores_of
+from sailnet.campaign.scores import score_record, scores_of
+from sailnet.campaign.tables import score_tables
+from sailnet.cli.arguments import BOTH
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.interface import Precision
 from sailnet.mission.disturbances import catalogue
-from sailnet.mission.mission import load_mission
+from sailnet.mission.mission import Mission, load_mission
 from sailnet.report import need_pictures, report
 from sailnet.workers.executors import workers
 
 
 def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     """Carry out the command; the tables are printed unless JSON is wanted.
+
+    In both precisions the answer is that of float64, with that of float32 as ``float32``, whose results lie
+    beside it under the campaign's name and ``-float32``.
 
     Raises:
         SailnetError: options that a campaign does not take; whatever stops the flights or the report.
@@ -29,14 +35,23 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     mission, plan = load_mission(options.mission), load_plan(options.campaign)
     plan = plan.changed(options.flights, options.seed)
     need_pictures()
-    guidance = load_guidance(
-        mission, options.backend, options.precision, options.networks, layout=options.layout
-    )
-    facts = {"backend": options.backend, "precision": options.precision}
+    if options.precision != BOTH:
+        return _flown(options, mission, plan, plan.name, options.precision)
+    return _flown(options, mission, plan, plan.name, "float64") | {
+        "float32": _flown(options, mission, plan, single_precision(plan.name), "float32")
+    }
+
+
+def _flown(
+    options: argparse.Namespace, mission: Mission, plan: Plan, name: str, precision: Precision
+) -> dict[str, object]:
+    """Fly in one precision; results and report under a name."""
+    guidance = load_guidance(mission, options.backend, precision, options.networks, layout=options.layout)
+    facts = {"backend": options.backend, "precision": precision}
     if options.backend == "c":
         facts["layout"] = options.layout
-    stored: Path = options.output / f"{plan.name}.h5"
-    folder: Path = options.output / plan.name
+    stored: Path = options.output / f"{name}.h5"
+    folder: Path = options.output / name
     alone = options.workers == 1 and options.scheduler is None
     with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:
         results = fly_plan(
@@ -51,9 +66,12 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
         )
     scores = scores_of(results)
     if not options.json:
-        print("\n".join(score_lines(scores)), end="\n\n")
+        for table in score_tables(scores):
+            print("\n".join([f"{table.title}, {precision}:", *table.lines()]), end="\n\n")
     try:
-        rows = report("campaign_page").write_report(results, folder, guidance, command=_command(options))
+        rows = report("campaign_page").write_report(
+            results, folder, guidance, command=_command(options, precision)
+        )
     except (SailnetError, OSError) as error:
         raise SailnetError(f"{stored} is written, but not its report: {error}") from error
     if rows and not options.json:
@@ -65,12 +83,12 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     return result | {"digest": results.digest}
 
 
-def _command(options: argparse.Namespace) -> str:
+def _command(options: argparse.Namespace, precision: Precision) -> str:
     """What flies the same campaign again, wherever it writes to."""
     defaults = {"mission": "earth_mars", "backend": "c", "precision": "float64"}
     words = ["sailnet", "evaluate", "--campaign", options.campaign]
     for name in ("mission", "backend", "precision", "networks", "flights", "seed"):
-        value = getattr(options, name)
+        value = precision if name == "precision" else getattr(options, name)
         if value is not None and value != defaults.get(name):
             words += [f"--{name}", str(value)]
     return shlex.join(words)

@@ -1,9 +1,12 @@
 """``sailnet fly``: one closed-loop flight."""
 
 import argparse
+import math
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from sailnet.cli.arguments import (
     Commands,
@@ -40,7 +43,9 @@ def add(commands: Commands) -> None:
 
 def run(options: argparse.Namespace) -> Result:
     """Fly; how it ended by name."""
+    from sailnet.campaign.scores import in_si
     from sailnet.expert.fastest import solve
+    from sailnet.expert.real_sails import own_optima
     from sailnet.flight.closed_loop import Ending, fly_recorded
     from sailnet.report import need_pictures, report
 
@@ -60,16 +65,27 @@ def run(options: argparse.Namespace) -> Result:
     except SolveError as error:
         print(f"note: {error}", file=sys.stderr)
         optimum = None
+    own = None
+    if optimum is not None:
+        costates, times = optimum.arrival_costates[None], np.array([optimum.time_of_flight])
+        beta = mission.problem.beta * (1.0 + flight.beta_error)
+        sails, _ = own_optima(mission.problem, flight.starts, costates, times, beta, disturbance.optics)
+        own = float(sails.time_of_flight[0]) if sails.found[0] else None
     result: Result = {
         "arrived": bool(flight.arrived[0]),
         "ending": Ending(flight.ending[0]).name.lower(),
         "time_of_flight": float(flight.time_of_flight[0]),
         "terminal_error": flight.terminal_error[0].tolist(),
         "nearest_error": float(flight.nearest_error[0]),
+        "terminal_error_km_mps": in_si(flight.terminal_error[0]),
         "max_cone_angle": float(flight.max_cone_angle[0]),
+        "max_attitude": float(flight.max_attitude[0]),
+        "reversals": int(flight.reversals[0]),
+        "command_slew_deg": math.degrees(flight.command_slew[0]),
         "beta_error": float(flight.beta_error[0]),
         "beta_estimate": float(flight.beta_estimate[0]),
         "optimal_time_of_flight": None if optimum is None else optimum.time_of_flight,
+        "own_optimal_time_of_flight": own,
     }
     if options.plot is not None:
         facts = {key.replace("_", " "): readable(value) for key, value in result.items()}

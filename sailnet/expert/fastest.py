@@ -95,6 +95,10 @@ class Optima:
         """(n,) which states an extremal was found for."""
         return np.isfinite(self.time_of_flight)
 
+    def rows(self, chosen: object) -> "Optima":
+        """Some of them, in any order and any number of times."""
+        return Optima(*(column[chosen] for column in vars(self).values()))
+
     def extremal(self, row: int) -> Extremal:
         """One of them."""
         arrays = {"state", "costates", "arrival_costates"}

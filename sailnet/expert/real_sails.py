@@ -24,6 +24,8 @@ def own_optima(
     times_of_flight: Array,
     beta: Array,
     optics: Optics = OPTICS["ideal"],
+    *,
+    search: bool = True,
 ) -> tuple[Optima, NDArray[np.bool_]]:
     """Minimum-time extremals of many sails, one a state.
 
@@ -38,9 +40,10 @@ def own_optima(
         times_of_flight: (n,) of those [TU].
         beta: (n,) normalised characteristic accelerations of the sails.
         optics: of the sails. If these or the nominal's are not ideal, the exact law is solved for, delta = 0.
+        search: solve anew what cannot be followed, which takes many seconds a sail; else it is not found.
 
     Returns:
-        The optima of the sails, ``searched`` NaN unless solved anew; and (n,) which of them were.
+        The optima of the sails, ``searched`` NaN unless solved anew; and (n,) which of them were or would be.
     """
     beta = np.asarray(beta, float)
     ends = np.array([transfer.optics.force, optics.force])
@@ -54,7 +57,7 @@ def own_optima(
     followed = follow(sails, states, arrival_costates, times_of_flight)
     optima = optima_of(sails(np.ones(len(beta))), states, followed.shots)
     anew = ~optima.found
-    for row in np.flatnonzero(anew):
+    for row in np.flatnonzero(anew) if search else ():
         very = replace(own, beta=float(beta[row]))
         put(optima, np.array([row]), solve_states(very, states[[row]]))
     return optima, anew

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet.errors import SailnetError
-from sailnet.flight.plant import STATE, SideBySide, rules
+from sailnet.flight.plant import STATE, SideBySide, rules, step_quantile
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
@@ -27,6 +27,9 @@ from sailnet.physics.arrays import Array
 BLOCK = 256
 """Guidance periods flown in one call of the plant; between calls an interruption is noticed."""
 
+
+FAST = 0.99
+"""Share of the steps of a command that ``Flights.command_rate`` bounds."""
 
 AS_RECORDED = ("time", "seen", "cone_angle", "attitude", "beta", "beta_estimate", "status")
 """Attributes of a ``History`` that are members of ``plant_record``."""
@@ -62,11 +65,18 @@ class Flights:
         nearest_error: smallest largest component of the deviation at the end of any period: what a stop
             rule that knew the truth would have got.
         nearest_time: when that was [TU].
+        command_slew: sum of the sizes of all steps of the command, from one period to the next [rad].
+        attitude_slew: by how much the actuator turned the sail in all [rad].
+        command_rate: 99 % of the steps of the command are at most this, over the guidance period [rad/TU];
+            too large by at most 1/16 (:func:`sailnet.flight.plant.step_quantile`).
         dose: sunlight that fell on the sail [TU/AU^2].
         periods: guidance periods flown.
         outside: of these, with a state outside the domain of the networks.
         outages: of these, without guidance.
-        arrived: stopped, within the mission's tolerance, the cone angle never out of bounds.
+        beyond_bound: of these, with the cone angle flown, misalignment and all, beyond the bound.
+        beta_at_limit: of these, with the guidance's estimate of beta at an end of its range.
+        reversals: steps of the command of more than ``plant.REVERSAL``, 40 degrees.
+        arrived: stopped, within the mission's tolerance, no command out of bounds.
     """
 
     starts: Array
@@ -80,16 +90,27 @@ class Flights:
     beta_estimate: Array
     nearest_error: Array
     nearest_time: Array
+    command_slew: Array
+    attitude_slew: Array
+    command_rate: Array
     dose: Array
     periods: NDArray[np.uint32]
     outside: NDArray[np.uint32]
     outages: NDArray[np.uint32]
+    beyond_bound: NDArray[np.uint32]
+    beta_at_limit: NDArray[np.uint32]
+    reversals: NDArray[np.uint32]
     arrived: NDArray[np.bool_]
 
     @property
     def stopped(self) -> NDArray[np.bool_]:
         """(n,) the guidance ended the flight; else it was lost or took too long."""
         return np.asarray(self.ending == Ending.STOPPED)
+
+    @property
+    def kept_attitude(self) -> NDArray[np.bool_]:
+        """(n,) the cone angle flown, and not the command alone, was within the bound all the time."""
+        return np.asarray(self.beyond_bound == 0)
 
     @staticmethod
     def join(parts: "list[Flights]") -> "Flights":
@@ -155,7 +176,7 @@ def fly(
     start, under_way = _departing(mission, guidance, starts, disturbance, period, first)
     while under_way.flying:
         under_way.fly(BLOCK)
-    return _flights(mission, start, under_way.sails)
+    return _flights(mission, start, under_way)
 
 
 def fly_recorded(
@@ -174,7 +195,7 @@ def fly_recorded(
         blocks.append(under_way.fly_recorded(BLOCK))
     whole = np.concatenate(blocks)
     histories = [_history(whole[: sail["periods"], i]) for i, sail in enumerate(under_way.sails)]
-    return _flights(mission, start, under_way.sails), histories
+    return _flights(mission, start, under_way), histories
 
 
 def _departing(
@@ -189,11 +210,13 @@ def _departing(
     if start.shape[1:] != (3,) or not np.isfinite(start).all() or not np.all(start[:, 0] > 0.0):
         raise SailnetError(f"a start needs three finite numbers (r, u, v) with r > 0, not {start.tolist()}")
     held = mission.flight.period if period is None else period
-    given = rules(mission, mission.disturbance if disturbance is None else disturbance, held)
+    wanted = mission.disturbance if disturbance is None else disturbance
+    given = rules(mission, wanted, held, guidance.beta_range)
     return start, SideBySide(given, start, first, guidance.steering(len(start)))
 
 
-def _flights(mission: Mission, start: Array, sails: NDArray[np.void]) -> Flights:
+def _flights(mission: Mission, start: Array, flown: SideBySide) -> Flights:
+    sails = flown.sails
     ends = np.column_stack([sails["state"][component] for component in "ruv"])
     terminal_error = np.abs(ends - np.array(mission.problem.target_state))
     inside = np.all(terminal_error <= mission.flight.arrival_tolerance, axis=1)
@@ -205,6 +228,7 @@ def _flights(mission: Mission, start: Array, sails: NDArray[np.void]) -> Flights
         time_of_flight=sails["time"].copy(),
         terminal_error=terminal_error,
         arrived=(sails["ending"] == Ending.STOPPED) & inside & bounded,
+        command_rate=step_quantile(sails["steps"], FAST) / flown.period,
         dose=sails["state"]["dose"].copy(),
         **{name: sails[name].copy() for name in named},
     )

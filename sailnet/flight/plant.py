@@ -6,7 +6,7 @@ the plant directly, anything else through a callback.
 
 import ctypes
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,9 @@ TOLERANCE = 1e-13
 MOST_PERIODS = 10**8
 """A flight of more guidance periods is refused."""
 
+REVERSAL = math.radians(40.0)
+"""A command that differs by more from that of the period before reverses the sail [rad]."""
+
 OPTICS_COEFFICIENTS = ("normal_square", "normal_linear", "tangential")
 """Names of ``Optics.force``, in its order."""
 
@@ -36,13 +39,16 @@ STATE = ("r", "theta", "u", "v")
 """Names of a polar state, in the order of its rows or columns."""
 
 
-def rules(mission: Mission, disturbance: Disturbance, period: float) -> NDArray[np.void]:
+def rules(
+    mission: Mission, disturbance: Disturbance, period: float, beta_range: tuple[float, float]
+) -> NDArray[np.void]:
     """What the plant has to know: ``plant_rules``.
 
     Args:
         mission: the sail's beta, the target and the longest flight.
         disturbance: how the sail differs.
         period: guidance period [TU].
+        beta_range: smallest and largest beta that the guidance estimates.
 
     Raises:
         SailnetError: a period that is not positive, too long for steering or too short for the mission's
@@ -71,6 +77,9 @@ def rules(mission: Mission, disturbance: Disturbance, period: float) -> NDArray[
             "largest_radius": RADII[1],
             "tolerance": TOLERANCE,
             "target": mission.problem.target_state,
+            "bound": mission.problem.phi_max,
+            "reversal": REVERSAL,
+            "beta_range": beta_range,
             "beta": mission.sail.beta,
             "optics": optics_of(disturbance.optics.force),
         },
@@ -80,6 +89,33 @@ def rules(mission: Mission, disturbance: Disturbance, period: float) -> NDArray[
 def optics_of(force: tuple[float, float, float]) -> NDArray[np.void]:
     """``plant_optics`` of ``Optics.force``."""
     return plant().filled("plant_optics", dict(zip(OPTICS_COEFFICIENTS, force, strict=True)))
+
+
+def constant_errors(rules: NDArray[np.void], numbers: Sequence[int]) -> Array:
+    """(n,) constant relative errors of beta that flights with these numbers depart with."""
+    loaded = plant()
+    sails = np.zeros(len(numbers), loaded.structures["plant_sail"])
+    sails["number"] = numbers
+    for place in range(len(sails)):
+        loaded.functions.plant_depart(rules.ctypes.data, sails[place:].ctypes.data)
+    return np.asarray(sails["beta_error"].copy())
+
+
+def step_quantile(steps: NDArray[np.uint32], level: float) -> Array:
+    """(n,) a bound that this share of the steps of a command does not exceed [rad]; 0 without any step.
+
+    It is the upper edge of the size that the quantile falls into: too large by at most 1/16, and no less
+    than ``plant_step_edge(0)``, 0.004 degrees.
+
+    Args:
+        steps: (n, sizes) counts by size, ``plant_sail.steps``.
+        level: from 0 to 1.
+    """
+    sizes = steps.shape[1]
+    edges = np.array([plant().functions.plant_step_edge(size) for size in range(sizes)])
+    upto = np.cumsum(steps, axis=1, dtype=np.int64)
+    reached = upto >= np.maximum(1, np.ceil(level * upto[:, -1:]))
+    return np.where(reached.any(axis=1), edges[reached.argmax(axis=1)], 0.0)
 
 
 class SideBySide:
@@ -128,6 +164,11 @@ class SideBySide:
             address = ctypes.cast(self._callback, ctypes.c_void_p).value or 0
         functions = {"f32": 0, "f64": 0} | {bits: address}
         self._steering = loaded.filled("plant_steering", {**functions, "memories": memories})
+
+    @property
+    def period(self) -> float:
+        """Guidance period [TU]."""
+        return float(self._rules["period"])
 
     @property
     def flying(self) -> int:

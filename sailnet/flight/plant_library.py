@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from sailnet.artefacts.checksums import verify_checksum
 from sailnet.errors import GuidanceError
 
-API_VERSION = 2
+API_VERSION = 3
 
 LIBRARY = Path(__file__).parent / "native" / "plant.so"
 
@@ -60,6 +60,8 @@ class Plant:
             functions.plant_fly.restype = number
             functions.plant_fly.argtypes = [_POINTER, _POINTER, _POINTER, number, _POINTER]
             functions.plant_hold.argtypes = [_POINTER, *[ctypes.c_double] * 4, _POINTER, _POINTER]
+            functions.plant_depart.restype, functions.plant_depart.argtypes = None, [_POINTER] * 2
+            functions.plant_step_edge.restype, functions.plant_step_edge.argtypes = ctypes.c_double, [word]
             functions.plant_philox.restype = None
             functions.plant_philox.argtypes = [_POINTER] * 3
             for draw in (functions.plant_uniform, functions.plant_normal):

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize.elementwise import bracket_root, find_root
 
 from sailnet.errors import SolveError
 from sailnet.physics.arrays import Array
@@ -46,6 +45,9 @@ def arrival_lambda_v(transfer: Transfer, lambda_u0: ArrayLike, arrival_sign: flo
     Raises:
         SolveError: no extremal arrives with one of these lambda_U0.
     """
+    # Loaded here: nothing else that propagates extremals needs it, and it takes half a second.
+    from scipy.optimize.elementwise import bracket_root, find_root
+
     given = np.asarray(lambda_u0, float)
 
     def residual(size: Array, lambda_u: Array) -> Array:

@@ -4,15 +4,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.campaign.results import Results
-from sailnet.campaign.scores import Score, Share, largest_error, optimality_gap
+from sailnet.campaign.scores import Score, largest_error, time_above_optimum
+from sailnet.campaign.shares import Share
 from sailnet.physics.arrays import Array
 from sailnet.report.charts import BAD, GREY, PALETTE, Chart, Curve
 
 POINTS = 300
 """Of a distribution's curve."""
 
-SHOWN = 0.99
-"""Share of the times above the optimum that is in view: one detour would squeeze the rest."""
+LEAST_GAP = 1e-3
+"""Time above the optimum [%] below which flights are drawn together."""
 
 ARRIVED_SHOWN = 1500
 """Starts of flights that arrived, as a background."""
@@ -21,6 +22,9 @@ FAILED_SHOWN = 3000
 """Starts of failures of a series at a period, those that can be opened first: a browser moves no more."""
 
 BINS = 12
+
+NONE = 0.5
+"""Where a logarithmic axis shows flights without any."""
 
 COUNTED = 10
 """Flights of a series below which a share says nothing."""
@@ -38,6 +42,7 @@ def campaign_charts(results: Results, scores: list[Score]) -> list[Chart]:
         charts += [
             _errors(results, many),
             _gaps(results, many),
+            _reversals(results, many),
             _detours(many),
             *_where(results, many),
             *_bins(results, many),
@@ -91,7 +96,7 @@ def _detours(scores: list[Score]) -> Chart | None:
     return Chart(
         "detours",
         "Detours",
-        "Flights that arrive, but take more than twice the optimum of the sail as assumed; bars are 95 % "
+        "Flights that arrive, but take more than twice the optimum of the sail that flew; bars are 95 % "
         "Wilson intervals. The latest of each are listed below.",
         "",
         "of the flights that arrive [%]",
@@ -156,6 +161,26 @@ def _errors(results: Results, scores: list[Score]) -> Chart:
     )
 
 
+def _reversals(results: Results, scores: list[Score]) -> Chart:
+    columns: dict[str, Array] = {}
+    curves = []
+    for number, score in enumerate(scores):
+        counts, level = _distribution(results.flights["reversals"][results.rows(score.series, score.period)])
+        columns |= {f"reversals_{number}": np.maximum(counts, NONE), f"share_{number}": level}
+        curves.append(_curve(number, "reversals", _label(score, scores)))
+    return Chart(
+        "reversals",
+        "Reversals",
+        "Share of the flights with no more steps of the command over 40° from one period to the next; an "
+        f"optimum has one at most. No reversal is drawn at {NONE:g}.",
+        "reversals of a flight",
+        "flights [%]",
+        curves,
+        columns,
+        logarithmic="x",
+    )
+
+
 def _curve(number: int, name: str, label: str) -> Curve:
     colour = PALETTE[number % len(PALETTE)]
     return Curve(f"{name}_{number}", f"share_{number}", label, colour=colour, dash=number >= len(PALETTE))
@@ -163,13 +188,12 @@ def _curve(number: int, name: str, label: str) -> Curve:
 
 def _gaps(results: Results, scores: list[Score]) -> Chart | None:
     columns: dict[str, Array] = {}
-    curves, ends = [], []
+    curves = []
     for number, score in enumerate(scores):
-        gap = optimality_gap(results, results.rows(score.series, score.period))
+        gap = time_above_optimum(results, results.rows(score.series, score.period))
         if len(gap) < FEWEST:
             continue
-        value, level = _distribution(100.0 * gap)
-        ends += np.quantile(value, [0.0, SHOWN]).tolist()
+        value, level = _distribution(np.maximum(100.0 * gap, LEAST_GAP))
         columns |= {f"gap_{number}": value, f"share_{number}": level}
         curves.append(_curve(number, "gap", _label(score, scores)))
     if not curves:
@@ -177,14 +201,13 @@ def _gaps(results: Results, scores: list[Score]) -> Chart | None:
     return Chart(
         "gaps",
         "Time above the optimum",
-        "Of flights that arrived, against the expert's shortest time for the sail as assumed; a "
-        f"stronger sail is faster than that. The last {100 * (1 - SHOWN):.0f} % lie beyond the right edge: "
-        "zoom out.",
-        "time above the optimum [%]",
+        "Of all flights, against the shortest time of the sail that flew, with what was still to go; those "
+        f"that never came near count as the longest. What is below {LEAST_GAP:g} % is drawn there.",
+        "time above the optimum of the sail that flew [%]",
         "flights [%]",
         curves,
         columns,
-        x_range=(min(ends), max(ends)),
+        logarithmic="x",
     )
 
 

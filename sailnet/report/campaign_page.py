@@ -14,10 +14,12 @@ from tqdm import tqdm
 from sailnet.artefacts.files import write_whole
 from sailnet.campaign.columns import FLIGHTS
 from sailnet.campaign.results import Results
-from sailnet.campaign.scores import Score, score_record, score_table, scores_of
+from sailnet.campaign.scores import Score, score_record, scores_of
+from sailnet.campaign.tables import Table, percent, score_tables
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.disturbances import switched_on
 from sailnet.physics.optics import OPTICS
+from sailnet.physics.units import AU, AU_PER_TU, DAY, TU
 from sailnet.report.campaign_charts import campaign_charts
 from sailnet.report.charts import Chart, for_page, page_columns, write_csv, write_picture
 from sailnet.report.comparison import Row, flight_rows
@@ -96,15 +98,18 @@ def write_report(
         "common": page_columns(common_columns(results.mission)),
         "flights": {"rows": [flight.row for flight in shown], "together": TOGETHER, "blocks": list(blocks)},
     }
-    heads, cells = score_table(scores)
+    tables = score_tables(scores)
     text = chart_page(
         "campaign.html.jinja",
         content,
         plan=results.plan,
         mission=results.mission,
         facts=_facts(scores),
-        heads=heads,
-        cells=cells,
+        scored=tables,
+        precision=_precision(results),
+        days=TU / DAY,
+        kilometres=AU / 1e3,
+        metres_per_second=AU_PER_TU,
         conditions=_conditions(results),
         rows=rows,
         charts=charts,
@@ -124,7 +129,7 @@ def write_report(
         software=results.provenance,
     )
     write_whole(folder / "index.html", lambda beside: beside.write_text(text, encoding="utf-8"))
-    _write_files(results, scores, [*charts, *figures], heads, cells, folder)
+    _write_files(results, scores, [*charts, *figures], tables, folder)
     _write_flights(results, shown, guidance, folder / "flights")
     return rows
 
@@ -176,12 +181,21 @@ def _facts(scores: Sequence[Score]) -> list[tuple[str, str]]:
             f"{100 * first.arrived.share:.2f} %",
             f"of {first.name!r} arrive (95 %: {100 * low:.2f} to {100 * high:.2f} %)",
         )
-        facts.append(
-            (f"{first.error_quantiles[0.99]:.1e}", f"99 % of the errors of {first.name!r} are below")
+    if first.excess is not None:
+        late, home = first.excess.relative.mean, first.excess.first_approach
+        facts.insert(
+            0, (percent(late), f"mean time of {first.name!r} above the optimum of the sail that flew")
         )
-    if first.gap_quantiles:
-        facts.append((f"{100 * first.gap_quantiles[0.5]:.3f} %", "median time above the optimum"))
+        facts.insert(1, (f"{home.count:,} of {home.of:,}", "home at the first approach"))
+        facts.insert(
+            2, (f"{first.behaviour.reversals.high:.0f}", "reversals or fewer in 99 % of the flights")
+        )
     return facts
+
+
+def _precision(results: Results) -> str:
+    """In which the guidance flew; of flights without a command line, the usual one."""
+    return str(results.provenance["run"].get("precision", "float64"))
 
 
 def _conditions(results: Results) -> list[tuple[str, str]]:
@@ -205,8 +219,7 @@ def _write_files(
     results: Results,
     scores: Sequence[Score],
     charts: Sequence[Chart],
-    heads: Sequence[str],
-    cells: Sequence[Sequence[str]],
+    tables: Sequence[Table],
     folder: Path,
 ) -> None:
     for chart in charts:
@@ -218,7 +231,8 @@ def _write_files(
 
     def table(beside: Path) -> None:
         with beside.open("w", encoding="utf-8", newline="") as file:
-            csv.writer(file).writerows([heads, *cells])
+            for number, each in enumerate(tables):
+                csv.writer(file).writerows([*([[]] if number else []), each.heads, *each.cells])
 
     write_whole(folder / "scores.csv", table)
     record = {
@@ -226,10 +240,12 @@ def _write_files(
         "title": results.plan.title,
         "mission": results.mission.name,
         "seed": results.plan.seed,
+        "precision": _precision(results),
         "networks": results.networks,
         "results": results.digest,
         "scores": [score_record(score) for score in scores],
-        "table": {"heads": list(heads), "cells": [list(row) for row in cells]},
+        "table": {"heads": tables[0].heads, "cells": tables[0].cells},
+        "tables": [asdict(each) for each in tables],
         "software": {name: value for name, value in results.provenance.items() if name != "run"},
     }
     text = json.dumps(record, indent=1, ensure_ascii=False)

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from sailnet.campaign import printed
-from sailnet.campaign.scores import Share
+from sailnet.campaign.shares import Share
 from sailnet.dataset import Dataset
 from sailnet.networks.network import Network
 from sailnet.report.section5 import Flown, Section5

@@ -32,7 +32,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
         Chart(
             "path",
             "Path",
-            "Heliocentric; the circles are departure and target orbit.",
+            "Heliocentric; the circles are departure and target orbit, the optimum is the assumed sail's.",
             "X [AU]",
             "Y [AU]",
             [
@@ -62,7 +62,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
         Chart(
             "state",
             "State",
-            "Thick: the optimum from the same start.",
+            "Thick: the optimum of the sail as assumed, from the same start.",
             "time [TU]",
             "r [AU], u, v [AU/TU]",
             [

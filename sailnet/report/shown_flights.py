@@ -2,16 +2,20 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
+from sailnet.campaign.behaviour import DEGREE_PER_HOUR
 from sailnet.campaign.replay import replay
 from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, detours
+from sailnet.campaign.tables import kilometres_and_speeds, plain
 from sailnet.flight.closed_loop import History
 from sailnet.guidance.interface import Guidance
 from sailnet.physics.arrays import Array
+from sailnet.physics.units import DAY, TU
 from sailnet.report.flight_charts import flight_columns, optima_of
 from sailnet.report.optimum import Optimum
 
@@ -121,17 +125,34 @@ def flight_facts(results: Results, row: int) -> Mapping[str, str]:
     """What there is to know of a flight without looking at it."""
     flights = results.flights
     state = ", ".join(f"{flights[f'start_{name}'][row]:.5g}" for name in "ruv")
-    error = ", ".join(f"{flights[f'error_{name}'][row]:.1e}" for name in "ruv")
-    optimal = flights["optimal_time"][row]
+    errors = [float(flights[f"error_{name}"][row]) for name in "ruv"]
+    optimal, left = flights["own_optimal_time"][row], flights["time_to_go"][row]
     near, when = flights["nearest_error"][row], flights["nearest_time"][row]
     ending = {1: "stopped by its guidance", 2: "lost", 3: "too long"}[int(flights["ending"][row])]
     return {
         "result": "arrived" if flights["arrived"][row] else f"failed: {ending}",
         "start (r, u, v)": state,
-        "terminal error (r, u, v)": error,
-        "time of flight": f"{flights['time_of_flight'][row]:.4f} TU",
-        "optimum": f"{optimal:.4f} TU" if np.isfinite(optimal) else "not asked for",
+        "terminal error (r, u, v)": ", ".join(f"{error:.1e}" for error in errors),
+        "that is": kilometres_and_speeds(errors),
+        "time of flight": _time(flights["time_of_flight"][row]),
+        "least still to go": f"{left:.2g} TU" if np.isfinite(left) else "not near the target",
+        "optimum of this sail": _time(optimal) if np.isfinite(optimal) else "not known",
+        "reversals": f"{flights['reversals'][row]:,}",
+        "slew of the command": f"{np.degrees(flights['command_slew'][row]):,.0f}°",
+        "rate of 99 % of its steps": f"{plain(flights['command_rate'][row] / DEGREE_PER_HOUR, 2)}°/h",
+        "attitude beyond the bound": _of_periods(flights, "beyond_bound", row),
+        "outside the domain": _of_periods(flights, "outside", row),
+        "estimate at its limit": _of_periods(flights, "beta_at_limit", row),
         "nearest to the target": f"{near:.1e} after {when:.4f} TU",
         "constant error of β": f"{100 * flights['beta_error'][row]:+.2f} %",
         "estimated β": f"{100 * (flights['beta_estimate'][row] / results.mission.sail.beta - 1):+.2f} %",
     }
+
+
+def _time(value: float) -> str:
+    return f"{value:.4f} TU, {value * TU / DAY:.1f} days"
+
+
+def _of_periods(flights: Mapping[str, NDArray[Any]], name: str, row: int) -> str:
+    count = flights[name][row]
+    return f"{count:,} of {flights['periods'][row]:,} periods" if count else "never"

@@ -25,6 +25,7 @@ name = "many"
 title = "Many"
 flights = 150
 sample = 0
+optima = 0
 [[series]]
 name = "a"
 periods = [0.006, 0.007, 0.008, 0.009, 0.01, 0.011, 0.012, 0.013]

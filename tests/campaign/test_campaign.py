@@ -15,6 +15,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
+import h5py
 import numpy as np
 import pytest
 from scipy.stats import binomtest
@@ -52,6 +53,7 @@ def short(longest: float) -> Mission:
 
 def plan_of(**changes: Any) -> Plan:
     content: dict[str, Any] = {"schema": 1, "name": "small", "title": "Small", "seed": 5, "sample": 2}
+    content["optima"] = 0
     content["series"] = [
         {"name": "calm", "starts": [CASE, (1.0, 0.0, 1.0)], "periods": [0.02, 0.05], "optima": 1},
         {"name": "rough", "flights": 40, "periods": [0.05], "disturbance": {"beta_noise": 0.15}},
@@ -222,6 +224,7 @@ title = "Many"
 flights = 40
 sample = 0
 failures = 0
+optima = 0
 [[series]]
 name = "a"
 periods = [0.005, 0.006, 0.007, 0.008, 0.009, 0.01, 0.012, 0.015]
@@ -379,6 +382,15 @@ def test_damage_is_noticed(tmp_path: Path) -> None:
         open_results(tmp_path / "none.h5")
 
 
+def test_results_of_another_version_are_refused_with_a_remedy(tmp_path: Path) -> None:
+    path = tmp_path / "old.h5"
+    fly_plan(MISSION, GUIDANCE, plan_of(series=[{"name": "a", "starts": [CASE], "periods": [0.05]}]), path)
+    with h5py.File(path, "r+") as file:
+        file.attrs["schema"] = np.bytes_("sailnet-campaign/1")
+    with pytest.raises(CampaignError, match=r"campaign/1', this version reads .*/2': fly the campaign again"):
+        open_results(path)
+
+
 @pytest.mark.parametrize("name", ready_campaigns())
 def test_ready_campaigns_can_be_flown(name: str) -> None:
     plan = load_plan(name)
@@ -484,8 +496,8 @@ def test_a_finished_campaign_is_not_replaced_unasked(
 ) -> None:
     file, out = tmp_path / "small.toml", ("--output", str(tmp_path / "out"))
     file.write_text(
-        'schema = 1\nname = "small"\ntitle = "Small"\nflights = 12\nsample = 1\nperiods = [0.05]\n'
-        '[[series]]\nname = "a"\n'
+        'schema = 1\nname = "small"\ntitle = "Small"\nflights = 12\nsample = 1\noptima = 0\n'
+        'periods = [0.05]\n[[series]]\nname = "a"\n'
     )
     small = ("evaluate", "--campaign", str(file), "--json", *out)
     assert main([*small]) == 0
@@ -499,6 +511,32 @@ def test_a_finished_campaign_is_not_replaced_unasked(
     page = (tmp_path / "out" / "small" / "index.html").read_text("utf-8")
     assert f"--campaign {file} --flights 3</code>" in page
     assert len(open_results(tmp_path / "out" / "small.h5").flights["number"]) == 3
+
+
+def test_both_precisions_are_flown_one_after_the_other(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, out = tmp_path / "small.toml", tmp_path / "out"
+    file.write_text(
+        'schema = 1\nname = "small"\ntitle = "Small"\nflights = 12\noptima = 0\nperiods = [0.05]\n'
+        '[[series]]\nname = "a"\n'
+    )
+    assert (
+        main(["evaluate", "--campaign", str(file), "--output", str(out), "--precision", "both", "--json"])
+        == 0
+    )
+    answer = json.loads(capsys.readouterr().out)
+    for name, said in (("small", answer), ("small-float32", answer["float32"])):
+        found = open_results(out / f"{name}.h5")
+        assert found.provenance["run"]["precision"] == (name.partition("-")[2] or "float64")
+        assert said["digest"] == found.digest
+        assert said["scores"][0]["flights"] == 12
+        assert (out / name / "index.html").exists()
+    assert answer["digest"] != answer["float32"]["digest"]
+    assert "guidance in float32" in (out / "small-float32" / "index.html").read_text("utf-8")
+    assert error_of(capsys, "--flights", "2", "--precision", "both").startswith(
+        "error: --precision both is for"
+    )
 
 
 def test_a_flight_that_cannot_be_keeps_what_was_flown(tmp_path: Path) -> None:

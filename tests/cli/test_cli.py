@@ -135,7 +135,8 @@ def test_negative_numbers_are_numbers(number: str) -> None:
 
 def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
     keys = {"arrived", "time_of_flight", "terminal_error", "max_cone_angle", "optimal_time_of_flight"}
-    keys |= {"beta_error", "beta_estimate", "ending", "nearest_error"}
+    keys |= {"beta_error", "beta_estimate", "ending", "nearest_error", "terminal_error_km_mps"}
+    keys |= {"max_attitude", "reversals", "command_slew_deg", "own_optimal_time_of_flight"}
     ends = []
     for options in (("--backend", "onnx"), ("--layout", "host"), ()):
         result = _json("fly", "1", "0", "1", *options)
@@ -145,19 +146,37 @@ def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
         assert max(result["terminal_error"]) < 1e-5
         assert result["beta_estimate"] == pytest.approx(0.16892, rel=1e-6)
         assert result["optimal_time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
+        assert result["own_optimal_time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
         ends.append([*result["terminal_error"], result["time_of_flight"]])
     for other in ends[:2]:
         assert ends[2] == pytest.approx(other, abs=1e-9)
         assert ends[2] != other
 
 
-def test_evaluate_counts_arrivals() -> None:
-    result = _json("evaluate", "--flights", "20", "--seed", "6", "--period", "0.02")
-    counts = {"flights", "arrived", "success_share", "attitude_violations"}
-    assert set(result) == counts | {"confidence_interval", "error_quantiles"}
-    assert result["flights"] == 20
-    assert result["success_share"] == result["arrived"] / 20
+def test_evaluate_counts_arrivals_and_all_flights_against_the_optimum() -> None:
+    result = _json("evaluate", "--flights", "3", "--seed", "6", "--period", "0.02")
+    assert {
+        "flights", "arrived", "success_share", "attitude_violations", "confidence_interval",
+        "error_quantiles", "error_quantiles_km_mps", "time_above_own_optimum", "days_above_own_optimum",
+        "first_approach", "reversals", "command_slew_deg", "command_rate_deg_per_hour",
+        "attitude_beyond_bound", "arrived_attitude_kept", "outside_domain_periods", "beta_at_limit_periods",
+    } <= set(result)  # fmt: skip
+    assert result["flights"] == result["arrived"] == result["first_approach"] == 3
+    assert result["own_optimum_unknown"] == 0
+    above, days = result["time_above_own_optimum"], result["days_above_own_optimum"]
+    assert 0.0 < above["0.5"] <= above["0.99"] <= above["1"] < 0.02
+    assert 5.5 * 58.13 < days["mean"] / above["mean"] < 60.0 * 58.13
+    raw, si = result["error_quantiles"]["1"], result["error_quantiles_km_mps"]["1"]
+    assert si == pytest.approx([raw[0] * 149597870.7, raw[1] * 29784.69, raw[2] * 29784.69], rel=1e-6)
     assert result["attitude_violations"] == 0
+
+
+def test_evaluate_can_leave_the_expert_alone() -> None:
+    result = _json("evaluate", "--flights", "60", "--seed", "6", "--period", "0.05", "--without-optima")
+    assert result["time_above_own_optimum"] is None
+    assert result["reversals"]["1"] >= result["reversals"]["0.5"] >= 0.0
+    assert result["flights"] == 60
+    assert result["success_share"] == result["arrived"] / 60
 
 
 @pytest.mark.parametrize(

@@ -74,7 +74,7 @@ def test_the_domain_is_filled_evenly(narrow: Mission, aimed: Block) -> None:
     np.testing.assert_array_equal(np.bincount(octant, minlength=8), STARTS // 8)  # Sobol's promise
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_no_sample_is_beaten_by_another_extremal(narrow: Mission, aimed: Block) -> None:
     rows = np.random.default_rng(3).choice(len(aimed.samples["tau"]), 60, replace=False)
     rows = rows[aimed.samples["tau"][rows] > 0.5]
@@ -123,6 +123,7 @@ def test_coverage_tells_what_is_covered(narrow: Mission, file: Path, tmp_path: P
         assert farthest_points(data, starts).mean() > near.mean()
 
 
+@pytest.mark.exhaustive
 def test_a_start_without_a_way_counts_as_uncovered(file: Path) -> None:
     with open_dataset(file) as data:
         found = farthest_points(data, np.array([[1.05, 0.09, 1.01], [20.0, 0.0, 0.1]]))

@@ -90,7 +90,7 @@ def completes(output: Path, expected: str, variables: Mapping[str, str] = Mappin
     assert sorted(path.name for path in output.parent.iterdir()) == [output.name]
 
 
-@pytest.mark.parametrize("finished", [0, 9])
+@pytest.mark.parametrize("finished", [pytest.param(0, marks=pytest.mark.exhaustive), 9])
 def test_killed_between_shards(finished: int, tmp_path: Path, expected: str) -> None:
     output, log = tmp_path / "out" / "x.h5", tmp_path / "log"
     run = start(output)
@@ -114,7 +114,10 @@ def test_killed_between_shards(finished: int, tmp_path: Path, expected: str) -> 
     assert len(made_again) == len(set(made_again))
 
 
-@pytest.mark.parametrize("moment", ["header", "rename", "removal"])
+@pytest.mark.parametrize(
+    "moment",
+    ["header", *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("rename", "removal"))],
+)
 def test_killed_at_the_end(moment: str, tmp_path: Path, expected: str) -> None:
     output = tmp_path / "x.h5"
     run = start(output, variables={"KILL_AT": moment})
@@ -152,13 +155,14 @@ def test_ctrl_c_keeps_what_is_finished_and_says_so(tmp_path: Path, expected: str
 
 
 def test_two_runs_on_one_output(tmp_path: Path, expected: str) -> None:
-    output = tmp_path / "x.h5"
-    first = start(output, variables={"SHARD_SECONDS": "0.3"})
+    output, gate = tmp_path / "x.h5", tmp_path / "gate"
+    first = start(output, variables={"SHARD_GATE": str(gate)})
     until_shards(output, 1)
     status, said = finish(start(output, "--restart"))
     assert status == 1
     assert said.startswith(f"error: another run is making {output}")
     assert first.poll() is None
+    gate.touch()
     assert finish(first) == (0, "")
     with open_dataset(output) as found:
         assert found.digest == expected

@@ -67,7 +67,10 @@ def confirm(transfer: Transfer, found: Extremal, golden: float) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", NOMINALS)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=[] if name == "venus" else [pytest.mark.exhaustive]) for name in NOMINALS],
+)
 def test_the_nominal_is_the_fastest_transfer(name: str) -> None:
     title, changes, golden = NOMINALS[name]
     mission = exact(title, **changes)
@@ -76,14 +79,14 @@ def test_the_nominal_is_the_fastest_transfer(name: str) -> None:
     confirm(mission.problem, nominal.constrained, golden)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("state", STATES)
 def test_the_expert_s_transfer_is_the_fastest(state: State) -> None:
     transfer = exact("earth_mars").problem
     confirm(transfer, solve(transfer, state), STATES[state])
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_the_longest_flights_are_the_fastest_too() -> None:
     """Too long for forward shooting from a direct solution's multipliers."""
     transfer, state = exact("earth_mars").problem, (1.12, 0.09, 1.15)
@@ -92,6 +95,7 @@ def test_the_longest_flights_are_the_fastest_too() -> None:
     assert 0.0 < crude.time_of_flight / solve(transfer, state).time_of_flight - 1.0 < 1e-3
 
 
+@pytest.mark.exhaustive
 def test_the_direct_method_hardly_uses_what_the_relaxation_allows() -> None:
     """The best flight is one a sail can make: no side between -1 and 1 but where the angle jumps."""
     found = direct(exact("earth_mars").problem, (1.0, 0.0, 1.2))
@@ -99,7 +103,7 @@ def test_the_direct_method_hardly_uses_what_the_relaxation_allows() -> None:
     assert (lost > 0.01).sum() <= 2
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("state", [(1.0, 0.0, 1.0), (1.0, 0.0, 1.2)])
 def test_the_independent_methods_can_disagree(state: State) -> None:
     """A problem that is off by half a percent in beta is told apart, so that agreement means something."""

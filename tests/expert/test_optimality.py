@@ -88,6 +88,7 @@ def runge_kutta(states: Array, alpha: float, beta: float, step: float) -> Array:
     return np.asarray(states + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
 
 
+@pytest.mark.exhaustive
 def test_a_much_finer_index_finds_nothing_faster(
     problem: Transfer, solved: Solved, monkeypatch: pytest.MonkeyPatch
 ) -> None:

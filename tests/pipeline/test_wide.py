@@ -117,16 +117,18 @@ def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(toy: 
     assert text.endswith("after\n")
     assert "stale figures" not in text
     assert "| unknown bias and white noise |" in text
+    assert "| flown | mean time above own optimum | home at the first approach" in text
     whole = results.read_text()
     assert "stale figures" not in whole
-    assert "| 6, unknown bias and white noise |" in whole
+    assert "| unknown bias and white noise | 6 |" in whole
     assert "| &#124;x&#124; | 1 | 2 |  |" in whole
     card = (tmp_path / "shipped" / "MODEL_CARD.md").read_text()
     networks = load_guidance_networks(tmp_path / "shipped")
     assert str(networks.tau.provenance["dataset"]) in card
     assert f"{networks.lambda_v.provenance['test_mse']:.2e}" in card
     assert "exported C" in card
-    assert "| 6, nominal |" in card
+    assert "| nominal | 6 |" in card
+    assert "mean time above own optimum" in card
     assert (tmp_path / "shipped" / "sailnet_guidance.c").exists()
     done = python("-m", "export.ship", tmp_path, tmp_path / "nothing", *arguments, check=False)
     assert done.returncode != 0

@@ -16,12 +16,15 @@ import pytest
 from PIL import Image
 
 from sailnet.artefacts.files import fill_block
+from sailnet.campaign.excess import counted_times
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.replay import replay
 from sailnet.campaign.results import Results
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.score_tables import campaign_tables, read_records
-from sailnet.campaign.scores import Share, detours, scores_of, share_text
+from sailnet.campaign.scores import detours, scores_of
+from sailnet.campaign.shares import Share
+from sailnet.campaign.tables import share_text
 from sailnet.cli import main
 from sailnet.errors import CampaignError, SailnetError
 from sailnet.flight.closed_loop import fly_recorded
@@ -47,7 +50,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> tuple[Results, Path]:
     folder = tmp_path_factory.mktemp("campaign")
     plan = parse_plan(
         {
-            "schema": 1, "name": "page", "title": "A <page> & more", "sample": 1, "failures": 3,
+            "schema": 1, "name": "page", "title": "A <page> & more", "sample": 1, "failures": 3, "optima": 0,
             "series": [
                 {"name": "calm", "flights": 60, "periods": [0.02, 0.05]},
                 {"name": "</script> noisy", "flights": 60, "periods": [0.05],
@@ -193,10 +196,10 @@ def test_the_latest_detours_are_flown_again(flown: tuple[Results, Path]) -> None
     rows = results.rows(1, 0.05)
     arrived = rows[results.flights["arrived"][rows] == 1]
     factors = dict(zip(arrived.tolist(), np.linspace(1.5, 3.5, len(arrived)), strict=True))
-    optimal = results.flights["optimal_time"].copy()
-    optimal[arrived] = results.flights["time_of_flight"][arrived] / list(factors.values())
+    optimal = results.flights["own_optimal_time"].copy()
+    optimal[arrived] = counted_times(results.mission, results.as_flights(arrived)) / list(factors.values())
     assert not detours(results, rows).size
-    results = replace(results, flights=results.flights | {"optimal_time": optimal})
+    results = replace(results, flights=results.flights | {"own_optimal_time": optimal})
     expected = [row for row in reversed(arrived.tolist()) if factors[row] > 2.0]
     assert detours(results, rows).tolist() == expected
     score = scores_of(results)[2]
@@ -237,7 +240,7 @@ def test_there_is_a_picture_and_a_table_of_everything(flown: tuple[Results, Path
     drawn = set(re.findall(r'data-chart="([a-z-]+)"', (folder / "index.html").read_text("utf-8")))
     assert drawn == {path.stem for path in folder.glob("*.png")}
     assert drawn == {path.stem for path in folder.glob("*.csv")} - {"flights", "scores"}
-    assert {"shares", "periods", "errors", "where-r", "where-u", "bins-v"} <= drawn
+    assert {"shares", "reversals", "periods", "errors", "where-r", "where-u", "bins-v"} <= drawn
     for path in folder.rglob("*.png"):
         with Image.open(path) as picture:
             assert min(picture.size) > 500
@@ -332,8 +335,13 @@ def test_the_library_is_the_one_that_was_released() -> None:
 def test_tables_for_the_readme(flown: tuple[Results, Path]) -> None:
     record = json.loads((flown[1] / "scores.json").read_text("utf-8"))
     lines = campaign_tables([record, record]).splitlines()
-    assert [line.count("|") for line in lines if line.startswith("|")] == [12] * 2 * (2 + 4)
-    assert lines[0].startswith("**A <page> & more** (`page`, networks `")
+    rows = [line.count("|") for line in lines if line.startswith("|")]
+    assert rows == 2 * ([11] * 6 + [11] * 6 + [12] * 6)
+    assert [line for line in lines if line.startswith("*") and "**" not in line] == 2 * [
+        "*Time and arrivals*", "*Attitude and estimate*", "*Where flights end*",
+    ]  # fmt: skip
+    assert record["table"] == {name: record["tables"][0][name] for name in ("heads", "cells")}
+    assert lines[0].startswith("**A <page> & more** (`page`, float64, networks `")
     with pytest.raises(CampaignError, match="make campaigns"):
         read_records(flown[1])
 

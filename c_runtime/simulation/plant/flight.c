@@ -18,6 +18,9 @@ enum {
 
 #define POLAR 3
 
+/* Of a number that went through single precision, relative. */
+#define ROUNDING 1e-6
+
 /* The delay, in whole periods and what is left; a rounding error is not a period. */
 static uint64_t whole_periods(const plant_rules *rules, double *rest)
 {
@@ -50,7 +53,7 @@ static void wander(const plant_rules *rules, const plant_sail *sail, uint32_t st
     *value = kept * *value + sqrt(1.0 - kept * kept) * normal(rules, sail, stream, period);
 }
 
-static void depart(const plant_rules *rules, plant_sail *sail)
+void plant_depart(const plant_rules *rules, plant_sail *sail)
 {
     sail->beta_error = rules->beta_bias;
     if (rules->beta_spread > 0.0) {
@@ -112,33 +115,41 @@ static double real_beta(const plant_rules *rules, plant_sail *sail)
     return rules->beta * fmax(0.0, share);
 }
 
-static int hold(const plant_rules *rules, plant_sail *sail, double beta, double rate, double duration)
+/* Turn steadily to the attitude `end`. `*widest` is the largest size of the angle flown in the period so far. */
+static int hold(const plant_rules *rules, plant_sail *sail, double beta, double end, double rate, double duration,
+                double *widest)
 {
     const double angle = sail->attitude + sail->misalignment;
-    sail->max_attitude = fmax(sail->max_attitude, fmax(fabs(angle), fabs(angle + rate * duration)));
-    return plant_hold(rules, beta, angle, rate, duration, &sail->state, &sail->step);
+    *widest = fmax(*widest, fmax(fabs(angle), fabs(end + sail->misalignment)));
+    const int inside = plant_hold(rules, beta, angle, rate, duration, &sail->state, &sail->step);
+    sail->attitude = end;
+    return inside;
 }
 
 /* Turn to the wanted angle, as fast as allowed, and stay there. Returns 0 if the sail is lost. */
-static int turn(const plant_rules *rules, plant_sail *sail, double beta, double wanted, double duration)
+static int turn(const plant_rules *rules, plant_sail *sail, double beta, double wanted, double duration,
+                double *widest)
 {
     if (!(duration > 0.0)) {
         return 1;
     }
+    const double before = sail->attitude;
     double left = duration;
     int inside = 1;
-    if (rules->rate_limit > 0.0 && wanted != sail->attitude) {
-        const double rate = copysign(rules->rate_limit, wanted - sail->attitude);
-        const double needed = (wanted - sail->attitude) / rate;
+    if (rules->rate_limit > 0.0 && wanted != before) {
+        const double rate = copysign(rules->rate_limit, wanted - before);
+        const double needed = (wanted - before) / rate;
         const double turning = fmin(needed, duration);
-        inside = hold(rules, sail, beta, rate, turning);
-        sail->attitude = needed <= duration ? wanted : sail->attitude + rate * turning;
+        const double end = needed <= duration ? wanted : before + rate * turning;
+        inside = hold(rules, sail, beta, end, rate, turning, widest);
         left -= turning;
     }
     else {
         sail->attitude = wanted;
     }
-    return inside && (left <= 0.0 || hold(rules, sail, beta, 0.0, left));
+    const double turned = fabs(sail->attitude - before);
+    sail->attitude_slew += isfinite(turned) ? turned : 0.0;
+    return inside && (left <= 0.0 || hold(rules, sail, beta, sail->attitude, 0.0, left, widest));
 }
 
 static void note_distance(const plant_rules *rules, plant_sail *sail)
@@ -154,11 +165,21 @@ static void note_distance(const plant_rules *rules, plant_sail *sail)
     }
 }
 
+/* Whether an estimate of beta says no more than that it is at an end of its range, in either precision. A guidance
+   for one beta alone estimates nothing. */
+static int at_limit(const plant_rules *rules, double beta)
+{
+    const double low = rules->beta_range[0];
+    const double high = rules->beta_range[1];
+    return low < high && (beta <= low * (1.0 + ROUNDING) || beta >= high * (1.0 - ROUNDING));
+}
+
 /* What the actuator is told: the command as fine as it can turn, or in an outage what it was told last. */
 static double accepted(const plant_rules *rules, plant_sail *sail, const double *queue, uint64_t slots,
                        const plant_command_f64 *command, int32_t status)
 {
     sail->beta_estimate = command->beta;
+    sail->beta_at_limit += at_limit(rules, command->beta) != 0;
     if (sail->out) {
         sail->outages++;
         return queue[(sail->periods - 1u) % slots];
@@ -203,18 +224,24 @@ static void obey(const plant_rules *rules, plant_sail *sail, double *queue, cons
     const uint32_t period = sail->periods;
     sail->time = (double)period * rules->period;
     const double angle = accepted(rules, sail, queue, slots, command, status);
-    queue[period % slots] = angle;
-    if (period == 0u) {
-        sail->attitude = angle;
-    }
     /* A guidance that asks for longer than it may, or for NaN, gets what is allowed. */
     const double allowed = fmax(rules->period, rules->longest);
     const double lasting = sail->out ? rules->period : fmin(fmax(command->hold, 0.0), allowed);
+    if (period == 0u) {
+        sail->attitude = angle;
+    }
+    else if (lasting > 0.0) { /* where a flight ends at once, its last command is none */
+        plant_count_step(rules, angle - queue[(period - 1u) % slots], sail);
+    }
+    queue[period % slots] = angle;
     const double first = fmin(late, lasting);
     const double beta = real_beta(rules, sail);
     const plant_state start = sail->state;
-    const int inside = turn(rules, sail, beta, told(queue, slots, period, whole + 1u), first) &&
-                       turn(rules, sail, beta, told(queue, slots, period, whole), lasting - first);
+    double widest = 0.0;
+    const int inside = turn(rules, sail, beta, told(queue, slots, period, whole + 1u), first, &widest) &&
+                       turn(rules, sail, beta, told(queue, slots, period, whole), lasting - first, &widest);
+    sail->max_attitude = fmax(sail->max_attitude, widest);
+    sail->beyond_bound += widest > rules->bound;
     if (record != NULL) {
         write_record(sail, &start, beta, command, sail->out ? angle : command->cone_angle, status, record);
     }
@@ -280,7 +307,7 @@ uint64_t plant_fly(const plant_rules *rules, const plant_steering *steering, pla
             plant_sail *sail = &flights->sails[row];
             double seen[POLAR];
             if (sail->periods == 0u) {
-                depart(rules, sail);
+                plant_depart(rules, sail);
             }
             update_outage(rules, sail);
             navigate(rules, sail, seen);

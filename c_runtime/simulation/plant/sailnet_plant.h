@@ -15,7 +15,7 @@ extern "C" {
 #endif
 
 /* Raised whenever a function of this header changes, or what a member of a structure means. */
-#define PLANT_API_VERSION 2
+#define PLANT_API_VERSION 3
 
 /*
  * A structure is a list of its members, MEMBER(type, name, extent). From the same lines come the structure in C
@@ -61,6 +61,9 @@ typedef struct {
     MEMBER(double, largest_radius, ) /* and one farther away [AU] */                               \
     MEMBER(double, tolerance, )      /* of one integration step, relative to 1 + |state| */        \
     MEMBER(double, target, [3])      /* r, u, v [AU, AU/TU, AU/TU] */                              \
+    MEMBER(double, bound, )          /* on the size of the cone angle [rad] */                     \
+    MEMBER(double, reversal, )       /* a larger step of the command reverses the sail [rad] */    \
+    MEMBER(double, beta_range, [2])  /* that the guidance's estimate of beta never leaves */       \
     MEMBER(double, beta, )           /* the mission's normalised characteristic acceleration */    \
     MEMBER(plant_optics, optics, )                                                                 \
     MEMBER(double, beta_bias, )                                                                    \
@@ -96,6 +99,9 @@ typedef struct {
 
 typedef enum { PLANT_ENDING(PLANT_VALUE) } plant_ending;
 
+/* Of how many sizes the steps of a command are told apart; plant_step_edge has their bounds. */
+#define PLANT_STEP_SIZES 256
+
 /* One flight. The caller sets the state's r, u, v and the number; the rest starts as 0. */
 #define PLANT_SAIL(MEMBER)                                                                                \
     MEMBER(plant_state, state, )                                                                          \
@@ -109,12 +115,18 @@ typedef enum { PLANT_ENDING(PLANT_VALUE) } plant_ending;
     MEMBER(double, beta_estimate, )  /* the guidance's last */                                            \
     MEMBER(double, max_cone_angle, ) /* largest size of a command [rad] */                                \
     MEMBER(double, max_attitude, )   /* largest size of the angle flown [rad] */                          \
+    MEMBER(double, command_slew, )   /* sum of the sizes of all steps of the command [rad] */             \
+    MEMBER(double, attitude_slew, )  /* by how much the actuator has turned the sail in all [rad] */      \
     MEMBER(double, nearest_error, )  /* smallest largest component of the deviation from the target, */   \
     MEMBER(double, nearest_time, )   /* at the end of a period, and when that was [TU] */                 \
     MEMBER(uint64_t, number, )       /* of the flight, for the random numbers */                          \
     MEMBER(uint32_t, periods, )                                                                           \
     MEMBER(uint32_t, outside, )      /* periods in which the guidance reported a state it does not know */\
     MEMBER(uint32_t, outages, )      /* periods without guidance */                                       \
+    MEMBER(uint32_t, beyond_bound, ) /* periods in which the angle flown was beyond the bound */          \
+    MEMBER(uint32_t, beta_at_limit, ) /* periods with the estimate of beta at an end of its range */      \
+    MEMBER(uint32_t, reversals, )    /* of the command, from one period to the next */                    \
+    MEMBER(uint32_t, steps, [PLANT_STEP_SIZES]) /* of the command, likewise, by size */                   \
     MEMBER(int32_t, out, )           /* there is no guidance now */                                       \
     MEMBER(int32_t, ending, )        /* plant_ending */
 
@@ -213,6 +225,18 @@ uint64_t plant_queue_slots(const plant_rules *rules);
  */
 uint64_t plant_fly(const plant_rules *rules, const plant_steering *steering, plant_flights *flights,
                    uint64_t periods, plant_record *records);
+
+/* Give a sail that has not flown yet its constant errors: beta_error and misalignment. The first period does so. */
+void plant_depart(const plant_rules *rules, plant_sail *sail);
+
+/*
+ * Steps of a command are counted by size: `size` 0 is everything below the first edge, and from there on each
+ * octave has 16 sizes of equal width. An edge is the upper one [rad]; what lies beyond the last counts there.
+ */
+double plant_step_edge(uint32_t size);
+
+/* Count what the command is changed by [rad] from one period to the next; a NaN or an infinity is no step. */
+void plant_count_step(const plant_rules *rules, double step, plant_sail *sail);
 
 /*
  * Fly one sail for `duration` while its angle turns from `angle` at `rate`; the angle that counts is cut to

@@ -38,11 +38,18 @@ def test_a_file_that_does_not_compile_is_an_error_not_a_proof(exported: Exported
         analyse(tmp_path, BUILDS["f32"])
 
 
-@pytest.mark.parametrize("build", BUILDS.values(), ids=BUILDS)
+@pytest.mark.parametrize(
+    "build",
+    [
+        pytest.param(build, id=name, marks=[pytest.mark.exhaustive] if build.suffix == "f32" else [])
+        for name, build in BUILDS.items()
+    ],
+)
 def test_what_the_proof_assumes_is_so(exported: Exported, build: Build) -> None:
     assert check_lemmas(exported.folder, build) == "0 failures"
 
 
+@pytest.mark.exhaustive
 def test_a_sigmoid_out_of_bounds_is_noticed(exported: Exported, tmp_path: Path) -> None:
     broken = Mutant("", "return (rest - scaled) / (rest + scaled);", "return R(1.001) - scaled / rest;")
     assert mutate(exported.folder, broken, tmp_path)

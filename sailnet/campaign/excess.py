@@ -1,0 +1,78 @@
+"""Time above the optimum of the sail that flew, over all flights: what a guidance costs a mission."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sailnet.campaign.shares import Share, Spread
+from sailnet.campaign.time_to_go import time_to_go
+from sailnet.flight.closed_loop import Flights
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+from sailnet.physics.units import DAY, TU
+
+FIRST_APPROACH = 1.5
+"""Times the optimum within which a flight that arrives came home at its first approach: the next is later."""
+
+
+@dataclass(frozen=True)
+class Excess:
+    """Time above the optimum of the sail that flew.
+
+    Every flight counts whose optimum is known: with the least time still to go where it ended short of its
+    target, and with the mission's longest flight where it was lost, too long or stopped far off, which is
+    a floor.
+
+    Attributes:
+        relative: in units of the optimum.
+        days: in days.
+        first_approach: flights that arrive within ``FIRST_APPROACH`` times the optimum.
+        floors: flights of which only a floor is known: those that never came near.
+        unknown: flights whose optimum is not known, which count nowhere here.
+    """
+
+    relative: Spread
+    days: Spread
+    first_approach: Share
+    floors: int
+    unknown: int
+
+
+def counted_times(mission: Mission, flights: Flights) -> Array:
+    """(n,) what each flight counts as [TU]: see :class:`Excess`."""
+    counted = flights.time_of_flight + time_to_go(mission, flights)
+    return np.where(np.isfinite(counted), counted, mission.flight.longest)
+
+
+def excess_of(mission: Mission, flights: Flights, optimal: Array) -> Excess | None:
+    """The excess of some flights; None if no optimum is known.
+
+    Args:
+        mission: that was flown.
+        flights: n of them.
+        optimal: (n,) shortest times for the sails that flew [TU]; NaN where not known.
+    """
+    known = np.isfinite(optimal)
+    if not known.any():
+        return None
+    counted, best = counted_times(mission, flights)[known], optimal[known]
+    above = counted - best
+    never_near = ~np.isfinite(time_to_go(mission, flights))
+    return Excess(
+        relative=Spread.of(above / best),
+        days=Spread.of(above, DAY / TU),
+        first_approach=Share.where(flights.arrived[known] & (counted <= FIRST_APPROACH * best)),
+        floors=int(never_near[known].sum()),
+        unknown=int((~known).sum()),
+    )
+
+
+def excess_record(excess: Excess | None) -> dict[str, object]:
+    """An excess ready for JSON."""
+    return {
+        "time_above_own_optimum": None if excess is None else excess.relative.record(),
+        "days_above_own_optimum": None if excess is None else excess.days.record(),
+        "first_approach": None if excess is None else excess.first_approach.count,
+        "counted_at_longest": None if excess is None else excess.floors,
+        "own_optimum_unknown": None if excess is None else excess.unknown,
+    }

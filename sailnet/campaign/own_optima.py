@@ -1,0 +1,64 @@
+"""The optimum of the sail that flew, whose constant beta and optics the guidance was not told."""
+
+import numpy as np
+
+from sailnet.expert.fastest import Optima, solve_states
+from sailnet.expert.real_sails import own_optima
+from sailnet.flight.closed_loop import Flights
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+from sailnet.physics.optics import Optics
+from sailnet.physics.transfer import Transfer
+
+FEW = 25
+"""Up to so many states are solved one by one: indexing the generalisation set takes some twenty seconds."""
+
+
+def own_optimal_times(transfer: Transfer, assumed: Optima, beta_errors: Array, optics: Optics) -> Array:
+    """(n,) shortest times for sails other than the one assumed [TU]; NaN where none is known.
+
+    By continuation from the optima of the sail as assumed. Where that ends at a fold, in some half a per cent
+    of random states, very few flights are solved anew; of many, each would take longer than all others
+    together, and theirs stays unknown.
+
+    Args:
+        transfer: the problem with the sail as assumed.
+        assumed: its optima, one a flight.
+        beta_errors: (n,) constant relative error of each sail's beta.
+        optics: of all of them.
+    """
+    times = assumed.time_of_flight.copy()
+    another = (beta_errors != 0.0) | (optics.force != transfer.optics.force)
+    others = np.flatnonzero(another & assumed.found)
+    if len(others):
+        nominal = assumed.rows(others)
+        own, _ = own_optima(
+            transfer,
+            nominal.state,
+            nominal.arrival_costates,
+            nominal.time_of_flight,
+            transfer.beta * (1.0 + beta_errors[others]),
+            optics,
+            search=len(others) <= FEW,
+        )
+        times[others] = own.time_of_flight
+    return times
+
+
+def assumed_optima(mission: Mission, states: Array, *, anywhere: bool = False) -> Optima:
+    """Optima of the sail as assumed from (n, 3) states, those that occur several times solved once.
+
+    Args:
+        mission: poses the problem.
+        states: rows r [AU], u, v [AU/TU].
+        anywhere: these need not be of the generalisation set, which is otherwise indexed once for many.
+    """
+    distinct, which = np.unique(states, axis=0, return_inverse=True)
+    region = None if anywhere or len(distinct) <= FEW else mission.generalisation.corners
+    return solve_states(mission.problem, distinct, region=region).rows(which.ravel())
+
+
+def optimal_times_of(mission: Mission, flights: Flights, optics: Optics) -> Array:
+    """(n,) :func:`own_optimal_times` of flights from random starts of the generalisation set [TU]."""
+    assumed = assumed_optima(mission, flights.starts)
+    return own_optimal_times(mission.problem, assumed, flights.beta_error, optics)

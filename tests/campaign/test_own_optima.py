@@ -1,0 +1,76 @@
+"""The optimum of the sail that flew, whatever the guidance was told of it."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sailnet.campaign import own_optima
+from sailnet.campaign.own_optima import assumed_optima, own_optimal_times
+from sailnet.campaign.plan import parse_plan
+from sailnet.campaign.run import fly_plan
+from sailnet.expert.fastest import solve
+from sailnet.guidance.backends import load_guidance
+from sailnet.physics.optics import OPTICS
+from tests.pilots import MISSION
+
+PROBLEM = MISSION.problem
+STATES = np.array([[1.05, 0.15, 1.03], [1.0, 0.0, 1.0], [1.05, 0.15, 1.03]])
+
+
+def test_a_stronger_sail_has_a_shorter_optimum_and_the_assumed_one_its_own() -> None:
+    """Held against a search for that very sail; a state that occurs twice keeps its place."""
+    assumed = assumed_optima(MISSION, STATES, anywhere=True)
+    times = own_optimal_times(PROBLEM, assumed, np.array([0.1, 0.0, -0.1]), OPTICS["ideal"])
+    assert times[1] == assumed.time_of_flight[1]
+    assert times[0] < assumed.time_of_flight[0] < times[2]
+    strong = solve(replace(PROBLEM, beta=1.1 * PROBLEM.beta), STATES[0])
+    assert times[0] == pytest.approx(strong.time_of_flight, abs=1e-7)
+
+
+def test_a_real_sail_is_compared_with_what_a_real_sail_can_do() -> None:
+    """JPL's from the departure orbit, solved independently: 7.4397331 TU."""
+    assumed = assumed_optima(MISSION, STATES[1:2], anywhere=True)
+    times = own_optimal_times(PROBLEM, assumed, np.zeros(1), OPTICS["jpl"])
+    assert times[0] == pytest.approx(7.4397331, abs=1e-6)
+
+
+def test_of_many_what_cannot_be_followed_stays_unknown(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A search for each would take longer than all the rest; of a few it is made."""
+    assumed = assumed_optima(MISSION, STATES[1:2], anywhere=True)
+    lost = replace(assumed, arrival_costates=-assumed.arrival_costates)  # of no extremal
+    errors = np.full(1, 0.1)
+    assert np.isfinite(own_optimal_times(PROBLEM, lost, errors, OPTICS["ideal"])).all()
+    monkeypatch.setattr(own_optima, "FEW", 0)
+    assert np.isnan(own_optimal_times(PROBLEM, lost, errors, OPTICS["ideal"])).all()
+    assert np.isfinite(own_optimal_times(PROBLEM, assumed, errors, OPTICS["ideal"])).all()
+
+
+def test_every_flight_of_a_campaign_has_the_optimum_of_its_own_sail(tmp_path: Path) -> None:
+    """Series with the same starts share the search, and no more."""
+    plan = parse_plan(
+        {
+            "schema": 1, "name": "own", "title": "Own", "seed": 5, "sample": 0, "failures": 0,
+            "starts": STATES.tolist(),
+            "series": [
+                {"name": "spread", "disturbance": {"beta_spread": 0.1}, "periods": [0.02, 0.05]},
+                {"name": "calm", "periods": [0.05]},
+                {"name": "weak", "disturbance": {"beta_bias": -0.1}, "periods": [0.05], "optima": 2},
+            ],
+        },
+        "own",
+    )  # fmt: skip
+    flights = fly_plan(MISSION, load_guidance(MISSION), plan, tmp_path / "x.h5").flights
+    own, assumed, error = flights["own_optimal_time"], flights["optimal_time"], flights["beta_error"]
+    spread = flights["series"] == 0
+    known = assumed_optima(MISSION, STATES, anywhere=True)
+    expected = own_optimal_times(PROBLEM, known, error[:3], OPTICS["ideal"])
+    np.testing.assert_allclose(own[spread], np.tile(expected, 2), rtol=1e-9)
+    assert np.ptp(error[:3]) > 0.01
+    np.testing.assert_array_equal((own < assumed)[spread], (error > 0.0)[spread])
+    np.testing.assert_array_equal(own[flights["series"] == 1], assumed[flights["series"] == 1])
+    weak = flights["series"] == 2
+    assert (own[weak] > assumed[weak]).tolist() == [True, True, False]
+    assert np.isnan(own[weak][2])
+    assert np.isfinite(assumed[weak][:2]).all()
