@@ -3,6 +3,7 @@
 import argparse
 import math
 import sys
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from sailnet.cli.arguments import Commands, add_command, state_of, state_parser
@@ -10,6 +11,7 @@ from sailnet.cli.output import Result
 from sailnet.errors import SailnetError
 from sailnet.mission import tested_range
 from sailnet.mission.mission import load_mission
+from sailnet.physics.optics import OPTICS
 
 if TYPE_CHECKING:
     from sailnet.expert.fastest import Extremal
@@ -25,7 +27,8 @@ def add(commands: Commands) -> None:
         state_parser("?"),
         _override_parser(),
         example="sailnet solve 1 0 1; sailnet solve --mission earth_venus; "
-        "sailnet solve --phi-max 45 --beta 0.25 --target-radius 0.9 --smoothing 0",
+        "sailnet solve --phi-max 45 --beta 0.25 --target-radius 0.9 --smoothing 0; "
+        "sailnet solve --optics jpl",
     )
 
 
@@ -40,6 +43,12 @@ def _override_parser() -> argparse.ArgumentParser:
     ):
         help_ = f"{meaning} (tested: {low:g} to {high:g})"
         group.add_argument(option, type=float, metavar=metavar, help=help_)
+    group.add_argument(
+        "--optics",
+        choices=tuple(OPTICS),
+        default="ideal",
+        help="coefficients of the sail (default: %(default)s); if not ideal, --smoothing is 0",
+    )
     return parser
 
 
@@ -48,21 +57,24 @@ def run(options: argparse.Namespace) -> Result:
     from sailnet.expert.fastest import solve
     from sailnet.expert.nominal import solve_nominal
 
+    optics = OPTICS[options.optics]
+    exact = options.smoothing is None and options.optics != "ideal"
     mission = load_mission(options.mission).with_overrides(
         beta=options.beta,
         max_cone_angle=options.phi_max,
-        smoothing=options.smoothing,
+        smoothing=0.0 if exact else options.smoothing,
         target_radius=options.target_radius,
     )
     given = [x is not None for x in (options.r, options.u, options.v)]
     if any(given) and not all(given):
         raise SailnetError("give all of R U V, or none of them to start from the mission's departure orbit")
     state = state_of(options) if all(given) else None
-    for remark in tested_range.beyond(mission.problem):
+    problem = replace(mission.problem, optics=optics)
+    for remark in tested_range.beyond(problem):
         print(f"note: {remark}", file=sys.stderr)
     if state:
-        return _facts(solve(mission.problem, state))
-    nominal = solve_nominal(mission)
+        return _facts(solve(problem, state))
+    nominal = solve_nominal(mission, optics)
     return {
         "state": nominal.smoothed.state.tolist(),
         **_facts(nominal.smoothed),

@@ -17,8 +17,9 @@ from sailnet.physics.transfer import AnyTransfer
 FIRST_STEP, SMALLEST_STEP = 0.2, 1e-4
 """Steps as shares of the way: the first, and the one at which an extremal is given up."""
 
-LARGEST_DEVIATION = 0.02
-"""A step whose time of flight is this far from the predicted one, relatively, left the branch."""
+LARGEST_DEVIATION, LARGEST_FIRST = 0.02, 0.05
+"""A step whose time of flight is this far from the predicted one, relatively, left the branch; and a first
+step, which has no secant to be predicted along, whose time changes by so much."""
 
 GOAL = 1e-6
 """Residual of the steps on the way; the last is made exact."""
@@ -35,7 +36,7 @@ class Followed:
     """Where continuation ended.
 
     Attributes:
-        shots: at share 1, one row an extremal; meaningless where it was not reached.
+        shots: at share 1, one row an extremal; not flown where it was not reached.
         reached: (n,) largest share that was solved: 1, or where a fold ended the branch.
         passed: (k, n) the shares after every step, the first of them 0.
     """
@@ -74,7 +75,8 @@ def follow(family: Family, states: Array, directions: Array, tau: Array) -> Foll
         guess = point[active] + stretch[:, None] * (point[active] - previous[active])
         transfer = family(ahead).rows(active)
         shots = shoot(transfer, states[active], guess[:, :3], guess[:, 3], GOAL, ITERATIONS)
-        near = np.abs(shots.tau - guess[:, 3]) <= LARGEST_DEVIATION * guess[:, 3]
+        allowed = np.where(known > 0.0, LARGEST_DEVIATION, LARGEST_FIRST)
+        near = np.abs(shots.tau - guess[:, 3]) <= allowed * guess[:, 3]
         arrives = arrival_gain(transfer, shots.directions) < 0.0
         good = (shots.residual <= GOAL) & near & arrives
         won = active[good]
@@ -83,4 +85,7 @@ def follow(family: Family, states: Array, directions: Array, tau: Array) -> Foll
         share[won] = ahead[won]
         step[active] *= np.where(good, 2.0, 0.5)
         passed.append(share.copy())
-    return Followed(shoot(family(share), states, point[:, :3], point[:, 3]), share, np.array(passed))
+    ended = np.flatnonzero(share == 1.0)
+    shots, at = Shots.not_flown(point[:, :3], point[:, 3]), point[ended]
+    shots.put(ended, shoot(family(share).rows(ended), states[ended], at[:, :3], at[:, 3]))
+    return Followed(shots, share, np.array(passed))

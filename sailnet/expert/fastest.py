@@ -4,7 +4,7 @@ Guesses come from an index of coarse extremals, refined around the states that a
 Newton's method finishes them, and of the extremals that reach a state the fastest wins.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -153,7 +153,7 @@ def solve_states(
         raise SolveError(f"the state (r, u, v) must be three finite numbers with r > 0, not {worst}")
     if (np.abs(given - transfer.target_state).max(axis=1) < RESIDUAL_GOAL).any():
         raise SolveError("the state is on the target orbit already: there is nothing to solve")
-    optima = no_optima(given)
+    optima = _nothing(given)
     _search(transfer, optima, np.arange(len(given)), region, rivals)
     if region is None:
         _search(transfer, optima, np.flatnonzero(~optima.found), None, rivals)
@@ -211,7 +211,7 @@ def _search(
     states = optima.state[rows]
     scaled, size = _scaled(transfer, states), transfer.target_radius
     index = _index(transfer, scaled, region, optima.time_of_flight[rows] / size**1.5 if longer else None)
-    keep_faster(optima, rows, _fastest(transfer, states, _distinct(index.look_up(scaled)), rivals))
+    _keep_faster(optima, rows, _fastest(transfer, states, _distinct(index.look_up(scaled)), rivals))
     optima.searched[rows] = np.fmax(optima.searched[rows], index.searched(scaled) * size**1.5)
 
 
@@ -224,7 +224,7 @@ def _index(transfer: Transfer, scaled: Array, region: Region | None, until: Arra
             raise SolveError("a state lies outside the region that was to be indexed")
         bins = np.stack(np.meshgrid(*map(np.arange, low, high + 1), indexing="ij"), axis=-1).reshape(-1, 3)
     wanted, which = np.unique(bins, axis=0, return_inverse=True)
-    unit = Transfer(transfer.beta, transfer.phi_max, transfer.delta, 1.0)
+    unit = replace(transfer, target_radius=1.0)
     named = tuple(map(tuple, wanted.tolist()))
     if until is None:
         return build_index(unit, named)
@@ -258,7 +258,7 @@ def _fastest(transfer: Transfer, states: Array, guesses: Guesses, rivals: bool) 
     size = transfer.target_radius
     directions = guesses.directions * [np.sqrt(size), size**2, size**2]
     tau, margin = guesses.tau * size**1.5, SAME * size**1.5
-    best = no_optima(states)
+    best = _nothing(states)
     waiting = np.lexsort((tau, guesses.state))
     while True:
         limit = (best.rival_time if rivals else best.time_of_flight)[guesses.state[waiting]]
@@ -268,31 +268,30 @@ def _fastest(transfer: Transfer, states: Array, guesses: Guesses, rivals: bool) 
         first = np.diff(guesses.state[waiting], prepend=-1) != 0
         rows, waiting = waiting[first], waiting[~first]
         at = guesses.state[rows]
-        keep_faster(
+        _keep_faster(
             best,
             at,
             optima_of(transfer, states[at], shoot(transfer, states[at], directions[rows], tau[rows])),
         )
 
 
-def keep_faster(best: Optima, at: NDArray[np.intp], found: Optima) -> None:
+def _keep_faster(best: Optima, at: NDArray[np.intp], found: Optima) -> None:
     """Replace rows ``at`` of ``best`` by what is faster; the slower of two different ones is a rival."""
     old, new = best.time_of_flight[at], found.time_of_flight
     faster = found.found & ~(new >= old)
     rival = np.where(np.abs(new - old) < 1e-6, np.nan, np.where(faster, old, new))
     rival = np.fmin(np.fmin(best.rival_time[at], found.rival_time), rival)
-    _put(best, at[faster], found, faster)
+    put(best, at[faster], found, faster)
     best.rival_time[at] = rival
 
 
-def _put(best: Optima, at: NDArray[np.intp], found: Optima, chosen: object = ...) -> None:
+def put(best: Optima, at: NDArray[np.intp], found: Optima, chosen: object = ...) -> None:
+    """Replace rows ``at`` of ``best`` by the chosen ones of ``found``."""
     for mine, theirs in zip(vars(best).values(), vars(found).values(), strict=True):
         mine[at] = theirs[chosen]
 
 
-def no_optima(states: Array) -> Optima:
-    """What is known of (n, 3) states before anything was found."""
-
+def _nothing(states: Array) -> Optima:
     def empty(*width: int) -> Array:
         return np.full((len(states), *width), np.nan)
 
@@ -324,5 +323,5 @@ def optima_of(transfer: AnyTransfer, states: Array, shots: Shots) -> Optima:
     ends = np.stack([np.broadcast_to(transfer.target_state, states.shape), states], axis=1)
     bound = 10.0 * hamiltonian_bound(transfer, ends, np.stack([optima.arrival_costates, costates], axis=1))
     reached = (shots.residual <= RESIDUAL_GOAL) & (drift <= bound) & (scale[:, 0] > 0.0)
-    _put(optima, np.flatnonzero(~reached), no_optima(states[~reached]))
+    put(optima, np.flatnonzero(~reached), _nothing(states[~reached]))
     return optima

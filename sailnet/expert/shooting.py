@@ -53,6 +53,19 @@ class Shots:
     jumps: Array
     jump_times: Array
 
+    @classmethod
+    def not_flown(cls, directions: Array, tau: Array) -> "Shots":
+        """Guesses, not propagated yet."""
+        count = len(tau)
+        return cls(
+            directions.copy(),
+            np.array(tau, float),
+            np.full((count, 6), np.nan),
+            np.full(count, np.inf),
+            np.zeros(count, int),
+            np.full(count, np.nan),
+        )
+
     def rows(self, chosen: object) -> "Shots":
         """A part of the problems."""
         return Shots(*(column[chosen] for column in vars(self).values()))
@@ -148,14 +161,7 @@ def _fly_back(
 ) -> tuple[Shots, Array]:
     """Propagate every problem to its own time; also (n, 3, 3) derivatives along both tangents and tau."""
     count, lanes = len(tau), engine.lanes
-    shots = Shots(
-        directions.copy(),
-        np.array(tau, float),
-        np.full((count, 6), np.nan),
-        np.full(count, np.inf),
-        np.zeros(count, int),
-        np.full(count, np.nan),
-    )
+    shots = Shots.not_flown(directions, tau)
     jacobian = np.full((count, 3, 3), np.nan)
     initial = np.zeros((6, lanes))
     initial[:3] = np.array(transfer.target_state)[:, None]

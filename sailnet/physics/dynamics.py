@@ -1,4 +1,4 @@
-"""Motion of an ideal solar sail about the Sun, Eq. (1), written once as heyoka expressions.
+"""Motion of a flat solar sail about the Sun, Eq. (1), written once as heyoka expressions.
 
 The propagators, the plain NumPy evaluation and the tests are all derived from :func:`motion`.
 Units: AU, TU (the Sun's gravitational parameter is 1), radians.
@@ -22,15 +22,40 @@ theta = hy.make_vars("theta")
 beta = hy.make_vars("beta")
 
 
-def motion(beta: Expression, alpha: Expression) -> dict[str, Expression]:
-    """Eq. (1): time derivatives of r, theta, u and v under cone angle ``alpha``."""
+Coefficients = tuple[Expression, Expression, Expression]
+IDEAL: Coefficients = (1.0, 0.0, 0.0)
+"""Of the ideal sail, see :attr:`sailnet.physics.optics.Optics.force`."""
+
+
+def thrust(
+    beta: Expression, distance: Expression, alpha: Expression, coefficients: Coefficients = IDEAL
+) -> tuple[Expression, Expression]:
+    """Radial and transverse acceleration by sunlight under cone angle ``alpha``.
+
+    With n along (cos alpha, sin alpha), the sail's normal, and t along (sin alpha, -cos alpha), it is
+    beta / r^2 ((S cos^2 alpha + L cos alpha) n + T cos alpha sin alpha t).
+
+    Args:
+        beta: normalised characteristic acceleration.
+        distance: from the Sun.
+        alpha: cone angle.
+        coefficients: S, L and T of the sail's optics.
+    """
+    square, linear, across = coefficients
     cos_alpha, sin_alpha = hy.cos(alpha), hy.sin(alpha)
-    pressure = beta * cos_alpha**2 / r**2
+    pressure = beta * (square * cos_alpha**2 + linear * cos_alpha) / distance**2
+    friction = beta * (across * cos_alpha * sin_alpha) / distance**2
+    return pressure * cos_alpha + friction * sin_alpha, pressure * sin_alpha - friction * cos_alpha
+
+
+def motion(beta: Expression, alpha: Expression, coefficients: Coefficients = IDEAL) -> dict[str, Expression]:
+    """Eq. (1): time derivatives of r, theta, u and v under cone angle ``alpha``, see :func:`thrust`."""
+    radial, transverse = thrust(beta, r, alpha, coefficients)
     return {
         "r": u,
         "theta": v / r,
-        "u": pressure * cos_alpha + v**2 / r - 1.0 / r**2,
-        "v": pressure * sin_alpha - u * v / r,
+        "u": radial + v**2 / r - 1.0 / r**2,
+        "v": transverse - u * v / r,
     }
 
 

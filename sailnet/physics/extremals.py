@@ -10,8 +10,10 @@ from scipy.optimize.elementwise import bracket_root, find_root
 
 from sailnet.errors import SolveError
 from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import IDEAL
 from sailnet.physics.pontryagin import guidance_law
 from sailnet.physics.propagation import MOST_STEPS, propagator
+from sailnet.physics.real_law import force_curve
 from sailnet.physics.transfer import AnyTransfer, Transfer
 
 
@@ -26,8 +28,10 @@ def arrival_gain(transfer: AnyTransfer, costates: Array) -> Array:
         costates: (n, 3) rows (lambda_R, lambda_U, lambda_V).
     """
     alpha = guidance_law(transfer, costates[:, 1], costates[:, 2])
-    pressure = transfer.beta * np.cos(alpha) ** 2 / transfer.target_radius**2
-    return np.asarray(pressure * (costates[:, 1] * np.cos(alpha) + costates[:, 2] * np.sin(alpha)))
+    coefficients = np.array([IDEAL]) if transfer.law is None else transfer.law.coefficients
+    radial, transverse = force_curve(alpha, coefficients)[0]
+    pressure = transfer.beta / transfer.target_radius**2
+    return np.asarray(pressure * (costates[:, 1] * radial + costates[:, 2] * transverse))
 
 
 def arrival_lambda_v(transfer: Transfer, lambda_u0: ArrayLike, arrival_sign: float) -> Array:

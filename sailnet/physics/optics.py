@@ -82,10 +82,13 @@ class Optics:
 OPTICS: Mapping[str, Optics] = {
     "ideal": Optics(),
     "jpl": Optics(0.88, 0.94, 0.05, 0.55, 0.79, 0.55),
+    "nasa": Optics(0.91, 0.89, 0.025, 0.27, 0.79, 0.67),
 }
 """Known sails. ``jpl`` is the square sail of JPL's study of a rendezvous with comet Halley, aluminium in
 front and chromium behind: McInnes, Table 2.1, after J. L. Wright, "Space Sailing", Gordon and Breach, 1992,
-Appendices A and B. Facing the Sun it has 1.816 P A, where the ideal sail has 2."""
+Appendices A and B. Facing the Sun it has 1.816 P A, where the ideal sail has 2. ``nasa`` has the coefficients
+of A. Heaton and A. Artusio-Glimpse, "An Update to the NASA Reference Solar Sail Thrust Model", 2015, NTRS
+20150021404."""
 
 
 def optics_from(given: object) -> Optics:

@@ -13,13 +13,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sailnet.physics.arrays import Array
-from sailnet.physics.dynamics import Expression, alpha, motion, r, u, v
+from sailnet.physics.dynamics import IDEAL, Coefficients, Expression, alpha, motion, r, thrust, u, v
 from sailnet.physics.transfer import AnyTransfer, Transfer
 
 lambda_r, lambda_u, lambda_v = hy.make_vars("lambda_r", "lambda_u", "lambda_v")
 
 BETA, PHI_MAX, DELTA, BRANCH, MODE = (hy.par[i] for i in range(5))
-"""Parameters of every compiled system, in this order.
+REAL: Coefficients = (hy.par[5], hy.par[6], hy.par[7])
+TAKEOVER, LAST = hy.par[8], hy.par[9]
+"""Parameters of every compiled system, in this order; from ``REAL`` on, of sails that are not ideal alone.
 
 ``BRANCH`` is the sign of the cone angle, -sign(lambda_v): it fixes the side of the branch cut
 lambda_v = 0, lambda_u > 0. ``MODE`` is used by the exact law (delta = 0) alone: 0 while the bound
@@ -27,9 +29,9 @@ is inactive, else the sign of the active bound.
 """
 
 
-def hamiltonian() -> Expression:
+def hamiltonian(coefficients: Coefficients = IDEAL) -> Expression:
     """Eq. (7) with lambda_theta = 0 (Eq. 10), for any cone angle ``alpha``."""
-    slopes = motion(BETA, alpha)
+    slopes = motion(BETA, alpha, coefficients)
     return 1.0 + lambda_r * slopes["r"] + lambda_u * slopes["u"] + lambda_v * slopes["v"]
 
 
@@ -55,17 +57,43 @@ def saturated_angle(bar: Expression) -> Expression:
     return 0.5 * (hy.sqrt((bar + PHI_MAX) ** 2 + DELTA) - hy.sqrt((bar - PHI_MAX) ** 2 + DELTA))
 
 
-def extremal_motion(law: Expression) -> list[tuple[Expression, Expression]]:
+def extremal_motion(
+    law: Expression, coefficients: Coefficients = IDEAL
+) -> list[tuple[Expression, Expression]]:
     """Eqs. (1) and (8) along an extremal: (variable, time derivative) of the six unknowns.
 
     Args:
         law: the cone angle as an expression of the costates.
+        coefficients: of the sail's force.
     """
-    gradient = hy.diff_tensors([hamiltonian()], [r, u, v]).gradient
-    slopes = motion(BETA, alpha)
+    gradient = hy.diff_tensors([hamiltonian(coefficients)], [r, u, v]).gradient
+    slopes = motion(BETA, alpha, coefficients)
     derivatives = [slopes["r"], slopes["u"], slopes["v"], *(-g for g in gradient)]
     variables = [r, u, v, lambda_r, lambda_u, lambda_v]
     return [(x, hy.subs(dx, {alpha: law})) for x, dx in zip(variables, derivatives, strict=True)]
+
+
+def real_extremal_motion() -> list[tuple[Expression, Expression]]:
+    """The same for a sail that is not ideal, whose cone angle inside the bound is a seventh unknown.
+
+    There dH/dalpha = 0 all the time, so that its own derivative by time vanishes, which says how alpha turns.
+    It stops beyond the last angle inside the bound, which only a fall into the Sun gets to: next comes 0/0.
+    """
+    inside = hy.eq(MODE, hy.expression(0.0))
+    sound = hy.logical_and([inside, hy.lt(alpha**2, (LAST + 1e-3) ** 2)])
+    system = extremal_motion(hy.select(inside, alpha, MODE * PHI_MAX), REAL)
+    slopes = dict(system)
+    radial, transverse = thrust(1.0, 1.0, alpha, REAL)
+    change = [hy.diff(f, alpha) for f in (radial, transverse)]
+    bend = [hy.diff(f, alpha) for f in change]
+    turned = change[0] * slopes[lambda_u] + change[1] * slopes[lambda_v]
+    rate = -turned / (lambda_u * bend[0] + lambda_v * bend[1])
+    return [*system, (alpha, hy.select(sound, rate, hy.expression(0.0)))]
+
+
+def takeover_event() -> Expression:
+    """Where the bound takes over and lets go again: positive where it is active; see ``RealLaw.takeover``."""
+    return hy.sin(TAKEOVER) * lambda_u - hy.cos(TAKEOVER) * BRANCH * lambda_v
 
 
 @cache
@@ -76,21 +104,26 @@ def _compiled_law() -> Any:
 
 
 @cache
-def _compiled_hamiltonian() -> Any:
-    return hy.cfunc([hamiltonian()], vars=[r, u, v, lambda_r, lambda_u, lambda_v, alpha])
+def _compiled_hamiltonian(ideal: bool) -> Any:
+    return hy.cfunc(
+        [hamiltonian(IDEAL if ideal else REAL)], vars=[r, u, v, lambda_r, lambda_u, lambda_v, alpha]
+    )
 
 
 def guidance_law(transfer: AnyTransfer, lambda_u: ArrayLike, lambda_v: ArrayLike) -> Array:
-    """Optimal cone angle [rad], Eq. (12); finite for all finite costates.
+    """Optimal cone angle [rad], Eq. (12) or that of a real sail; finite for all finite costates.
 
     Args:
-        transfer: the problem; its ``phi_max`` and ``delta`` are used.
+        transfer: the problem; its ``phi_max``, ``delta`` and optics are used. One a row: costates (n,).
         lambda_u, lambda_v: costates, any shapes that broadcast together.
 
     Returns:
         The cone angle, of the broadcast shape. At lambda_v = 0 with lambda_u > 0, where the
         command jumps, one of the two one-sided limits; 0 where both costates vanish.
     """
+    if transfer.law is not None:
+        a, b = np.broadcast_arrays(np.asarray(lambda_u, float), np.asarray(lambda_v, float))
+        return transfer.law.angle(a.ravel(), b.ravel())[0].reshape(a.shape)
     return np.asarray(_law(transfer, lambda_u, lambda_v)[0])
 
 
@@ -122,14 +155,16 @@ def evaluate_hamiltonian(
     """H of Eq. (7) at given cone angles.
 
     Args:
-        transfer: the problem; its ``beta`` is used.
+        transfer: the problem, or one a row; ``beta`` and optics are used.
         states, costates: (n, 3) rows (r, u, v) and (lambda_r, lambda_u, lambda_v).
         alpha: (n,) cone angle [rad].
     """
     inputs = np.ascontiguousarray(np.column_stack([states, costates, np.asarray(alpha, float)]).T)
-    pars = np.zeros((1, inputs.shape[1]))
+    pars = np.zeros((1 if transfer.law is None else 8, inputs.shape[1]))
     pars[0] = transfer.beta
-    return np.asarray(_compiled_hamiltonian()(inputs, pars=pars)[0])
+    if transfer.law is not None:
+        pars[5:] = transfer.law.coefficients.T
+    return np.asarray(_compiled_hamiltonian(transfer.law is None)(inputs, pars=pars)[0])
 
 
 def hamiltonian_bound(transfer: AnyTransfer, states: Array, costates: Array) -> Array:

@@ -2,11 +2,16 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.errors import SolveError
 from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import IDEAL
+from sailnet.physics.optics import OPTICS, Optics
+from sailnet.physics.real_law import RealLaw
 
 Chosen = NDArray[np.bool_] | NDArray[np.intp]
 """Rows of a batch: which, or their numbers."""
@@ -14,19 +19,36 @@ Chosen = NDArray[np.bool_] | NDArray[np.intp]
 
 @dataclass(frozen=True)
 class Transfer:
-    """The optimal-control problem: minimum time to a circular orbit with a constrained ideal sail.
+    """The optimal-control problem: minimum time to a circular orbit with a constrained sail.
 
     Attributes:
         beta: normalised characteristic acceleration (dimensionless), Eq. (1).
         phi_max: bound on the cone angle [rad], Eq. (3); pi/2 means unconstrained.
         delta: smoothing of the saturation, Eq. (12); 0 is the exact law, Eq. (11).
         target_radius: radius of the target orbit [AU], Eq. (5).
+        optics: of the sail. Eq. (12) smooths the law of an ideal one: any other needs delta = 0.
+
+    Raises:
+        SolveError: a smoothed law of a sail that is not ideal.
     """
 
     beta: float
     phi_max: float
     delta: float
     target_radius: float
+    optics: Optics = OPTICS["ideal"]
+
+    def __post_init__(self) -> None:
+        if self.law is not None and self.delta != 0.0:
+            raise SolveError(
+                f"Eq. (12) smooths an ideal sail's law: with other optics delta must be 0, not {self.delta:g}"
+            )
+
+    @cached_property
+    def law(self) -> RealLaw | None:
+        """The law of the cone angle of a sail that is not ideal; Eq. (11) serves the others."""
+        force = self.optics.force
+        return None if force == IDEAL else RealLaw.of(np.array([force]), self.phi_max)
 
     @property
     def target_state(self) -> tuple[float, float, float]:
@@ -43,12 +65,14 @@ class Transfers:
     """One transfer for many sails, one a row of a batch; it stands wherever the same rows stand.
 
     Attributes:
-        common: what they share; its own beta is not used.
+        common: what they share; its own beta and optics are not used.
         beta: (n,) normalised characteristic accelerations.
+        law: of their cone angles, None if all sails are ideal.
     """
 
     common: Transfer
     beta: Array
+    law: RealLaw | None = None
 
     @property
     def phi_max(self) -> float:
@@ -72,7 +96,7 @@ class Transfers:
 
     def rows(self, chosen: Chosen) -> "Transfers":
         """Some of them."""
-        return Transfers(self.common, self.beta[chosen])
+        return Transfers(self.common, self.beta[chosen], self.law and self.law.rows(chosen))
 
 
 AnyTransfer = Transfer | Transfers

@@ -88,6 +88,16 @@ def test_beyond_the_tested_range_solve_says_so_on_stderr() -> None:
     assert json.loads(done.stdout)["residual"] <= 1e-9
 
 
+def test_solve_takes_a_sail_that_is_not_ideal() -> None:
+    """Golden: DOP853, the control minimised numerically."""
+    assert _json("solve", "1", "0", "1", "--optics", "jpl")["time_of_flight"] == pytest.approx(
+        7.4397331, abs=1e-7
+    )
+    done = _run("solve", "1", "0", "1", "--optics", "jpl", "--smoothing", "1e-3")
+    assert done.returncode == 1
+    assert "delta must be 0" in done.stderr
+
+
 def test_solve_says_when_its_search_ended_early(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sailnet.expert.fastest, "build_index", sailnet.expert.index.build_index.__wrapped__)
     monkeypatch.setattr(sailnet.expert.index, "MOST", 2600)

@@ -20,7 +20,7 @@ def problem(transfer: Transfer, guess: float = 7.0) -> Problem:
     extremal crosses lambda_v = 0 with lambda_u > 0 it cannot be trusted, and says so by its Hamiltonian.
 
     Args:
-        transfer: beta, phi_max and the target.
+        transfer: beta, phi_max and the target, of an ideal sail.
         guess: of the time of flight [TU].
     """
     slopes = motion(transfer.beta, alpha)

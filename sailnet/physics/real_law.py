@@ -1,0 +1,127 @@
+"""The optimal cone angle of a flat sail that is not ideal, where Eq. (11) has no closed form.
+
+Per beta / r^2 the force traces a curve f(alpha) = (f_r, f_t) as the sail turns. The minimum of
+lambda_u f_r + lambda_v f_t is the curve's farthest point along -(lambda_u, lambda_v), whose angle theta from
+the radial direction decides: tan theta = -f_r'(alpha) / f_t'(alpha) inside the bound. At wide angles the
+curve bends inwards: no force there is ever the best. Where a tangent of the curve meets its end, at the
+bound, the minimum jumps from one to the other.
+
+By symmetry it suffices to look at |alpha| and |lambda_v|; the two signs are opposite (Eq. 24).
+"""
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import heyoka as hy
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize.elementwise import find_root
+
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import Expression, alpha, thrust
+
+NEWTON_STEPS = 12
+"""From 0, left of where a concave function crosses, Newton's method never overshoots; half as many reach the
+last digit but where the curve is about to bend inwards."""
+
+COEFFICIENTS = hy.make_vars("square", "linear", "across")
+
+
+def _curve() -> list[Expression]:
+    curve = list(thrust(1.0, 1.0, alpha, COEFFICIENTS))
+    slope = [hy.diff(f, alpha) for f in curve]
+    return [*curve, *slope, *(hy.diff(f, alpha) for f in slope)]
+
+
+@cache
+def _compiled_curve() -> Any:
+    return hy.cfunc(_curve(), vars=[alpha, *COEFFICIENTS])
+
+
+@cache
+def _compiled_angle() -> Any:
+    theta = hy.make_vars("theta")
+    _, _, slope_r, slope_t, bend_r, bend_t = _curve()
+    turning = (slope_r * bend_t - slope_t * bend_r) / (slope_r**2 + slope_t**2)
+    step = (theta - hy.atan2(-slope_r, slope_t)) / turning
+    angle = hy.expression(0.0)
+    for _ in range(NEWTON_STEPS):
+        angle = angle + hy.subs(step, {alpha: angle})
+    return hy.cfunc([angle], vars=[theta, *COEFFICIENTS], compact_mode=True)
+
+
+def force_curve(angle: Array, coefficients: Array) -> Array:
+    """(3, 2, n) f_r and f_t per beta / r^2, their first and second derivatives by the cone angle.
+
+    Args:
+        angle: (n,) cone angles [rad].
+        coefficients: (n, 3) or (3,), see :attr:`sailnet.physics.optics.Optics.force`.
+    """
+    inputs = np.empty((4, len(angle)))
+    inputs[0], inputs[1:] = angle, np.broadcast_to(coefficients, (len(angle), 3)).T
+    return np.asarray(_compiled_curve()(inputs)).reshape(3, 2, -1)
+
+
+@dataclass(frozen=True)
+class RealLaw:
+    """Force laws of sails and where their bound takes over, one a row or one for all.
+
+    Attributes:
+        coefficients: (n, 3) of the force.
+        phi_max: bound on the cone angle [rad].
+        takeover: (n,) theta from which the bound is active.
+        last: (n,) the cone angle just before: the bound's, or a smaller one that jumps to it.
+    """
+
+    coefficients: Array
+    phi_max: float
+    takeover: Array
+    last: Array
+
+    @classmethod
+    def of(cls, coefficients: Array, phi_max: float) -> "RealLaw":
+        """The laws of (n, 3) coefficients."""
+        last = _last_angle(coefficients, phi_max)
+        slope = force_curve(last, coefficients)[1]
+        return cls(coefficients, phi_max, np.arctan2(-slope[0], slope[1]), last)
+
+    def rows(self, chosen: Any) -> "RealLaw":
+        """Some of them; the one for all stays."""
+        if len(self.last) == 1:
+            return self
+        return RealLaw(self.coefficients[chosen], self.phi_max, self.takeover[chosen], self.last[chosen])
+
+    def angle(self, lambda_u: Array, lambda_v: Array) -> tuple[Array, NDArray[np.bool_]]:
+        """(n,) optimal cone angle [rad], and (n,) whether the bound is active."""
+        # Not -lambda_u: where both vanish, and no angle is better than any other, theta is 0.
+        theta = np.arctan2(np.abs(lambda_v), 0.0 - lambda_u)
+        bound = theta > self.takeover
+        inputs = np.empty((4, len(theta)))
+        inputs[0], inputs[1:] = np.minimum(theta, self.takeover), self.coefficients.T
+        size = _compiled_angle()(inputs)[0]
+        return np.copysign(np.where(bound, self.phi_max, size), -lambda_v), bound
+
+    def gradient(self, angle: Array, lambda_u: Array, lambda_v: Array) -> Array:
+        """(2, n) derivatives of the optimal angle by lambda_u and lambda_v, inside the bound."""
+        _, slope, bend = force_curve(angle, self.coefficients)
+        return np.asarray(-slope / (lambda_u * bend[0] + lambda_v * bend[1]))
+
+
+def _last_angle(coefficients: Array, phi_max: float) -> Array:
+    """(n,) the angle at which a tangent of the force curve meets the curve's end, or that end."""
+    count = len(coefficients)
+    end, slope, bend = force_curve(np.full(count, phi_max), coefficients)
+
+    def off_tangent(angle: Array, *rows: Array) -> Array:
+        force, slope, _ = force_curve(angle, np.column_stack(rows[:3]))
+        return np.asarray(slope[0] * (rows[4] - force[1]) - slope[1] * (rows[3] - force[0]))
+
+    last = np.full(count, phi_max)
+    inwards = np.flatnonzero(slope[0] * bend[1] - slope[1] * bend[0] < 0.0)
+    if len(inwards):
+        # At the very end both factors vanish.
+        near = np.full(len(inwards), phi_max * (1.0 - 1e-3))
+        rows = (*coefficients[inwards].T, *end[:, inwards])
+        last[inwards] = find_root(off_tangent, (np.zeros(len(inwards)), near), args=rows).x
+    return last
