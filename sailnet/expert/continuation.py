@@ -17,8 +17,9 @@ from sailnet.physics.transfer import AnyTransfer
 FIRST_STEP, SMALLEST_STEP = 0.2, 1e-4
 """Steps as shares of the way: the first, and the one at which an extremal is given up."""
 
-LARGEST_DEVIATION = 0.02
-"""A step whose time of flight is this far from the predicted one, relatively, left the branch."""
+LARGEST_DEVIATION, LARGEST_FIRST = 0.02, 0.05
+"""A step whose time of flight is this far from the predicted one, relatively, left the branch; and a first
+step, which has no secant to be predicted along, whose time changes by so much."""
 
 GOAL = 1e-6
 """Residual of the steps on the way; the last is made exact."""
@@ -74,7 +75,8 @@ def follow(family: Family, states: Array, directions: Array, tau: Array) -> Foll
         guess = point[active] + stretch[:, None] * (point[active] - previous[active])
         transfer = family(ahead).rows(active)
         shots = shoot(transfer, states[active], guess[:, :3], guess[:, 3], GOAL, ITERATIONS)
-        near = np.abs(shots.tau - guess[:, 3]) <= LARGEST_DEVIATION * guess[:, 3]
+        allowed = np.where(known > 0.0, LARGEST_DEVIATION, LARGEST_FIRST)
+        near = np.abs(shots.tau - guess[:, 3]) <= allowed * guess[:, 3]
         arrives = arrival_gain(transfer, shots.directions) < 0.0
         good = (shots.residual <= GOAL) & near & arrives
         won = active[good]

@@ -213,16 +213,19 @@ class Propagator:
         return True
 
     def _take_over(self, ta: Any, direction: int, lane: int) -> bool:
-        before = self.slopes()[:, lane] if self.variational else np.empty(0)
-        branch = self._pars[3, lane]
-        self._pars[4, lane] = 0.0 if self._pars[4, lane] else branch
         assert self._law is not None
+        branch, last = self._pars[3, lane], self._pars[9, lane]
+        jump = self.variational and last < self._pars[1, lane]
+        if jump:
+            before = self.slopes()[:, lane]
+        self._pars[4, lane] = 0.0 if self._pars[4, lane] else branch
         if not self._pars[4, lane]:
-            self._state[6, lane] = branch * np.broadcast_to(self._law.last, self.lanes)[lane]
-        if self.variational:
+            self._state[6, lane] = branch * last
+        if jump:
             at = self._pars[8, lane]
             along = np.array([np.sin(at), -np.cos(at) * branch])
             self._salt(lane, before, along @ self._tangents[4:6, :, lane] / (along @ before[4:6]))
+        if self.variational:
             self._turn_with_costates(lane)
         return True
 

@@ -93,7 +93,7 @@ def test_mirrored_costates_turn_the_sail_the_other_way() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("degrees", "duration"), [(60.0, 4.0), (60.0, 10.6), (89.0, 10.6)])
+@pytest.mark.parametrize(("degrees", "duration"), [(60.0, 4.0), (60.0, 12.0), (89.0, 12.0)])
 def test_the_tangents_are_derivatives_across_every_event(degrees: float, duration: float) -> None:
     transfer = sail("jpl", degrees)
     costates = DIRECTION / -arrival_gain(transfer, DIRECTION[None])[0]
