@@ -97,7 +97,7 @@ def reproduction_record(
     }
     return {
         "schema": SCHEMA,
-        "transfer": vars(networks["tau"].mission.problem),
+        "transfer": _posed(networks["tau"].mission),
         "training": training,
         "case_1": page_columns(case),
         "two_networks": {
@@ -129,7 +129,13 @@ def shipped_record(mission: Mission) -> dict[str, Any] | None:
             raise SailnetError(f"{path} has schema {record['schema']!r}, this version reads {SCHEMA!r}")
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise SailnetError(f"cannot read {path}: {error}; install sailnet again") from error
-    return dict(record) if record["transfer"] == vars(mission.problem) else None
+    return dict(record) if record["transfer"] == _posed(mission) else None
+
+
+def _posed(mission: Mission) -> dict[str, float]:
+    """The numbers of a mission's problem."""
+    problem = mission.problem
+    return {name: getattr(problem, name) for name in ("beta", "phi_max", "delta", "target_radius")}
 
 
 def reproduction_charts(record: Mapping[str, Any], optimum: Optimum, bound: float) -> list[Chart]:
