@@ -75,10 +75,11 @@ static void check(const sailnet_command *command)
     const sailnet_real phi_max = SAILNET_PHI_MAX;
     const sailnet_real beta_min = SAILNET_BETA_MIN;
     const sailnet_real beta_max = SAILNET_BETA_MAX;
+    const sailnet_real largest_period = SAILNET_LARGEST_PERIOD;
     /*@ assert cone_angle: \is_finite(command->cone_angle) && -phi_max <= command->cone_angle <= phi_max; */
     /*@ assert beta: \is_finite(command->beta) && beta_min <= command->beta <= beta_max; */
     /*@ assert time_of_flight: \is_finite(command->time_of_flight); */
-    /*@ assert hold: \is_finite(command->hold) && 0 <= command->hold; */
+    /*@ assert hold: \is_finite(command->hold) && 0 <= command->hold <= largest_period; */
 }
 
 void prove_guidance(void)

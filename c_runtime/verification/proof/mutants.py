@@ -66,7 +66,14 @@ MUTANTS = (
         "memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);",
         "",
     ),
-    Mutant("any period held", "sailnet_limited(&command->hold, SAILNET_OF_PERIOD)", "command->hold"),
+    Mutant(
+        "any time held",
+        "sailnet_limited(&command->time_of_flight, SAILNET_OF_PERIOD)",
+        "command->time_of_flight",
+    ),
+    Mutant(
+        "any period held", "hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);", "hold = period;"
+    ),
     Mutant(
         "inputs not clamped on a host", "shifted[i] = clamped -", "shifted[i] = input[i] -", layout="host"
     ),
