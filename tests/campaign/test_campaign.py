@@ -101,6 +101,7 @@ def test_trajectories_of_a_sample_and_of_failures_are_kept(small: Results) -> No
     assert_same(small.history(small.kept.tolist().index(rows[0] + number)), again)
 
 
+@pytest.mark.slow
 def test_at_its_second_period_a_series_keeps_failures_alone(small: Results, tmp_path: Path) -> None:
     assert small.flights["arrived"][small.rows(0, 0.05)].all()
     assert not set(small.rows(0, 0.05).tolist()) & set(small.kept.tolist())
@@ -146,6 +147,7 @@ def test_optima_go_to_series_with_the_same_starts_alone(tmp_path: Path) -> None:
     np.testing.assert_allclose(optimal, expected, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_flights_of_later_batches_have_their_own_starts_and_numbers(tmp_path: Path) -> None:
     """Of listed starts too; and a trajectory is that of its flight."""
     starts = [CASE, (1.0, 0.0, 1.0), (1.1, 0.18, 0.93)]
@@ -323,6 +325,7 @@ def test_what_is_flown_already_is_not_flown_again(tmp_path: Path) -> None:
     assert path.stat().st_mtime_ns > again
 
 
+@pytest.mark.slow
 def test_the_same_campaign_is_flown_anew_by_other_software(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -513,6 +516,7 @@ def test_a_finished_campaign_is_not_replaced_unasked(
     assert len(open_results(tmp_path / "out" / "small.h5").flights["number"]) == 3
 
 
+@pytest.mark.slow
 def test_both_precisions_are_flown_one_after_the_other(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

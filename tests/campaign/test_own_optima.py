@@ -19,6 +19,7 @@ PROBLEM = MISSION.problem
 STATES = np.array([[1.05, 0.15, 1.03], [1.0, 0.0, 1.0], [1.05, 0.15, 1.03]])
 
 
+@pytest.mark.slow
 def test_a_stronger_sail_has_a_shorter_optimum_and_the_assumed_one_its_own() -> None:
     """Held against a search for that very sail; a state that occurs twice keeps its place."""
     assumed = assumed_optima(MISSION, STATES, anywhere=True)
@@ -36,6 +37,7 @@ def test_a_real_sail_is_compared_with_what_a_real_sail_can_do() -> None:
     assert times[0] == pytest.approx(7.4397331, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_of_many_what_cannot_be_followed_stays_unknown(monkeypatch: pytest.MonkeyPatch) -> None:
     """A search for each would take longer than all the rest; of a few it is made."""
     assumed = assumed_optima(MISSION, STATES[1:2], anywhere=True)

@@ -32,6 +32,7 @@ def _process(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
 
 
+@pytest.mark.slow
 def test_a_process_prints_the_same_and_nothing_else() -> None:
     case = ("fly", "1.05", "0.15", "1.03", "--period", "0.02", "--json")
     here, there = _run(*case), _process(*case)
@@ -39,6 +40,7 @@ def test_a_process_prints_the_same_and_nothing_else() -> None:
     assert json.loads(there.stdout)["arrived"] is True
 
 
+@pytest.mark.slow
 def test_a_process_ends_with_the_status_and_the_reason() -> None:
     here, there = (run("fly", "1", "0", "1", "--period", "0") for run in (_run, _process))
     assert there.returncode == here.returncode == 1
@@ -68,6 +70,7 @@ def test_solve_prints_the_optimum() -> None:
     assert result["residual"] <= 1e-9
 
 
+@pytest.mark.slow
 def test_solve_takes_another_sail_and_target() -> None:
     changes = ("--phi-max", "45", "--smoothing", "0")
     assert _json("solve", "1", "0", "1", *changes)["time_of_flight"] == pytest.approx(7.138440, abs=1e-6)
@@ -75,6 +78,7 @@ def test_solve_takes_another_sail_and_target() -> None:
     assert _json("solve", "1", "0", "1", *both)["time_of_flight"] == pytest.approx(3.908616, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_solve_without_a_state_prints_the_nominal() -> None:
     result = _json("solve", "--mission", "earth_venus")
     assert result["state"] == [1.0, 0.0, 1.0]
@@ -98,6 +102,7 @@ def test_solve_takes_a_sail_that_is_not_ideal() -> None:
     assert "delta must be 0" in done.stderr
 
 
+@pytest.mark.slow
 def test_solve_says_when_its_search_ended_early(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sailnet.expert.fastest, "build_index", sailnet.expert.index.build_index.__wrapped__)
     monkeypatch.setattr(sailnet.expert.index, "MOST", 2600)
@@ -153,6 +158,7 @@ def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
         assert ends[2] != other
 
 
+@pytest.mark.slow
 def test_evaluate_counts_arrivals_and_all_flights_against_the_optimum() -> None:
     result = _json("evaluate", "--flights", "3", "--seed", "6", "--period", "0.02")
     assert {

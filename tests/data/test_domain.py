@@ -108,6 +108,7 @@ def _given(executor: Executor) -> Executor:
     return executor
 
 
+@pytest.mark.slow
 def test_coverage_tells_what_is_covered(narrow: Mission, file: Path, tmp_path: Path) -> None:
     starts = random_starts(narrow, 40, seed=8)
     with open_dataset(file) as data:
@@ -134,6 +135,7 @@ def test_a_start_without_a_way_counts_as_uncovered(file: Path) -> None:
     assert shares["0.05"] == 0.5
 
 
+@pytest.mark.slow
 def test_the_commands(file: Path) -> None:
     run = [sys.executable, "-m", "data.coverage", str(file), "--starts", "5", "--json"]
     done = subprocess.run(run, cwd=ROOT, capture_output=True, text=True, check=True)

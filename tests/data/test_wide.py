@@ -36,6 +36,7 @@ def shards(narrow: Mission) -> list[Block]:
     return [wide_shard(narrow, level) for level in (0, 1)]
 
 
+@pytest.mark.slow
 def test_each_level_is_one_sail_and_flies_from_the_domain(narrow: Mission, shards: list[Block]) -> None:
     low, high = narrow.generalisation.corners
     for block, share in zip(shards, narrow.dataset.wide.beta, strict=True):
@@ -85,6 +86,7 @@ def test_no_sample_of_an_approach_is_slower_than_its_neighbours(narrow: Mission,
     assert any((lengths < SAMPLES + 1).any() for lengths in kept), "nothing was cut: the test shows nothing"
 
 
+@pytest.mark.slow
 def test_the_same_recipe_gives_the_same_samples_and_the_file_is_sound(
     narrow: Mission, shards: list[Block], tmp_path: Path
 ) -> None:

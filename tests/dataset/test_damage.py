@@ -36,6 +36,7 @@ def test_a_truncated_file_is_refused(stored: Path, tmp_path: Path) -> None:
             content(path)
 
 
+@pytest.mark.slow
 def test_a_flipped_bit_is_refused_or_harmless(stored: Path, tmp_path: Path) -> None:
     raw = stored.read_bytes()
     expected = content(stored)
@@ -188,6 +189,7 @@ def test_a_failure_half_way_leaves_the_old_file(
     assert list(tmp_path.iterdir()) == [path]
 
 
+@pytest.mark.slow
 def test_a_killed_process_leaves_the_old_file(stored: Path, tmp_path: Path) -> None:
     path = tmp_path / "kept.h5"
     path.write_bytes(stored.read_bytes())

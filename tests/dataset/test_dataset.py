@@ -9,6 +9,7 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+import pytest
 
 from sailnet.dataset import (
     INTEGER,
@@ -104,6 +105,7 @@ def test_the_digest_knows_the_content(small: Mission, shard: Block, stored: Path
         assert another.digest != same.digest  # the mission is content
 
 
+@pytest.mark.slow
 def test_memory_holds_one_block_at_a_time(small: Mission, shard: Block, tmp_path: Path) -> None:
     alive: list[weakref.ref[Block]] = []
 

@@ -27,6 +27,7 @@ second, and the first but for the last state, were confirmed to 1e-10 by tests.f
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("state", HIDDEN)
 def test_states_that_an_even_mesh_missed(problem: Transfer, state: tuple[float, float, float]) -> None:
     exact, smoothed = HIDDEN[state]
@@ -35,6 +36,7 @@ def test_states_that_an_even_mesh_missed(problem: Transfer, state: tuple[float, 
     assert solve(law, state).time_of_flight == pytest.approx(exact, abs=1e-8)
 
 
+@pytest.mark.slow
 def test_the_costates_are_the_gradient_of_the_time_of_flight(problem: Transfer) -> None:
     """An extremal that is stationary but not the fastest one of its field fails this sooner or later."""
     exact, step = dataclasses.replace(problem, delta=0.0), 2e-5

@@ -85,6 +85,7 @@ def test_no_states_no_optima(problem: Transfer) -> None:
     assert optima.found.shape == (0,)
 
 
+@pytest.mark.slow
 def test_states_out_of_reach_are_not_found_and_spoil_no_others(
     problem: Transfer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -102,6 +103,7 @@ def test_states_out_of_reach_are_not_found_and_spoil_no_others(
             assert np.isnan(column).all()
 
 
+@pytest.mark.slow
 def test_what_is_found_anywhere_is_no_wrong_answer(problem: Transfer) -> None:
     """States from all over: many cannot be reached, and what is found holds."""
     states = np.random.default_rng(7).uniform((0.9, -0.1, 0.8), (1.4, 0.2, 1.1), (3, 3))

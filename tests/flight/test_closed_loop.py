@@ -14,6 +14,7 @@ from sailnet.mission.disturbances import Disturbance
 from tests.pilots import MISSION, Constant, Optimum
 
 
+@pytest.mark.slow
 def test_flying_the_optimal_command_ends_on_the_target_orbit() -> None:
     extremal = solve(MISSION.problem, MISSION.departure_state)
     time, columns = sample(MISSION.problem, extremal, 20_001)
@@ -50,6 +51,7 @@ def test_a_sail_that_falls_into_the_sun_is_lost_not_arrived() -> None:
     assert flight.time_of_flight[0] < 3.0
 
 
+@pytest.mark.slow
 def test_a_command_out_of_bounds_is_never_an_arrival() -> None:
     extremal = solve(MISSION.problem, MISSION.departure_state)
     time, columns = sample(MISSION.problem, extremal, 20_001)

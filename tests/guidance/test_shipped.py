@@ -84,6 +84,7 @@ def test_random_starts_arrive_with_a_sail_nobody_knows(
         np.testing.assert_allclose(estimate, real, rtol=4e-3 if disturbance.beta_drift else 1e-3)
 
 
+@pytest.mark.slow
 def test_flights_are_nearly_as_fast_as_the_optimum(mission: Mission) -> None:
     guidance = load_guidance(mission, "c")
     starts = np.array([[1.0, 0.0, 1.0], [1.03, 0.05, 0.9], [1.1, 0.02, 0.95], [1.12, 0.08, 0.85]])

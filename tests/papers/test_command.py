@@ -219,6 +219,7 @@ def _other_pid() -> list[Row]:
     return [replace(OTHER, ours=float(os.getpid()), same=False)]
 
 
+@pytest.mark.slow
 def test_workers_solve_side_by_side_and_keep_the_order(
     stage: Callable[..., None], capsys: pytest.CaptureFixture[str]
 ) -> None:

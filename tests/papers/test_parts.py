@@ -35,6 +35,7 @@ def test_what_is_not_installed_is_named_before_any_work() -> None:
         parts.chosen([part, other], "nosuch")
 
 
+@pytest.mark.slow
 def test_only_the_sail_needs_pygmo() -> None:
     """In a process that cannot import it, all else is there, and what needs it says what to install."""
     script = """

@@ -20,6 +20,7 @@ def found() -> dict[str, Trial]:
     return {one.solver: one for one in sail.trials(["shooting", "collocation"])}
 
 
+@pytest.mark.slow
 def test_solvers_agree_from_guesses_without_the_answer(found: dict[str, Trial]) -> None:
     assert list(found) == ["shooting", "collocation"]
     for name in ("shooting", "collocation"):
@@ -31,6 +32,7 @@ def test_solvers_agree_from_guesses_without_the_answer(found: dict[str, Trial]) 
     assert trial.failure(list(found.values())) is None
 
 
+@pytest.mark.slow
 def test_what_does_not_converge_appears_with_its_residuals(monkeypatch: pytest.MonkeyPatch) -> None:
     # At this smoothing there is no solution near straight lines.
     way = sail.WAYS["collocation"]

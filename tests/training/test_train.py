@@ -219,6 +219,7 @@ def test_unusable_device_is_named(dataset: Path, tmp_path: Path) -> None:
         train_network(dataset, _mission(), TARGETS["tau"], tmp_path, "no_such_device")
 
 
+@pytest.mark.slow
 def test_command_trains_in_parallel_and_reports_bad_input(dataset: Path, tmp_path: Path) -> None:
     def run(*arguments: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(

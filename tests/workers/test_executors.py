@@ -98,12 +98,14 @@ def test_a_failed_function_is_not_tried_again() -> None:
     assert executor.submitted == 1
 
 
+@pytest.mark.slow
 def test_a_killed_process_is_replaced(tmp_path: Path) -> None:
     with processes(2) as workers:
         assert list(workers.map(partial(vanish, tmp_path / "marker"), range(8))) == list(range(8))
     assert (tmp_path / "marker").exists()
 
 
+@pytest.mark.slow
 def test_work_that_kills_its_workers_is_given_up() -> None:
     with processes(1) as workers, pytest.raises(SailnetError, match=f"lost {LOSSES} times in a row"):
         list(workers.map(always_vanish, range(3)))
