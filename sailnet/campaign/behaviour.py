@@ -7,12 +7,12 @@ import numpy as np
 from sailnet.campaign.shares import Share, Spread
 from sailnet.flight.closed_loop import Flights
 from sailnet.mission.mission import Mission
-from sailnet.physics.units import TU
+from sailnet.physics.units import HOUR, TU
 
 DEGREE = np.pi / 180.0
 """[rad]"""
 
-DEGREE_PER_HOUR = DEGREE * TU / 3600.0
+DEGREE_PER_HOUR = DEGREE * TU / HOUR
 """[rad/TU]"""
 
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sailnet.campaign.shares import Share, Spread
 from sailnet.campaign.time_to_go import time_to_go
@@ -40,8 +41,14 @@ class Excess:
 
 def counted_times(mission: Mission, flights: Flights) -> Array:
     """(n,) what each flight counts as [TU]: see :class:`Excess`."""
-    counted = flights.time_of_flight + time_to_go(mission, flights)
-    return np.where(np.isfinite(counted), counted, mission.flight.longest)
+    return _counted(mission, flights)[0]
+
+
+def _counted(mission: Mission, flights: Flights) -> tuple[Array, NDArray[np.bool_]]:
+    """(n,) what each flight counts as [TU], and whether that is a floor: it never came near."""
+    whole = flights.time_of_flight + time_to_go(mission, flights)
+    floor = ~np.isfinite(whole)
+    return np.where(floor, mission.flight.longest, whole), floor
 
 
 def excess_of(mission: Mission, flights: Flights, optimal: Array) -> Excess | None:
@@ -55,14 +62,14 @@ def excess_of(mission: Mission, flights: Flights, optimal: Array) -> Excess | No
     known = np.isfinite(optimal)
     if not known.any():
         return None
-    counted, best = counted_times(mission, flights)[known], optimal[known]
+    counted, floor = (column[known] for column in _counted(mission, flights))
+    best = optimal[known]
     above = counted - best
-    never_near = ~np.isfinite(time_to_go(mission, flights))
     return Excess(
         relative=Spread.of(above / best),
         days=Spread.of(above, DAY / TU),
         first_approach=Share.where(flights.arrived[known] & (counted <= FIRST_APPROACH * best)),
-        floors=int(never_near[known].sum()),
+        floors=int(floor.sum()),
         unknown=int((~known).sum()),
     )
 

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from sailnet.campaign.excess import FIRST_APPROACH
 from sailnet.campaign.scores import Score, in_si
 from sailnet.campaign.shares import Share, Spread
-from sailnet.physics.units import TU
+from sailnet.physics.units import HOUR, TU
 
 NOTHING = "–"
 
-HOURS = TU / 3600.0
+HOURS = TU / HOUR
 """Hours in a TU."""
 
 

@@ -14,10 +14,9 @@ from sailnet.ocp.definition.solution import Solution
 from sailnet.ocp.problems import asteroid_rendezvous, leo_geo, lunar_landing
 from sailnet.ocp.solvers.continuation import Schedule
 from sailnet.papers.row import Row, Solved
+from sailnet.physics.units import DAY
 
 PAPER = "004"
-
-DAY = 86400.0
 
 NEAR_OURS = "begun at collocation near ours smoothed"
 

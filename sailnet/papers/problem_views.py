@@ -18,8 +18,7 @@ from sailnet.ocp.problems import (
 )
 from sailnet.papers.views import NONE, Group, Motion, Plane, View
 from sailnet.physics.arrays import Array
-
-DAY, HOUR = 86400.0, 3600.0
+from sailnet.physics.units import DAY, HOUR
 
 
 def view_of(problem: Problem) -> View:

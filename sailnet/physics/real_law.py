@@ -16,7 +16,6 @@ from typing import Any
 import heyoka as hy
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize.elementwise import find_root
 
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import Expression, alpha, thrust
@@ -110,6 +109,9 @@ class RealLaw:
 
 def _last_angle(coefficients: Array, phi_max: float) -> Array:
     """(n,) the angle at which a tangent of the force curve meets the curve's end, or that end."""
+    # Loaded here, for real sails alone: it takes half a second, and every process would pay.
+    from scipy.optimize.elementwise import find_root
+
     count = len(coefficients)
     end, slope, bend = force_curve(np.full(count, phi_max), coefficients)
 

@@ -14,5 +14,8 @@ TU = math.sqrt(AU**3 / GM_SUN)
 AU_PER_TU = AU / TU
 """Unit of speed [m/s]: that of a circular orbit at 1 AU."""
 
-DAY = 86_400.0
+HOUR = 3_600.0
+"""[s]"""
+
+DAY = 24.0 * HOUR
 """[s]"""

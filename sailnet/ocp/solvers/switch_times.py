@@ -165,25 +165,26 @@ def solve(problem: Problem, guess: Solution, *, options: Options | None = None) 
     begin = own if options.lengths is None else np.asarray(options.lengths, float)
     if begin.shape != own.shape:
         raise SailnetError(f"{problem.name} needs the lengths of {len(own)} arcs, got {begin.shape}")
+
+    def miss_of(lengths: Array) -> Array:
+        return arcs.fly(lengths).miss
+
+    def slopes_of(lengths: Array) -> Array:
+        return arcs.fly(lengths).by_lengths
+
     # First to the end, then to the soonest: from far off, linearised steps may end at no length at all.
-    there = least_squares(
-        lambda x: arcs.fly(x).miss, begin, jac=lambda x: arcs.fly(x).by_lengths, bounds=(0.0, np.inf)
-    )
+    there = least_squares(miss_of, begin, jac=slopes_of, bounds=(0.0, np.inf))
     result = minimize(
         np.sum,
         there.x,
         jac=np.ones_like,
         bounds=[(0.0, None)] * len(begin),
-        constraints={
-            "type": "eq",
-            "fun": lambda x: arcs.fly(x).miss,
-            "jac": lambda x: arcs.fly(x).by_lengths,
-        },
+        constraints={"type": "eq", "fun": miss_of, "jac": slopes_of},
         method="SLSQP",
         options={"ftol": 1e-13, "maxiter": 300},
     )
     lengths = np.where(result.x > options.goal, result.x, 0.0)
-    miss = float(np.abs(arcs.fly(lengths).miss).max())
+    miss = float(np.abs(miss_of(lengths)).max())
     step = Step(0.0, miss, int(result.nit), miss <= options.goal)
     if not step.converged:
         raise ConvergenceError(
