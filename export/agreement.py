@@ -85,7 +85,7 @@ def in_torch(networks: GuidanceNetworks, sails: Sails, precision: Precision) -> 
     module = module.in_float32() if precision == "float32" else module
     given = (sails.states, sails.beta)[: 2 if networks.approach else 1]
     with torch.inference_mode():
-        alpha, tau = module(*(torch.tensor(values, dtype=getattr(torch, precision)) for values in given))
+        alpha, tau, _ = module(*(torch.tensor(values, dtype=getattr(torch, precision)) for values in given))
     return alpha.double().numpy(), tau.double().numpy()
 
 

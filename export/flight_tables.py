@@ -8,7 +8,7 @@ import numpy as np
 from export.errors import ExportError
 from export.numbers import LOG2_E, centred_layers, literal
 from sailnet.guidance.facts import GuidanceFacts
-from sailnet.guidance.steering import LEAST_COSINE2
+from sailnet.guidance.rules import RULES
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import EXTRAPOLATION, Network
 from sailnet.networks.trained_domain import KNOTS
@@ -81,7 +81,7 @@ def limits(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
     Raises:
         ExportError: a number does not fit single precision, or the networks do not fit each other.
     """
-    edge_on = math.cos(facts.phi_max) ** 2 < LEAST_COSINE2
+    edge_on = math.cos(facts.phi_max) ** 2 < RULES.least_cosine2
     return "\n".join(
         [
             "/* Whether the bound on the cone angle lets a sail be edge-on, which tells nothing of beta. */",
@@ -220,15 +220,20 @@ def _flat(name: str, numbers: Sequence[Numbers]) -> str:
     for what, values in numbers:
         rows = values if values.ndim == 2 else [values[i : i + BLOCK] for i in range(0, len(values), BLOCK)]
         lines.append(f"    /* {what} */")
-        lines += [f"    {_row([literal(float(v)) for v in row])}," for row in rows]
+        lines += [f"    {_row([_short(float(v)) for v in row])}," for row in rows]
     count = sum(values.size for _, values in numbers)
     return "\n".join([f"static const sailnet_real {name}[{count}] = {{", *lines, "};"])
+
+
+def _short(value: float) -> str:
+    """Without the 0 before the point, and a space: of four thousand numbers these are a tenth of the file."""
+    return literal(value).replace("0.", ".", 1) if 0.0 < abs(value) < 1.0 else literal(value)
 
 
 def _row(literals: Sequence[str]) -> str:
     """Most rows are of ten: the precision of all of them in one macro makes the file a tenth smaller."""
     if len(literals) == BLOCK:
-        return f"R{BLOCK}({', '.join(literals)})"
+        return f"R{BLOCK}({','.join(literals)})"
     return ", ".join(f"R({literal})" for literal in literals)
 
 

@@ -4,6 +4,7 @@ The order in which the text is put together is that of the templates: ``flight/s
 ``simulation/sailnet_guidance_host.c.in``.
 """
 
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,7 @@ from export.host_tables import constants, stage_tables
 from export.numbers import LOG2_E, literal
 from export.templates import filled, read
 from sailnet.guidance.facts import GuidanceFacts, round_down
-from sailnet.guidance.steering import LARGEST_PERIOD, LARGEST_SURPRISE, LEAST_COSINE2, MEMORY
+from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.physics import units
 
@@ -23,7 +24,9 @@ SIMULATION = ("sailnet_batch.h", "sailnet_batch.c")
 """Files that are the same for all networks, for simulation."""
 
 
-def write_c(networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path) -> None:
+def write_c(
+    networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path, rules: SteeringRules = RULES
+) -> None:
     """Write the flight file, its form for hosts, their header, and the batch entry that simulation adds.
 
     Raises:
@@ -35,15 +38,16 @@ def write_c(networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path) -> N
             f"arrival_threshold is {facts.arrival_threshold:g} TU, and no guidance period is longer than "
             f"{LARGEST_PERIOD:g} TU: make it shorter"
         )
-    (folder / "sailnet_guidance.h").write_text(_header(networks, facts))
+    (folder / "sailnet_guidance.h").write_text(_header(networks, facts, rules))
     (folder / "sailnet_guidance.c").write_text(_flight(networks, facts))
     (folder / "sailnet_guidance_host.c").write_text(_host(networks, facts))
     for name in SIMULATION:
         (folder / name).write_text(read(name))
 
 
-def _header(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
+def _header(networks: GuidanceNetworks, facts: GuidanceFacts, rules: SteeringRules) -> str:
     r, u, v = facts.target_state
+    patience = rules.patience(facts.phi_max, facts.turn_rate)
     return filled(
         "sailnet_guidance.h.in",
         {
@@ -64,17 +68,29 @@ def _header(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
             "BETA": literal(facts.beta),
             "BETA_MIN": literal(facts.beta_min),
             "BETA_MAX": literal(facts.beta_max),
-            "MEMORY": literal(MEMORY),
-            "LARGEST_SURPRISE": literal(LARGEST_SURPRISE),
-            "LEAST_COSINE2": literal(LEAST_COSINE2),
+            **{name.upper(): literal(value) for name, value in asdict(rules).items()},
+            "PATIENCE": literal(patience),
+            "PATIENCE_HOURS": _hours(patience),
+            "LARGEST_PATIENCE_HOURS": _hours(rules.largest_patience),
+            "SLEW_RATE": literal(facts.turn_rate),
+            "COSTATE_UNIT": literal(facts.costate_unit),
             "LARGEST_PERIOD": literal(LARGEST_PERIOD),
-            "PERIOD_DAYS": f"{LARGEST_PERIOD * units.TU / units.DAY:.0f}",
+            "PERIOD_DAYS": _days(LARGEST_PERIOD),
+            "RECKONING_DAYS": _days(rules.longest_reckoning),
             "AU": literal(units.AU),
             "TU": literal(units.TU),
             "AU_PER_TU": literal(units.AU_PER_TU),
             "GM_SUN": f"{units.GM_SUN:.12g}",
         },
     )
+
+
+def _hours(time: float) -> str:
+    return f"{time * units.TU / units.HOUR:.1f}"
+
+
+def _days(time: float) -> str:
+    return f"{time * units.TU / units.DAY:.0f}"
 
 
 def _flight(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:

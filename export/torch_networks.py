@@ -61,11 +61,13 @@ class TorchGuidance(nn.Module):
         self.alpha_pre = TorchNetwork(networks.alpha_pre)
         self.lambda_v = TorchNetwork(networks.lambda_v)
         self.register_buffer("phi_max", torch.tensor(networks.mission.problem.phi_max, dtype=torch.float64))
+        self.register_buffer("costate_unit", torch.tensor(networks.costate_unit, dtype=torch.float64))
 
-    def cone_angle(self, inputs: Tensor) -> Tensor:
-        """(n,) cone angle [rad] at the inputs of the command networks."""
+    def angle_and_costate(self, inputs: Tensor) -> tuple[Tensor, Tensor]:
+        """(n,) cone angle [rad], and lambda_v beta / r_f^2, at the inputs of the command networks."""
         size = torch.minimum(torch.abs(self.alpha_pre(inputs)), self.get_buffer("phi_max"))
-        return torch.where(self.lambda_v(inputs) > 0.0, -size, size)
+        lambda_v = self.lambda_v(inputs)
+        return torch.where(lambda_v > 0.0, -size, size), self.get_buffer("costate_unit") * lambda_v
 
     def in_float32(self) -> Self:
         """A copy in single precision (``Module.to`` would change this one), its bound rounded down."""
@@ -76,16 +78,17 @@ class TorchGuidance(nn.Module):
 
 
 class TorchPaperGuidance(TorchGuidance):
-    """The paper's form: (n, 3) states to cone angle [rad] and time of flight [TU], (n,) each."""
+    """The paper's form: (n, 3) states to cone angle [rad], time of flight [TU] and lambda_v, (n,) each."""
 
-    def forward(self, state: Tensor) -> tuple[Tensor, Tensor]:
+    def forward(self, state: Tensor) -> tuple[Tensor, Tensor, Tensor]:
         """Evaluate."""
         tau = self.tau(state)
-        return self.cone_angle(torch.cat([state, tau[:, None]], dim=1)), tau
+        angle, lambda_v = self.angle_and_costate(torch.cat([state, tau[:, None]], dim=1))
+        return angle, tau, lambda_v
 
 
 class TorchApproachGuidance(TorchGuidance):
-    """Approach coordinates: (n, 3) states and (n,) beta to cone angle [rad] and time of flight [TU].
+    """Approach coordinates: (n, 3) states and (n,) beta to cone angle [rad], time of flight [TU], lambda_v.
 
     States are clamped to the box of trained ones, widened, and beta to its range.
     """
@@ -122,10 +125,11 @@ class TorchApproachGuidance(TorchGuidance):
         s = torch.sqrt(s2)
         return torch.stack([missing[:, 0] / s2, missing[:, 1] / s, missing[:, 2] / s, s, sail], dim=1)
 
-    def forward(self, state: Tensor, beta: Tensor) -> tuple[Tensor, Tensor]:
+    def forward(self, state: Tensor, beta: Tensor) -> tuple[Tensor, Tensor, Tensor]:
         """Evaluate."""
         inputs = self.coordinates(state, beta)
-        return self.cone_angle(inputs), inputs[:, 3] * torch.exp(self.tau(inputs))
+        angle, lambda_v = self.angle_and_costate(inputs)
+        return angle, inputs[:, 3] * torch.exp(self.tau(inputs)), lambda_v
 
 
 def torch_guidance(networks: GuidanceNetworks, facts: GuidanceFacts) -> TorchGuidance:

@@ -25,7 +25,7 @@ from sailnet.networks.network import Network, load_network
 
 CHECKSUMS = "SHA256SUMS"
 STATE: Inputs = {"state": len(STATE_INPUTS)}
-COMMAND = ("cone_angle", "time_of_flight")
+COMMAND = ("cone_angle", "time_of_flight", "lambda_v")
 
 
 def export(
@@ -81,7 +81,7 @@ def _write_and_move(
     for graph in tqdm(_graphs(networks, facts), "ONNX graphs", disable=not progress):
         write_onnx(graph, facts, beside)
     if alpha is not None:
-        pair = Graph("baseline_f64.onnx", TorchBaseline(networks.tau, alpha), STATE, COMMAND)
+        pair = Graph("baseline_f64.onnx", TorchBaseline(networks.tau, alpha), STATE, COMMAND[:2])
         write_onnx(pair, describe(networks, mission, alpha), beside)
 
     listed = [file for file in beside.iterdir() if file not in compiled]

@@ -14,7 +14,8 @@ MISSION = load_mission("earth_mars")
 
 
 def _commands(cone_angle: Array, time_of_flight: Array) -> Commands:
-    return Commands(cone_angle, time_of_flight, np.full(len(cone_angle), GuidanceStatus.OK, np.int32))
+    known = np.full(len(cone_angle), np.inf)
+    return Commands(cone_angle, time_of_flight, known, np.full(len(cone_angle), GuidanceStatus.OK, np.int32))
 
 
 class Pilot:

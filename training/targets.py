@@ -9,7 +9,12 @@ import numpy as np
 from sailnet.dataset import SAMPLES
 from sailnet.mission.recipes import Training, TrainingRecipe
 from sailnet.networks.approach import APPROACH_INPUTS, approach_coordinates
-from sailnet.networks.guidance_networks import COMMAND_INPUTS, STATE_INPUTS
+from sailnet.networks.guidance_networks import (
+    APPROACH_SIGN_SCALE,
+    COMMAND_INPUTS,
+    SIGN_SCALE,
+    STATE_INPUTS,
+)
 from sailnet.physics.arrays import Array
 from sailnet.physics.jumps import cone_angle_size
 from sailnet.physics.transfer import Transfer
@@ -19,13 +24,6 @@ Columns = Mapping[str, Array]
 
 def _column(name: str) -> Callable[[Columns], Array]:
     return lambda columns: columns[name]
-
-
-SIGN_SCALE = 10.0
-"""Size of lambda_v [TU^2/AU] below which the sign network's target is nearly linear in it (README.md).
-
-Only the sign of lambda_v is used, and it matters where lambda_v is small; its range is some 60.
-"""
 
 
 INTEGRALS: Mapping[str, Callable[[Columns], Array]] = {
@@ -126,9 +124,6 @@ _PAPER = (
         cone_angle_size,
     ),
 )
-
-APPROACH_SIGN_SCALE = 0.7
-"""The same as ``SIGN_SCALE`` for lambda_v times the acceleration at the target, which has no unit."""
 
 _WIDE = (
     Target(

@@ -2,7 +2,8 @@
 #include "sailnet_batch.h"
 
 void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
-                            sailnet_real *cone_angles, sailnet_real *times_of_flight, int32_t *statuses)
+                            sailnet_real *cone_angles, sailnet_real *times_of_flight, sailnet_real *lambda_vs,
+                            int32_t *statuses)
 {
     for (uint64_t i = 0; i < count; i++) {
         const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
@@ -10,6 +11,7 @@ void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sa
         statuses[i] = (int32_t)sailnet_guidance(&state, betas[i], &command);
         cone_angles[i] = command.cone_angle;
         times_of_flight[i] = command.time_of_flight;
+        lambda_vs[i] = command.lambda_v;
     }
 }
 

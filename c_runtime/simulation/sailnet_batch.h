@@ -35,10 +35,11 @@ extern "C" {
 
 /*
  * Command `count` states: `states` holds r, u, v of one sail after the other, `betas` one number a sail;
- * `cone_angles` [rad], `times_of_flight` [TU] and `statuses` (sailnet_status) get one entry a sail.
+ * `cone_angles` [rad], `times_of_flight` [TU], `lambda_vs` and `statuses` (sailnet_status) get one entry a sail.
  */
 void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
-                            sailnet_real *cone_angles, sailnet_real *times_of_flight, int32_t *statuses);
+                            sailnet_real *cone_angles, sailnet_real *times_of_flight, sailnet_real *lambda_vs,
+                            int32_t *statuses);
 
 /* Start `count` memories. */
 void sailnet_start_batch(uint64_t count, sailnet_memory *memories);

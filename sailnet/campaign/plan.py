@@ -9,7 +9,7 @@ from pydantic import AfterValidator, Field, ValidationError, model_validator
 
 from sailnet.errors import CampaignError, GuidanceError, SailnetError
 from sailnet.flight.starts import random_starts
-from sailnet.guidance.steering import refuse_long_period
+from sailnet.guidance.rules import refuse_long_period
 from sailnet.mission.disturbances import Disturbance, disturbance_from
 from sailnet.mission.explanation import explain
 from sailnet.mission.mission import Mission

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from sailnet.errors import SailnetError
 from sailnet.flight.plant_library import STEER, plant
 from sailnet.guidance.interface import NativeSteering, Steering
-from sailnet.guidance.steering import refuse_long_period
+from sailnet.guidance.rules import refuse_long_period
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from sailnet.artefacts.checksums import verify_checksum
 from sailnet.errors import GuidanceError
 
-API_VERSION = 3
+API_VERSION = 4
 
 LIBRARY = Path(__file__).parent / "native" / "plant.so"
 

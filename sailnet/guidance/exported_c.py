@@ -12,12 +12,12 @@ from sailnet.errors import GuidanceError
 from sailnet.guidance.interface import Commands, Precision, Steered, as_betas, as_states
 from sailnet.mission.mission import Mission
 
-API_VERSION = 3
+API_VERSION = 4
 
 _SUFFIXES: Mapping[str, Precision] = {"f32": "float32", "f64": "float64"}
 """At the end of every symbol of a library."""
 
-COMMAND_FIELDS = ("cone_angle", "time_of_flight", "beta", "hold")
+COMMAND_FIELDS = ("cone_angle", "time_of_flight", "beta", "hold", "lambda_v")
 """Members of ``sailnet_command``, in order."""
 
 
@@ -55,7 +55,7 @@ class CGuidance:
             }
             real = ctypes.c_double if suffix == "f64" else ctypes.c_float
             count = ctypes.c_uint64
-            self._command = _declared(loaded, f"sailnet_guidance_batch_{suffix}", None, count, *[pointer] * 5)
+            self._command = _declared(loaded, f"sailnet_guidance_batch_{suffix}", None, count, *[pointer] * 6)
             self._start = _declared(loaded, f"sailnet_start_batch_{suffix}", None, count, pointer)
             self._steer = _declared(
                 loaded, f"sailnet_steer_batch_{suffix}", None, count, *[pointer] * 3, real, *[pointer] * 2
@@ -83,11 +83,11 @@ class CGuidance:
         """Command the sails at (n, 3) states; see ``sailnet.guidance.interface.Guidance``."""
         array = as_states(states, self.precision)
         betas = as_betas(beta, len(array), self.mission.sail.beta, self.precision)
-        cone_angle, time_of_flight = np.empty((2, len(array)), self.precision)
+        outputs = np.empty((3, len(array)), self.precision)
         status = np.empty(len(array), np.int32)
-        places = (array, betas, cone_angle, time_of_flight, status)
-        self._command(len(array), *(place.ctypes.data for place in places))
-        return Commands(cone_angle.astype(np.float64), time_of_flight.astype(np.float64), status)
+        self._command(len(array), *(place.ctypes.data for place in (array, betas, *outputs, status)))
+        cone_angle, time_of_flight, lambda_v = outputs.astype(np.float64)
+        return Commands(cone_angle, time_of_flight, lambda_v, status)
 
     @property
     def steer_address(self) -> int:

@@ -38,6 +38,8 @@ class GuidanceFacts:
         largest_time_of_flight: the networks were trained on no longer one [TU].
         beta: the mission's normalised characteristic acceleration.
         beta_min, beta_max: range of it the networks were trained on.
+        costate_unit: of the output of ``lambda_v``, see ``GuidanceNetworks.costate_unit``.
+        turn_rate: how fast the sail turns [rad/TU].
         target_state: (r, u, v) on the target orbit.
         state_min, state_max: box of states (r, u, v) the time-of-flight network was trained on.
         domain: the tube of trained states within it.
@@ -55,6 +57,8 @@ class GuidanceFacts:
     beta: float
     beta_min: float
     beta_max: float
+    costate_unit: float
+    turn_rate: float
     target_state: tuple[float, float, float]
     state_min: tuple[float, float, float]
     state_max: tuple[float, float, float]
@@ -82,7 +86,12 @@ class GuidanceFacts:
         return np.asarray(inside & (at_target | within))
 
     def commands(
-        self, states: ArrayLike, beta: ArrayLike, cone_angle: ArrayLike, time_of_flight: ArrayLike
+        self,
+        states: ArrayLike,
+        beta: ArrayLike,
+        cone_angle: ArrayLike,
+        time_of_flight: ArrayLike,
+        lambda_v: ArrayLike = np.inf,
     ) -> Commands:
         """What networks gave for these states, with the status of each: the rules of ``sailnet_guidance.h``.
 
@@ -94,6 +103,7 @@ class GuidanceFacts:
             beta: (n,) normalised characteristic accelerations.
             cone_angle: (n,) [rad].
             time_of_flight: (n,) [TU].
+            lambda_v: (n,) in units of r_f^2 / beta; by default not known.
         """
         state, angle, tau = np.asarray(states), np.asarray(cone_angle), np.asarray(time_of_flight)
         valid = np.isfinite(state).all(axis=1)
@@ -104,6 +114,7 @@ class GuidanceFacts:
         return Commands(
             cone_angle=np.where(valid, angle, 0.0).astype(np.float64),
             time_of_flight=np.where(valid, tau, self.largest_time_of_flight).astype(np.float64),
+            lambda_v=np.where(valid, lambda_v, 0.0).astype(np.float64),
             status=status,
         )
 
@@ -162,6 +173,8 @@ def describe(networks: GuidanceNetworks, mission: Mission, alpha: Network | None
         beta=mission.sail.beta,
         beta_min=beta_min,
         beta_max=beta_max,
+        costate_unit=networks.costate_unit,
+        turn_rate=mission.flight.turn_rate,
         target_state=mission.problem.target_state,
         state_min=_triple(lowest),
         state_max=_triple(highest),

@@ -24,6 +24,8 @@ class GuidanceStatus(IntEnum):
     ARRIVED = 1
     OUTSIDE_DOMAIN = 2
     INVALID_INPUT = 3
+    RECKONED = 4
+    AT_LIMIT = 5
 
 
 @dataclass(frozen=True)
@@ -33,11 +35,14 @@ class Commands:
     Attributes:
         cone_angle: (n,) [rad], always within the mission's bound, Eq. (3).
         time_of_flight: (n,) predicted time of flight to the target orbit [TU].
+        lambda_v: (n,) costate of v times beta / r_f^2, where that is small: its size says what the other
+            sign of the cone angle costs. Infinite if the guidance does not know it.
         status: (n,) values of GuidanceStatus.
     """
 
     cone_angle: Array
     time_of_flight: Array
+    lambda_v: Array
     status: NDArray[np.int32]
 
 
@@ -50,6 +55,7 @@ class Steered:
         hold: for how long [TU]: the period, or less where the flight ends.
         time_of_flight: predicted to the target orbit [TU].
         beta: estimate of the normalised characteristic acceleration.
+        lambda_v: as of ``Commands``.
         status: values of ``GuidanceStatus``: ``ARRIVED`` where the flight ends, else of the command.
     """
 
@@ -57,6 +63,7 @@ class Steered:
     hold: Array
     time_of_flight: Array
     beta: Array
+    lambda_v: Array
     status: NDArray[np.int32]
 
     @property
@@ -71,8 +78,9 @@ class Steering(Protocol):
     def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
         """Steer some of the sails.
 
-        A state that is not finite gets the safe command for a period, and nothing is learnt from it; a
-        period that is not positive, or longer than steering takes, gets it with ``hold`` 0.
+        Where a state is not finite the sail is steered for a while by where it must be, and then gets the
+        safe command for a period; a period that is not positive, or longer than steering takes, gets it
+        with ``hold`` 0.
 
         Args:
             states: (n, 3) r, u, v now, after what was commanded last was held.

@@ -48,6 +48,7 @@ class OnnxGuidance:
         self._facts = facts
         self.beta_range = (facts.beta_min, facts.beta_max)
         self._reads_beta = "beta" in [entry.name for entry in self._session.get_inputs()]
+        self._outputs = [entry.name for entry in self._session.get_outputs()]
         kind = np.dtype(self.precision).type
         self._state_min = np.array(facts.state_min, kind)
 
@@ -63,8 +64,8 @@ class OnnxGuidance:
         # A NaN never enters the graph: what its operators make of one is not defined.
         entered = np.where(valid[:, None], array, self._state_min)
         inputs = {"state": entered, "beta": betas} if self._reads_beta else {"state": entered}
-        cone_angle, time_of_flight = self._session.run(["cone_angle", "time_of_flight"], inputs)
-        return self._facts.commands(array, betas, cone_angle, time_of_flight)
+        given = dict(zip(self._outputs, self._session.run(self._outputs, inputs), strict=True))
+        return self._facts.commands(array, betas, **given)
 
     def steering(self, count: int) -> ReferenceSteering:
         """Steering by the reference rules; see ``sailnet.guidance.interface.Guidance``."""

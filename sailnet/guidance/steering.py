@@ -1,57 +1,79 @@
 """Steering: guidance with a memory. What a flight computer runs once a guidance period.
 
-Beside the command it estimates the sail's real beta from the states it is shown, and decides when the
-flight ends. This is the reference in NumPy for the C of ``sailnet_steer``; both are held equal by test.
+Beside the command it estimates what the real sail does from the states it is shown, keeps a reserve as large
+as the sail has surprised it, chooses a side where both are almost equally fast, goes on without a state for
+a while, and decides when the flight ends. This is the reference in NumPy for the C of ``sailnet_steer``;
+both are held equal by test.
 """
+
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sailnet.errors import GuidanceError
-from sailnet.guidance.interface import Guidance, GuidanceStatus, Steered
+from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Steered
+from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import runge_kutta_step
-from sailnet.physics.units import DAY, TU
-
-MEMORY = 1.0
-"""Time over which the estimate of beta forgets [TU]."""
-
-LARGEST_SURPRISE = 0.5
-"""Largest difference, relative to the mission's beta, by which one period's measurement counts."""
-
-LEAST_COSINE2 = 0.05
-"""cos^2(alpha) below which a period says nothing about beta: the sail is edge-on."""
 
 
-LARGEST_PERIOD = 0.5 * MEMORY
-"""Longest guidance period [TU], some 29 days: one measurement of beta then counts for at most half."""
+@dataclass
+class _Memory:
+    """Of n sails, as in ``sailnet_memory``."""
 
+    state: Array
+    cone_angle: Array
+    held: Array
+    time_of_flight: Array
+    beta: Array
+    tangential: Array
+    surprise: Array
+    variance: Array
+    slow: Array
+    slewing: Array
+    stake: Array
+    regret: Array
+    unseen: Array
+    periods: NDArray[np.int64]
 
-def refuse_long_period(period: float) -> None:
-    """Raise an error if steering takes no such guidance period [TU].
-
-    Raises:
-        GuidanceError: it is longer than ``LARGEST_PERIOD``.
-    """
-    if period > LARGEST_PERIOD:
-        days = TU / DAY
-        raise GuidanceError(
-            f"a guidance period of {period:g} TU is {period * days:,.0f} days: the longest is "
-            f"{LARGEST_PERIOD:g} TU, {LARGEST_PERIOD * days:.0f} days. Periods are in TU, of {TU:,.0f} s"
+    @classmethod
+    def started(cls, count: int, beta: float) -> "_Memory":
+        names = [item.name for item in fields(cls) if item.name not in ("state", "beta", "periods")]
+        return cls(
+            state=np.zeros((count, 3)),
+            beta=np.full(count, beta),
+            periods=np.zeros(count, np.int64),
+            **{name: np.zeros(count) for name in names},
         )
+
+    def rows(self, sails: NDArray[np.intp]) -> "_Memory":
+        return _Memory(**{item.name: getattr(self, item.name)[sails] for item in fields(self)})
+
+    def put(self, sails: NDArray[np.intp], rows: "_Memory") -> None:
+        for item in fields(self):
+            getattr(self, item.name)[sails] = getattr(rows, item.name)
 
 
 class ReferenceSteering:
     """Steers by a guidance that has no memory of its own.
 
-    beta is measured, period by period, by how much further the velocity changed than predicted, along
-    the direction of the force. With r the mean distance, h the period and dv the surprise,
+    *What the sail does.* By how much further the velocity changed than predicted says, along the direction
+    of the force, what beta is, and across it the force along the sail's surface, as a share T of beta. With
+    r the mean distance, h the period, dv the surprise and n, t the directions,
 
-        d_beta = (dv . (cos alpha, sin alpha)) r^2 / (h cos^2 alpha).
+        d_beta = (dv . n) r^2 / (h cos^2 alpha),    d_T tan(alpha) = -(dv . t) r^2 / (h cos^2 alpha beta).
 
-    The estimate starts at the mission's beta and moves by a share of the measurement that falls as
-    1/2, 1/3, 1/4, ... down to h / MEMORY: the mean of all periods at first, with the start value as one of
-    them, and later of those not forgotten. It never leaves the range the guidance was made for.
+    The estimates start at the mission's beta and at 0, and move by a share of the measurement that falls as
+    1/2, 1/3, 1/4, ... down to h / memory: the mean of all periods at first, with the start value as one of
+    them, and later of those not forgotten. They never leave their ranges. A period in which the sail turned
+    far, or that was not seen, says nothing.
+
+    *A reserve.* The networks read beta (1 - a T) (1 - k), with k = b s + c w sqrt(h / tau): s^2 is the mean
+    product of neighbouring surprises, which white noise does not have, and w^2 the rest of their mean
+    square. It shrinks to nothing with the time of flight tau, so that arrival is as exact as without.
+
+    *A side.* Where the networks' command reverses the sail, it keeps its side until that has cost it as
+    much time as patience allows, by the difference of the Hamiltonian.
 
     The flight ends when the predicted time of flight is no longer than a period or the mission's
     threshold: the last command is held for that time. It also ends where it stands if the sail is within
@@ -60,60 +82,144 @@ class ReferenceSteering:
     Args:
         guidance: gives the commands.
         count: number of sails.
+        rules: the numbers.
     """
 
-    def __init__(self, guidance: Guidance, count: int) -> None:
+    def __init__(self, guidance: Guidance, count: int, rules: SteeringRules = RULES) -> None:
         self._guidance = guidance
-        self._beta = np.full(count, np.clip(guidance.mission.sail.beta, *guidance.beta_range))
-        self._periods = np.zeros(count, int)
-        self._state = np.zeros((count, 3))
-        self._cone_angle, self._held = np.zeros((2, count))
-        self._time_of_flight = np.full(count, np.inf)
+        self._rules = rules
+        mission = guidance.mission
+        self._turn_rate = mission.flight.turn_rate
+        self._patience = rules.patience(mission.problem.phi_max, self._turn_rate)
+        self._memory = _Memory.started(count, float(np.clip(mission.sail.beta, *guidance.beta_range)))
 
     def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
         """See :class:`sailnet.guidance.interface.Steering`."""
-        state = np.asarray(states, float)
-        mission = self._guidance.mission
-        if not 0.0 < period <= LARGEST_PERIOD:
-            state, period = np.full_like(state, np.nan), 0.0
-        self._learn(state, sails)
-        command = self._guidance.command(state, self._beta[sails])
-        tau, status = command.time_of_flight, command.status
-        known = status <= GuidanceStatus.ARRIVED
-        last = known & (tau <= max(period, mission.flight.arrival_threshold))
-        error = np.abs(state - mission.problem.target_state).max(axis=1)
-        past = known & (error <= mission.flight.arrival_tolerance) & (tau >= self._time_of_flight[sails])
-        hold = np.where(last, np.maximum(tau, 0.0), np.where(past, 0.0, period))
-
-        # After an invalid state the memory stays, but the next is not what came of the last command.
+        rules, memory = self._rules, self._memory.rows(sails)
+        shown = np.asarray(states, float)
+        timed = 0.0 < period <= LARGEST_PERIOD
+        hold = np.full(len(shown), period if timed else 0.0)
+        with np.errstate(all="ignore"):
+            known, change = self._known(memory, shown) if timed else (np.full_like(shown, np.nan), None)
+            plan = memory.beta * (1.0 - rules.reserve_tangential * np.maximum(memory.tangential, 0.0))
+            plan *= 1.0 - self._reserve(memory, hold)
+        command = self._guidance.command(known, np.clip(plan, *self._guidance.beta_range))
+        status = command.status.copy()
         valid = status != GuidanceStatus.INVALID_INPUT
-        self._held[sails] = np.where(valid, hold, 0.0)
-        kept = sails[valid]
-        self._state[kept], self._cone_angle[kept] = state[valid], command.cone_angle[valid]
-        self._time_of_flight[kept] = tau[valid]
-        self._periods[kept] += 1
-        arrived = last | past
-        status = np.where(arrived, np.int32(GuidanceStatus.ARRIVED), status)
-        return Steered(command.cone_angle, hold, tau, self._beta[sails], status)
+        angle = command.cone_angle.copy()
+        if change is not None:
+            with np.errstate(all="ignore"):
+                angle = self._kept_side(memory, change, command, valid)
+            status, hold = self._end(memory, known, command, status, hold)
+        low, high = self._guidance.beta_range
+        left = valid & (status != GuidanceStatus.ARRIVED)
+        unseen = left & (memory.unseen > 0.0)
+        status[left & (status == GuidanceStatus.OK) & (plan < low) & (low < high)] = GuidanceStatus.AT_LIMIT
+        status[unseen] = GuidanceStatus.RECKONED
+        self._remember(memory, known, angle, hold, command.time_of_flight, valid)
+        self._memory.put(sails, memory)
+        return Steered(angle, hold, command.time_of_flight, memory.beta, command.lambda_v, status)
 
-    def _learn(self, state: Array, sails: NDArray[np.intp]) -> None:
-        nominal = self._guidance.mission.sail.beta
-        cosine, sine = np.cos(self._cone_angle[sails]), np.sin(self._cone_angle[sails])
-        held, periods = self._held[sails], self._periods[sails]
-        telling = (periods > 0) & (held > 0.0) & (cosine**2 >= LEAST_COSINE2)
-        telling &= np.isfinite(state).all(axis=1)
-        at = np.flatnonzero(telling)
-        if not len(at):
-            return
-        rows, held, cosine, sine = sails[at], held[at], cosine[at], sine[at]
-        before = np.zeros((4, len(at)))
-        before[[0, 2, 3]] = self._state[rows].T
-        expected = runge_kutta_step(before, self._cone_angle[rows], self._beta[rows], held)
-        bound = LARGEST_SURPRISE * nominal
-        with np.errstate(invalid="ignore", over="ignore"):
-            surprise = cosine * (state[at, 1] - expected[2]) + sine * (state[at, 2] - expected[3])
-            distance = 0.5 * (before[0] + state[at, 0])
-            measured = surprise * distance**2 / (held * cosine**2)
-            measured = np.where(np.isfinite(measured), np.clip(measured, -bound, bound), 0.0)
-        share = np.maximum(1.0 / (periods[at] + 1.0), held / MEMORY)
-        self._beta[rows] = np.clip(self._beta[rows] + share * measured, *self._guidance.beta_range)
+    def _known(self, memory: _Memory, shown: Array) -> tuple[Array, "_Change"]:
+        """States to steer by: those shown, or where the sails must be; NaN where neither is known."""
+        seen = np.asarray(np.isfinite(shown).all(axis=1))
+        change = _predicted(memory)
+        self._learn(memory, shown, change, seen)
+        memory.unseen = np.where(seen, 0.0, memory.unseen + memory.held)
+        reckoned = memory.state + change.by
+        lost = (memory.held <= 0.0) | (memory.unseen > self._rules.longest_reckoning)
+        return np.where(seen[:, None], shown, np.where(lost[:, None], np.nan, reckoned)), change
+
+    def _learn(self, memory: _Memory, shown: Array, change: "_Change", seen: NDArray[np.bool_]) -> None:
+        rules, beta = self._rules, self._guidance.mission.sail.beta
+        cosine, sine, held = change.cosine, change.sine, memory.held
+        telling = seen & (held > 0.0) & (memory.unseen == 0.0) & (cosine**2 >= rules.least_cosine2)
+        telling &= memory.slewing**2 * self._turn_rate <= rules.slew_blur * held
+        du, dv = (shown - memory.state - change.by)[:, 1:].T
+        per = (0.5 * (memory.state[:, 0] + shown[:, 0])) ** 2 / (held * cosine**2)
+        along, across = (du * cosine + dv * sine) * per, (dv * cosine - du * sine) * per
+        telling &= np.isfinite(along) & np.isfinite(across)
+        bound = rules.largest_surprise * beta
+        relative, aside = (np.clip(np.where(telling, x, 0.0), -bound, bound) / beta for x in (along, across))
+        all_periods = 1.0 / (memory.periods + 1.0)
+        slow_share = np.where(telling, np.maximum(all_periods, held / rules.memory), 0.0)
+        share = np.where(telling, np.maximum(all_periods, held / rules.surprise_memory), 0.0)
+        memory.beta = np.clip(memory.beta + slow_share * relative * beta, *self._guidance.beta_range)
+        memory.tangential = np.clip(
+            memory.tangential - 2.0 * share * sine * cosine * aside,
+            -rules.largest_tangential,
+            rules.largest_tangential,
+        )
+        memory.variance += share * (relative**2 - memory.variance)
+        memory.slow += share * (relative * memory.surprise - memory.slow)
+        memory.surprise = np.where(telling, relative, memory.surprise)
+
+    def _reserve(self, memory: _Memory, hold: Array) -> Array:
+        rules, mission = self._rules, self._guidance.mission
+        tau = np.maximum(memory.time_of_flight, mission.flight.arrival_threshold)
+        slow = np.clip(memory.slow, 0.0, 1.0)
+        white = np.clip(memory.variance - slow, 0.0, 1.0) * hold / tau
+        reserve = rules.reserve_slow * np.sqrt(slow) + rules.reserve_white * np.sqrt(white)
+        kept: Array = np.minimum(reserve, rules.largest_reserve) * np.minimum(tau / rules.let_go, 1.0)
+        return kept
+
+    def _kept_side(
+        self, memory: _Memory, change: "_Change", command: Commands, valid: NDArray[np.bool_]
+    ) -> Array:
+        """(n,) the cone angle, mirrored where the sail stays on its side."""
+        ratio = self._guidance.mission.problem.target_radius / memory.state[:, 0]
+        rate = 2.0 * memory.stake * ratio**2 * change.cosine**2 * np.abs(change.sine)
+        regret = np.nan_to_num(memory.regret + memory.held * rate, nan=0.0)
+        regret = np.clip(regret, 0.0, LARGEST_PERIOD)
+        angle = command.cone_angle
+        step = np.abs(angle - memory.cone_angle)
+        reverses = (angle * memory.cone_angle < 0.0) & (step > self._rules.reversal)
+        stays = reverses & (regret < self._patience)
+        size = np.abs(command.lambda_v)
+        memory.stake = np.where(valid, np.where(stays, size, -size), memory.stake)
+        memory.regret = np.where(valid, np.where(reverses & ~stays, 0.0, regret), memory.regret)
+        return np.where(stays, -angle, angle)
+
+    def _end(
+        self, memory: _Memory, known: Array, command: Commands, status: NDArray[np.int32], hold: Array
+    ) -> tuple[NDArray[np.int32], Array]:
+        """Status, ``ARRIVED`` where the flight ends, and for how long to hold."""
+        mission, tau = self._guidance.mission, command.time_of_flight
+        inside = status <= GuidanceStatus.ARRIVED
+        status = np.where(inside, np.int32(GuidanceStatus.OK), status)
+        last = inside & (tau <= np.maximum(hold, mission.flight.arrival_threshold))
+        error = np.abs(known - mission.problem.target_state).max(axis=1)
+        past = inside & ~last & (error <= mission.flight.arrival_tolerance)
+        past &= (memory.periods > 0) & (tau >= memory.time_of_flight)
+        status = np.where(last | past, np.int32(GuidanceStatus.ARRIVED), status)
+        return status, np.where(last, np.maximum(tau, 0.0), np.where(past, 0.0, hold))
+
+    def _remember(
+        self, memory: _Memory, known: Array, angle: Array, hold: Array, tau: Array, valid: NDArray[np.bool_]
+    ) -> None:
+        left = np.clip(memory.slewing - memory.held, 0.0, LARGEST_PERIOD)
+        turning = left + np.abs(angle - memory.cone_angle) / self._turn_rate
+        memory.slewing = np.where(valid & (memory.periods > 0), turning, memory.slewing)
+        memory.state = np.where(valid[:, None], known, memory.state)
+        memory.cone_angle = np.where(valid, angle, memory.cone_angle)
+        # After an invalid state the rest stays, but the next is not what came of the last command.
+        memory.held = np.where(valid, hold, 0.0)
+        memory.time_of_flight = np.where(valid, tau, memory.time_of_flight)
+        memory.periods += valid
+
+
+@dataclass(frozen=True)
+class _Change:
+    """What the last command did: changes of (r, u, v), (n, 3), and the direction of the force."""
+
+    by: Array
+    cosine: Array
+    sine: Array
+
+
+def _predicted(memory: _Memory) -> _Change:
+    before = np.zeros((4, len(memory.state)))
+    before[[0, 2, 3]] = memory.state.T
+    after = runge_kutta_step(before, memory.cone_angle, memory.beta, memory.held, memory.tangential)
+    by = (after - before)[[0, 2, 3]].T
+    return _Change(by, np.cos(memory.cone_angle), np.sin(memory.cone_angle))

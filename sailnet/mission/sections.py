@@ -1,11 +1,13 @@
 """The tables of a mission file: sail, orbits, flight, and the states that guidance is made for."""
 
+import math
 from typing import Annotated
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, field_validator
 
 from sailnet.physics.arrays import Array
+from sailnet.physics.units import HOUR, TU
 
 Positive = Annotated[float, Field(gt=0.0)]
 NotNegative = Annotated[float, Field(ge=0.0)]
@@ -35,12 +37,18 @@ class Orbits(Section):
 
 
 class FlightRules(Section):
-    """Closed-loop flight [TU]."""
+    """Closed-loop flight [TU]; how fast the sail turns [deg/h]: as Solar Polar Imager, 70° in 3 h."""
 
     period: Positive
     arrival_threshold: Positive
     arrival_tolerance: Positive
     longest: Positive
+    slew_rate: Positive = 70.0 / 3.0
+
+    @property
+    def turn_rate(self) -> float:
+        """The slew rate [rad/TU]."""
+        return math.radians(self.slew_rate) * TU / HOUR
 
 
 class Ordered(Section):

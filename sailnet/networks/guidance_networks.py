@@ -17,6 +17,13 @@ from sailnet.physics.jumps import cone_angle_size, restore
 STATE_INPUTS = ("r", "u", "v")
 COMMAND_INPUTS = ("r", "u", "v", "tau")
 
+SIGN_SCALE = 10.0
+"""Size of lambda_v [TU^2/AU] below which the sign network's target is nearly linear in it: the target is
+asinh(lambda_v / SIGN_SCALE), same sign, resolved best where the sign changes (training/README.md)."""
+
+APPROACH_SIGN_SCALE = 0.7
+"""The same for lambda_v times the acceleration at the target, which has no unit."""
+
 
 @dataclass(frozen=True)
 class GuidanceNetworks:
@@ -56,6 +63,12 @@ class GuidanceNetworks:
     def approach(self) -> bool:
         """Whether the networks read approach coordinates, and with them beta."""
         return self.tau.inputs == APPROACH_INPUTS
+
+    @property
+    def costate_unit(self) -> float:
+        """What the output of ``lambda_v`` is multiplied by to be lambda_v beta / r_f^2, where small."""
+        problem = self.mission.problem
+        return APPROACH_SIGN_SCALE if self.approach else SIGN_SCALE * problem.beta / problem.target_radius**2
 
     @property
     def beta_range(self) -> tuple[float, float]:

@@ -20,6 +20,7 @@ r, u, v = hy.make_vars("r", "u", "v")
 alpha = hy.make_vars("alpha")
 theta = hy.make_vars("theta")
 beta = hy.make_vars("beta")
+tangential = hy.make_vars("tangential")
 
 
 Coefficients = tuple[Expression, Expression, Expression]
@@ -61,7 +62,7 @@ def motion(beta: Expression, alpha: Expression, coefficients: Coefficients = IDE
 
 def _runge_kutta_4(state: list[Expression], step: Expression) -> list[Expression]:
     names = ["r", "theta", "u", "v"]
-    slopes = motion(beta, alpha)
+    slopes = motion(beta, alpha, (1.0, 0.0, tangential))
 
     def slope(at: list[Expression]) -> list[Expression]:
         substitution = dict(zip([r, theta, u, v], at, strict=True))
@@ -84,11 +85,15 @@ def _runge_kutta_4(state: list[Expression], step: Expression) -> list[Expression
 def _compiled_step() -> Any:
     step = hy.make_vars("step")
     return hy.cfunc(
-        _runge_kutta_4([r, theta, u, v], step), vars=[r, theta, u, v, alpha, beta, step], compact_mode=True
+        _runge_kutta_4([r, theta, u, v], step),
+        vars=[r, theta, u, v, alpha, beta, step, tangential],
+        compact_mode=True,
     )
 
 
-def runge_kutta_step(states: Array, alpha: ArrayLike, beta: ArrayLike, step: ArrayLike) -> Array:
+def runge_kutta_step(
+    states: Array, alpha: ArrayLike, beta: ArrayLike, step: ArrayLike, tangential: ArrayLike = 0.0
+) -> Array:
     """One fourth-order Runge-Kutta step of Eq. (1), the cone angle held.
 
     Args:
@@ -96,10 +101,11 @@ def runge_kutta_step(states: Array, alpha: ArrayLike, beta: ArrayLike, step: Arr
         alpha: (n,) or one cone angle [rad].
         beta: (n,) or one normalised characteristic acceleration.
         step: (n,) or one duration [TU].
+        tangential: (n,) or one T of :func:`thrust`, beside an ideal sail's force along the normal.
 
     Returns:
         (4, n) states at the end.
     """
-    inputs = np.empty((7, states.shape[1]))
-    inputs[:4], inputs[4], inputs[5], inputs[6] = states, alpha, beta, step
+    inputs = np.empty((8, states.shape[1]))
+    inputs[:4], inputs[4], inputs[5], inputs[6], inputs[7] = states, alpha, beta, step, tangential
     return np.asarray(_compiled_step()(inputs))

@@ -41,7 +41,7 @@ class Memoryless(Pilot):
                 ends = tau <= MISSION.flight.arrival_threshold
                 status = np.where(ends, np.int32(GuidanceStatus.ARRIVED), commands.status)
                 hold, beta = np.where(ends, tau, period), np.full(len(tau), MISSION.sail.beta)
-                return Steered(commands.cone_angle, hold, tau, beta, status)
+                return Steered(commands.cone_angle, hold, tau, beta, commands.lambda_v, status)
 
         return Now()
 

@@ -275,7 +275,7 @@ class Confused(Constant):
         unseen = np.isnan(np.asarray(states)).any(axis=1)
         status = np.full(len(unseen), GuidanceStatus.OUTSIDE_DOMAIN, np.int32)
         status[unseen] = GuidanceStatus.ARRIVED
-        return Commands(np.full(len(unseen), 0.1), np.where(unseen, 0.0, 1.0), status)
+        return Commands(np.full(len(unseen), 0.1), np.where(unseen, 0.0, 1.0), np.zeros(len(unseen)), status)
 
 
 def test_in_an_outage_nothing_that_guidance_says_counts() -> None:

@@ -67,7 +67,7 @@ void plant_depart(const plant_rules *rules, plant_sail *sail)
     sail->step = rules->period;
 }
 
-/* Two states, with and without guidance; the first period always has it. */
+/* Two states, with and without navigation; the first period always has it. */
 static void update_outage(const plant_rules *rules, plant_sail *sail)
 {
     if (!(rules->outage_probability > 0.0) || sail->periods == 0u) {
@@ -174,16 +174,12 @@ static int at_limit(const plant_rules *rules, double beta)
     return low < high && (beta <= low * (1.0 + ROUNDING) || beta >= high * (1.0 - ROUNDING));
 }
 
-/* What the actuator is told: the command as fine as it can turn, or in an outage what it was told last. */
-static double accepted(const plant_rules *rules, plant_sail *sail, const double *queue, uint64_t slots,
-                       const plant_command_f64 *command, int32_t status)
+/* What the actuator is told: the command as fine as it can turn. */
+static double accepted(const plant_rules *rules, plant_sail *sail, const plant_command_f64 *command, int32_t status)
 {
     sail->beta_estimate = command->beta;
-    sail->beta_at_limit += at_limit(rules, command->beta) != 0;
-    if (sail->out) {
-        sail->outages++;
-        return queue[(sail->periods - 1u) % slots];
-    }
+    sail->beta_at_limit += status == PLANT_AT_LIMIT || at_limit(rules, command->beta) != 0;
+    sail->outages += sail->out != 0;
     sail->max_cone_angle = fmax(sail->max_cone_angle, fabs(command->cone_angle));
     sail->outside += status == PLANT_OUTSIDE_DOMAIN;
     if (rules->resolution > 0.0) {
@@ -199,19 +195,19 @@ static double told(const double *queue, uint64_t slots, uint32_t period, uint64_
 }
 
 static void write_record(const plant_sail *sail, const plant_state *start, double beta,
-                         const plant_command_f64 *command, double angle, int32_t status, plant_record *record)
+                         const plant_command_f64 *command, int32_t status, plant_record *record)
 {
     record->time = sail->time;
     record->r = start->r;
     record->theta = start->theta;
     record->u = start->u;
     record->v = start->v;
-    record->cone_angle = angle;
+    record->cone_angle = command->cone_angle;
     record->attitude = sail->attitude + sail->misalignment;
     record->beta = beta;
     record->beta_estimate = command->beta;
-    record->time_of_flight = sail->out ? NAN : command->time_of_flight;
-    record->status = sail->out ? PLANT_INVALID_INPUT : status;
+    record->time_of_flight = command->time_of_flight;
+    record->status = status;
 }
 
 /* Carry out a command for a period, or for as long as it says. */
@@ -223,10 +219,10 @@ static void obey(const plant_rules *rules, plant_sail *sail, double *queue, cons
     const uint64_t slots = whole + 2u;
     const uint32_t period = sail->periods;
     sail->time = (double)period * rules->period;
-    const double angle = accepted(rules, sail, queue, slots, command, status);
+    const double angle = accepted(rules, sail, command, status);
     /* A guidance that asks for longer than it may, or for NaN, gets what is allowed. */
     const double allowed = fmax(rules->period, rules->longest);
-    const double lasting = sail->out ? rules->period : fmin(fmax(command->hold, 0.0), allowed);
+    const double lasting = fmin(fmax(command->hold, 0.0), allowed);
     if (period == 0u) {
         sail->attitude = angle;
     }
@@ -243,7 +239,7 @@ static void obey(const plant_rules *rules, plant_sail *sail, double *queue, cons
     sail->max_attitude = fmax(sail->max_attitude, widest);
     sail->beyond_bound += widest > rules->bound;
     if (record != NULL) {
-        write_record(sail, &start, beta, command, sail->out ? angle : command->cone_angle, status, record);
+        write_record(sail, &start, beta, command, status, record);
     }
     sail->time += lasting;
     sail->periods++;
@@ -251,7 +247,7 @@ static void obey(const plant_rules *rules, plant_sail *sail, double *queue, cons
     if (!inside) {
         sail->ending = PLANT_LOST;
     }
-    else if (status == PLANT_ARRIVED && !sail->out) {
+    else if (status == PLANT_ARRIVED) {
         sail->ending = PLANT_STOPPED;
     }
     else if ((double)sail->periods * rules->period >= rules->longest) {
@@ -292,6 +288,7 @@ static plant_command_f64 given(const plant_steering *steering, const void *comma
         .time_of_flight = (double)single->time_of_flight,
         .beta = (double)single->beta,
         .hold = (double)single->hold,
+        .lambda_v = (double)single->lambda_v,
     };
     return command;
 }

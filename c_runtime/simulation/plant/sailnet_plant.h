@@ -15,7 +15,7 @@ extern "C" {
 #endif
 
 /* Raised whenever a function of this header changes, or what a member of a structure means. */
-#define PLANT_API_VERSION 3
+#define PLANT_API_VERSION 4
 
 /*
  * A structure is a list of its members, MEMBER(type, name, extent). From the same lines come the structure in C
@@ -122,12 +122,12 @@ typedef enum { PLANT_ENDING(PLANT_VALUE) } plant_ending;
     MEMBER(uint64_t, number, )       /* of the flight, for the random numbers */                          \
     MEMBER(uint32_t, periods, )                                                                           \
     MEMBER(uint32_t, outside, )      /* periods in which the guidance reported a state it does not know */\
-    MEMBER(uint32_t, outages, )      /* periods without guidance */                                       \
+    MEMBER(uint32_t, outages, )      /* periods without navigation */                                     \
     MEMBER(uint32_t, beyond_bound, ) /* periods in which the angle flown was beyond the bound */          \
     MEMBER(uint32_t, beta_at_limit, ) /* periods with the estimate of beta at an end of its range */      \
     MEMBER(uint32_t, reversals, )    /* of the command, from one period to the next */                    \
     MEMBER(uint32_t, steps, [PLANT_STEP_SIZES]) /* of the command, likewise, by size */                   \
-    MEMBER(int32_t, out, )           /* there is no guidance now */                                       \
+    MEMBER(int32_t, out, )           /* there is no navigation now */                                     \
     MEMBER(int32_t, ending, )        /* plant_ending */
 
 typedef struct {
@@ -146,8 +146,8 @@ typedef struct {
     MEMBER(double, attitude, )       /* the angle flown at its end [rad] */                   \
     MEMBER(double, beta, )           /* real */                                               \
     MEMBER(double, beta_estimate, )                                                           \
-    MEMBER(double, time_of_flight, ) /* predicted [TU]; NaN in an outage */                   \
-    MEMBER(int32_t, status, )        /* plant_status; invalid input in an outage */
+    MEMBER(double, time_of_flight, ) /* predicted [TU] */                                     \
+    MEMBER(int32_t, status, )        /* plant_status */
 
 typedef struct {
     PLANT_RECORD(PLANT_MEMBER)
@@ -161,7 +161,8 @@ typedef struct {
     MEMBER(real, cone_angle, )     /* [rad] */                          \
     MEMBER(real, time_of_flight, ) /* predicted [TU] */                 \
     MEMBER(real, beta, )           /* the estimate */                   \
-    MEMBER(real, hold, )           /* for how long to hold it [TU] */
+    MEMBER(real, hold, )           /* for how long to hold it [TU] */     \
+    MEMBER(real, lambda_v, )       /* as in sailnet_guidance.h */
 #define PLANT_COMMAND_F32(MEMBER) PLANT_COMMAND(MEMBER, float)
 #define PLANT_COMMAND_F64(MEMBER) PLANT_COMMAND(MEMBER, double)
 
@@ -177,7 +178,9 @@ typedef struct {
     VALUE(OK, 0)              \
     VALUE(ARRIVED, 1)         \
     VALUE(OUTSIDE_DOMAIN, 2)  \
-    VALUE(INVALID_INPUT, 3)
+    VALUE(INVALID_INPUT, 3)   \
+    VALUE(RECKONED, 4)        \
+    VALUE(AT_LIMIT, 5)
 
 typedef enum { PLANT_STATUS(PLANT_VALUE) } plant_status;
 

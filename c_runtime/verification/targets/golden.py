@@ -14,7 +14,7 @@ from sailnet.errors import GuidanceError
 from sailnet.flight.closed_loop import History, fly_recorded
 from sailnet.flight.starts import random_starts
 from sailnet.guidance.interface import GuidanceStatus, Precision
-from sailnet.guidance.steering import LARGEST_PERIOD
+from sailnet.guidance.rules import LARGEST_PERIOD
 from sailnet.mission.disturbances import Disturbance
 from sailnet.physics.arrays import Array
 

@@ -31,7 +31,7 @@
 extern "C" {
 #endif
 
-#define SAILNET_API_VERSION 3
+#define SAILNET_API_VERSION 4
 #define SAILNET_VERSION "0.2.0"
 #define SAILNET_MISSION "earth_mars"
 #define SAILNET_MISSION_DIGEST "8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c"
@@ -78,17 +78,44 @@ typedef float sailnet_real;
 #define SAILNET_BETA_MIN SAILNET_REAL(0.135136)
 #define SAILNET_BETA_MAX SAILNET_REAL(0.20270399999999997)
 
-/* How sailnet_steer estimates beta: the time over which it forgets [TU], the largest difference,
-   relative to SAILNET_BETA, by which one period counts, and the cos^2 of the cone angle below which
-   a period says nothing. */
-#define SAILNET_MEMORY SAILNET_REAL(1.0)
+/* How sailnet_steer learns what the sail does: the time over which beta is forgotten, and that of the tangential
+   force and of how far periods differ from what was expected [TU]; the largest difference, relative to SAILNET_BETA,
+   by which one period counts; the cos^2 of the cone angle below which a period says nothing; the largest tangential
+   force, as a share of that along the normal; and the rate at which the sail turns [rad/TU], with the turn within a
+   period [rad^2] above which that period says nothing. */
+#define SAILNET_MEMORY SAILNET_REAL(5.0)
+#define SAILNET_SURPRISE_MEMORY SAILNET_REAL(1.5)
 #define SAILNET_LARGEST_SURPRISE SAILNET_REAL(0.5)
 #define SAILNET_LEAST_COSINE2 SAILNET_REAL(0.05)
+#define SAILNET_LARGEST_TANGENTIAL SAILNET_REAL(0.25)
+#define SAILNET_SLEW_RATE SAILNET_REAL(568.177397447756)
+#define SAILNET_SLEW_BLUR SAILNET_REAL(0.03)
 
-/* The longest guidance period [TU]: half of the time over which the estimate forgets, some 29 days. One
-   measurement then counts for at most half, and the one step that predicts what the sail does costs it less
-   than a thousandth. It is also far below a flight: seconds, or days, passed for TU are told, not flown. */
+/* The reserve: the part of beta that sailnet_steer does not plan with. Of the tangential force; of what is slow in
+   the surprises, as a standard deviation; of what is white in them, times the root of the periods left; its bound;
+   and the time of flight [TU] from which on it shrinks to nothing. */
+#define SAILNET_RESERVE_TANGENTIAL SAILNET_REAL(0.5)
+#define SAILNET_RESERVE_SLOW SAILNET_REAL(2.4)
+#define SAILNET_RESERVE_WHITE SAILNET_REAL(2.4)
+#define SAILNET_LARGEST_RESERVE SAILNET_REAL(0.09)
+#define SAILNET_LET_GO SAILNET_REAL(0.16)
+
+/* A step of the command that changes its sign and is above the first [rad] is a reversal. Instead of reversing, the
+   sail keeps its side until that has cost it as much time [TU] as the second: what it takes to turn from one bound to
+   the other at the slew rate, 5.1 hours, or 14.0 if that is longer. */
+#define SAILNET_REVERSAL SAILNET_REAL(0.7)
+#define SAILNET_PATIENCE SAILNET_REAL(0.00368616406038182)
+
+/* Without a valid state the sail is steered for so long [TU], some 29 days, by where it must be. */
+#define SAILNET_LONGEST_RECKONING SAILNET_REAL(0.5)
+
+/* The longest guidance period [TU], some 29 days. The one step that predicts what the sail does then costs
+   the estimate less than a thousandth. It is also far below a flight: seconds, or days, passed for TU are told, not
+   flown. */
 #define SAILNET_LARGEST_PERIOD SAILNET_REAL(0.5)
+
+/* What the third network's output is multiplied by to be lambda_v, below. */
+#define SAILNET_COSTATE_UNIT SAILNET_REAL(0.7)
 
 /* Polar state in the orbital plane. */
 typedef struct {
@@ -102,6 +129,8 @@ typedef struct {
     sailnet_real time_of_flight; /* predicted, to the target orbit [TU] */
     sailnet_real beta;           /* what the command is for; always within SAILNET_BETA_MIN .. _MAX */
     sailnet_real hold;           /* how long to hold the cone angle [TU]; sailnet_guidance leaves it 0 */
+    sailnet_real lambda_v;       /* costate of v times beta / r_f^2, where that is small: its sign is opposite to that
+                                    of the optimal cone angle, its size says what the other sign costs */
 } sailnet_command;
 
 /* What steering remembers from one period to the next. Opaque: sailnet_start fills it. Whatever bits it
@@ -112,7 +141,15 @@ typedef struct {
     sailnet_real held;           /* for how long [TU]; 0: the next period teaches nothing */
     sailnet_real time_of_flight; /* predicted then [TU] */
     sailnet_real beta;           /* the estimate */
-    uint32_t periods;            /* valid states seen so far */
+    sailnet_real tangential;     /* estimate of the force along the sail's surface, as a share of beta */
+    sailnet_real surprise;       /* by how much beta seemed to differ in the last period, relative to SAILNET_BETA */
+    sailnet_real variance;       /* mean of the squares of surprises, */
+    sailnet_real slow;           /* and of the products of one with the next: what of them is slow */
+    sailnet_real slewing;        /* how long the sail still turned as the period began [TU] */
+    sailnet_real stake;          /* of lambda_v: above 0 if the last command was not the networks' sign */
+    sailnet_real regret;         /* time lost by not reversing [TU] */
+    sailnet_real unseen;         /* time since the last valid state [TU] */
+    uint32_t periods;            /* states steered by so far */
 } sailnet_memory;
 
 typedef enum {
@@ -126,7 +163,13 @@ typedef enum {
     SAILNET_OUTSIDE_DOMAIN = 2,
     /* NaN, infinity, a null pointer, or a period that is not positive or exceeds SAILNET_LARGEST_PERIOD:
        cone angle 0, time of flight SAILNET_LARGEST_TIME_OF_FLIGHT. */
-    SAILNET_INVALID_INPUT = 3
+    SAILNET_INVALID_INPUT = 3,
+    /* From sailnet_steer: there is no valid state, and the command is for where the sail must be by its last one
+       and by what it was told since. */
+    SAILNET_RECKONED = 4,
+    /* From sailnet_steer: what it would plan with is below SAILNET_BETA_MIN. The command is for that, and there is no
+       reserve left: the sail is weaker than the networks have learnt. */
+    SAILNET_AT_LIMIT = 5
 } sailnet_status;
 
 /*
@@ -140,11 +183,17 @@ sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, s
 void sailnet_start(sailnet_memory *memory);
 
 /*
- * Once a guidance period of `period` [TU], at most SAILNET_LARGEST_PERIOD: learn beta from how the sail answered to the last command,
- * command, and say how long to hold. The command's `beta` is the estimate. `hold` is the period, or
- * less when the flight ends (SAILNET_ARRIVED), and at most the longer of the period and the threshold.
- * An invalid state gets the safe command for one period, and nothing is learnt from it; an invalid period
- * or null pointer gets it with `hold` 0.
+ * Once a guidance period of `period` [TU], at most SAILNET_LARGEST_PERIOD: learn from how the sail answered to the
+ * last command, command, and say how long to hold. The command's `beta` is the estimate; what the command is planned
+ * with is that less the reserve. `hold` is the period, or less when the flight ends (SAILNET_ARRIVED), and at most
+ * the longer of the period and the threshold.
+ *
+ * Bad days. Without a valid state (NaN, infinity, a null pointer) the last one is carried forward by what the sail
+ * was told and what was learnt of it, and the command is for that (SAILNET_RECKONED, or SAILNET_ARRIVED), for at most
+ * SAILNET_LONGEST_RECKONING; nothing is learnt until there was a valid state again. After that, or before there was
+ * any, the command is the safe one for a period (SAILNET_INVALID_INPUT): the sail faces the Sun. An invalid period
+ * gets it with `hold` 0. Outside the trained domain the command is what the networks make of the state clamped to it,
+ * for as long as that lasts.
  */
 sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state, sailnet_real period,
                              sailnet_command *command);

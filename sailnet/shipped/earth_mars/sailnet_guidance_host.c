@@ -105,9 +105,12 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 #define SAILNET_OF_PERIOD 3
 #define SAILNET_OF_ROOTS 4
 #define SAILNET_OF_KNOTS 5
+#define SAILNET_OF_TIME_TO_GO 6
+#define SAILNET_OF_SHARE 7
+#define SAILNET_OF_TANGENTIAL 8
 /* Three of each of r, u, v, and then one of each input. */
-#define SAILNET_OF_STATE 6
-#define SAILNET_OF_INPUTS 15
+#define SAILNET_OF_STATE 9
+#define SAILNET_OF_INPUTS 18
 static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_BETA_MIN, SAILNET_BETA_MAX},
     {-SAILNET_PHI_MAX, SAILNET_PHI_MAX},
@@ -115,9 +118,20 @@ static const sailnet_real sailnet_limits[][2] = {
     {R(0.0), SAILNET_LARGEST_PERIOD},
     {R(1e-24), R(1e24)},
     {R(0.0), SAILNET_LAST_KNOT},
+    {SAILNET_ARRIVAL_THRESHOLD, SAILNET_LARGEST_TIME_OF_FLIGHT},
+    {R(-1.0), R(1.0)},
+    {-SAILNET_LARGEST_TANGENTIAL, SAILNET_LARGEST_TANGENTIAL},
     SAILNET_STATE_LIMITS,
     SAILNET_INPUT_LIMITS,
 };
+
+/* Whether each of r, u and v is neither a NaN nor an infinity. */
+SAILNET_INLINE int32_t sailnet_is_state(const sailnet_state *state)
+{
+    /* 0, unless one is. */
+    const sailnet_real nothing = ((state->r - state->r) + (state->u - state->u)) + (state->v - state->v);
+    return nothing == R(0.0) ? 1 : 0;
+}
 
 /*
  * A number clamped to a row; a NaN becomes the lower bound. It comes by its address: where functions take reals in
@@ -340,6 +354,44 @@ SAILNET_INLINE sailnet_real sailnet_exp2(sailnet_real octaves)
 }
 #endif
 #undef sailnet_real
+
+/* Newton's steps to a unit of rounding, of the inverse square root. */
+#ifdef SAILNET_FLOAT64
+#define SAILNET_NEWTON_STEPS 4
+#else
+#define SAILNET_NEWTON_STEPS 3
+#endif
+
+/*
+ * value^(-1/2), for value clamped to [1e-24, 1e24]. Half of the exponent, taken off bitwise, starts within 3.5 %;
+ * Newton's steps square the error.
+ */
+SAILNET_INLINE sailnet_real sailnet_per_root(const sailnet_real *value)
+{
+    const sailnet_real known = sailnet_limited(value, SAILNET_OF_ROOTS);
+    float start = (float)known;
+    uint32_t bits;
+    (void)memcpy(&bits, &start, sizeof bits);
+    bits = UINT32_C(0x5F375A86) - (bits >> 1);
+    (void)memcpy(&start, &bits, sizeof start);
+    sailnet_real root = (sailnet_real)start;
+    for (int32_t i = 0; i < SAILNET_NEWTON_STEPS; i++) {
+        root *= R(1.5) - R(0.5) * (known * root) * root;
+    }
+    return root;
+}
+
+/* Its absolute value. For the sake of -0 compilers do not make one instruction of a comparison. */
+SAILNET_INLINE sailnet_real sailnet_size(sailnet_real value)
+{
+#ifndef __GNUC__
+    return value < R(0.0) ? -value : value;
+#elif defined(SAILNET_FLOAT64)
+    return __builtin_fabs(value);
+#else
+    return __builtin_fabsf(value);
+#endif
+}
 
 /* cos and sin of an angle of at most pi/2: Horner's scheme of the exponential series of i times the angle. */
 #ifdef SAILNET_FLOAT64
@@ -1027,6 +1079,7 @@ SAILNET_INLINE void sailnet_make_safe(sailnet_command *command, sailnet_real bet
     command->time_of_flight = SAILNET_LARGEST_TIME_OF_FLIGHT;
     command->beta = beta;
     command->hold = R(0.0);
+    command->lambda_v = R(0.0);
 }
 
 sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, sailnet_command *command)
@@ -1037,13 +1090,10 @@ sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, s
     /* Only a NaN differs from itself. */
     const sailnet_real known = beta == beta ? beta : SAILNET_BETA;
     sailnet_make_safe(command, sailnet_clamped(known, SAILNET_BETA_MIN, SAILNET_BETA_MAX));
-    if (state == NULL) {
+    if ((state == NULL) || (sailnet_is_state(state) == 0)) {
         return SAILNET_INVALID_INPUT;
     }
     const sailnet_real input[3] = {state->r, state->u, state->v};
-    if (!(sailnet_is_finite(input[0]) & sailnet_is_finite(input[1]) & sailnet_is_finite(input[2]))) {
-        return SAILNET_INVALID_INPUT;
-    }
 
     sailnet_real tau_alpha_pre_lambda_v[3];
     sailnet_networks(input, command->beta, tau_alpha_pre_lambda_v);
@@ -1055,6 +1105,7 @@ sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, s
     const sailnet_real bounded = size < SAILNET_PHI_MAX ? size : SAILNET_PHI_MAX;
     command->cone_angle = tau_alpha_pre_lambda_v[2] > R(0.0) ? -bounded : bounded;
     command->time_of_flight = tau;
+    command->lambda_v = SAILNET_COSTATE_UNIT * tau_alpha_pre_lambda_v[2];
 
     if (!sailnet_in_domain(input, known)) {
         return SAILNET_OUTSIDE_DOMAIN;
@@ -1085,58 +1136,148 @@ static const sailnet_real sailnet_stages[4][2] = {{R(0.0), R(0.16666666666666666
                                                   {R(0.5), R(0.3333333333333333)},
                                                   {R(1.0), R(0.16666666666666666)}};
 
-/*
- * The estimate of beta after one more period: by how much further the velocity changed than a step of
- * fourth-order Runge-Kutta predicts, along the direction of the force. Changes are compared, not states:
- * they are rounded finer. A measurement that is not finite counts for nothing, a large one for the bound.
- */
-SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now)
-{
-    const sailnet_real beta = memory->beta;
-    const sailnet_real held = memory->held;
-    const sailnet_state *const before = &memory->state;
+/* What the last command did, by what is known of the sail: changes of r, u and v, and the direction of the force. */
+typedef struct {
+    sailnet_state by;
     sailnet_real cosine;
     sailnet_real sine;
-    sailnet_cosine_sine(sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE), &cosine, &sine);
+} sailnet_change;
+
+/* One step of fourth-order Runge-Kutta of Eq. (1), under a constant force. */
+SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
+{
+    const sailnet_state *const before = &memory->state;
+    const sailnet_real tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
+    sailnet_cosine_sine(sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE), &change->cosine, &change->sine);
+    const sailnet_real cosine = change->cosine;
+    const sailnet_real sine = change->sine;
+    /* Along the normal beta cos^2; along the surface, against the Sun, beta tangential cos sin. */
+    const sailnet_real push = memory->beta * cosine;
+    const sailnet_real radial = push * (cosine * cosine + tangential * sine * sine) - R(1.0);
+    const sailnet_real transverse = push * (R(1.0) - tangential) * cosine * sine;
+    sailnet_state rate = {R(0.0), R(0.0), R(0.0)};
+    change->by = rate;
+    for (int32_t i = 0; i < 4; i++) {
+        const sailnet_real step = sailnet_stages[i][0] * memory->held;
+        const sailnet_real per_r = R(1.0) / (before->r + step * rate.r);
+        const sailnet_real u = before->u + step * rate.u;
+        const sailnet_real v = before->v + step * rate.v;
+        rate.r = u;
+        rate.u = (radial * per_r + v * v) * per_r;
+        rate.v = (transverse * per_r - u * v) * per_r;
+        const sailnet_real share = sailnet_stages[i][1] * memory->held;
+        change->by.r += share * rate.r;
+        change->by.u += share * rate.u;
+        change->by.v += share * rate.v;
+    }
+}
+
+/* The weight of one more period in a mean over `time`: of all periods at first, and later of those not forgotten. */
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
+{
+    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
+    const sailnet_real recent = memory->held / time;
+    return recent > all ? recent : all;
+}
+
+/*
+ * What one more period tells of the sail, by how much further the velocity changed than predicted: beta along the
+ * normal, the tangential force across it, and how far such surprises differ from each other. Changes are compared,
+ * not states: they are rounded finer. What is not finite counts for nothing, what is large for the bound.
+ */
+SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
+{
+    const sailnet_real held = memory->held;
+    const sailnet_state *const before = &memory->state;
+    const sailnet_real cosine = change->cosine;
+    const sailnet_real sine = change->sine;
     const sailnet_real cosine2 = cosine * cosine;
+    /* The sail turned in this period, or was not seen before it: it says nothing. */
+    const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
 #if SAILNET_MAY_BE_EDGE_ON
-    const sailnet_real telling = cosine2 >= SAILNET_LEAST_COSINE2 ? held : R(0.0);
+    const int32_t telling = ((cosine2 >= SAILNET_LEAST_COSINE2) && (memory->unseen == R(0.0))) ? 1 : 0;
 #else
-    const sailnet_real telling = held;
+    const int32_t telling = (memory->unseen == R(0.0)) ? 1 : 0;
 #endif
-    if (!(telling > R(0.0))) {
+    if ((telling == 0) || !(held > R(0.0)) || !(turned <= SAILNET_SLEW_BLUR * held)) {
         return;
     }
-    const sailnet_real radial = beta * cosine2 * cosine - R(1.0);
-    const sailnet_real transverse = beta * cosine2 * sine;
-    sailnet_real surprise_u = now->u - before->u;
-    sailnet_real surprise_v = now->v - before->v;
-    sailnet_real rate_r = R(0.0);
-    sailnet_real rate_u = R(0.0);
-    sailnet_real rate_v = R(0.0);
-    for (int32_t i = 0; i < 4; i++) {
-        /* Eq. (1), under a constant force. */
-        const sailnet_real step = sailnet_stages[i][0] * held;
-        const sailnet_real per_r = R(1.0) / (before->r + step * rate_r);
-        const sailnet_real u = before->u + step * rate_u;
-        const sailnet_real v = before->v + step * rate_v;
-        rate_r = u;
-        rate_u = (radial * per_r + v * v) * per_r;
-        rate_v = (transverse * per_r - u * v) * per_r;
-        const sailnet_real share = sailnet_stages[i][1] * held;
-        surprise_u -= share * rate_u;
-        surprise_v -= share * rate_v;
-    }
+    const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
+    const sailnet_real surprise_v = (now->v - before->v) - change->by.v;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
-    const sailnet_real measured =
-        (surprise_u * cosine + surprise_v * sine) * distance * distance / (held * cosine2);
-    if (sailnet_is_finite(measured) != 0) {
-        const sailnet_real counted = sailnet_limited(&measured, SAILNET_OF_SURPRISE);
-        /* The mean of all periods at first, and later of those not forgotten. */
-        const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-        const sailnet_real recent = held / SAILNET_MEMORY;
-        memory->beta = beta + (recent > all ? recent : all) * counted;
+    const sailnet_real per = distance * distance / (held * cosine2);
+    const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
+    const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
+    if ((sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
+        const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
+        const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
+        const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
+        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
+        /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
+        memory->tangential -= R(2.0) * weight * sine * cosine * aside;
+        memory->variance += weight * (relative * relative - memory->variance);
+        memory->slow += weight * (relative * memory->surprise - memory->slow);
+        memory->surprise = relative;
     }
+}
+
+/* The share of beta that is not planned with, for a time of flight. */
+SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
+{
+    const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
+    const sailnet_real slow = sailnet_clamped(memory->slow, R(0.0), R(1.0));
+    const sailnet_real rest = memory->variance - slow;
+    /* White noise leaves so much of its variance in the mean of the periods that are left. */
+    const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
+    const sailnet_real reserve =
+        SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
+    const sailnet_real bounded = sailnet_clamped(reserve, R(0.0), SAILNET_LARGEST_RESERVE);
+    return bounded * sailnet_clamped(tau * (R(1.0) / SAILNET_LET_GO), R(0.0), R(1.0));
+}
+
+/*
+ * The sign of the command. Where both signs are almost equally fast the networks' may change from one period to the
+ * next: the sail keeps its side until that has cost more than a reversal is worth. A mirrored command loses time at
+ * the rate 2 beta / r^2 cos^2(alpha) |sin(alpha) lambda_v|, which is the difference of the Hamiltonian.
+ */
+SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
+{
+    const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
+    const sailnet_real rate = R(2.0) * memory->stake * ratio * ratio * change->cosine * change->cosine * change->sine;
+    const sailnet_real regret = memory->regret + memory->held * (change->sine < R(0.0) ? -rate : rate);
+    memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
+    memory->stake = -sailnet_size(command->lambda_v);
+    const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);
+    if ((command->cone_angle * memory->cone_angle < R(0.0)) && (step > SAILNET_REVERSAL)) {
+        if (memory->regret < SAILNET_PATIENCE) {
+            command->cone_angle = -command->cone_angle;
+            memory->stake = -memory->stake;
+        } else {
+            memory->regret = R(0.0);
+        }
+    }
+}
+
+/* How the flight goes on with a command: how long to hold it, and the status. */
+SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_t seen, const sailnet_command *command,
+                                           sailnet_real *hold)
+{
+    sailnet_status status = (sailnet_status)(seen & ~SAILNET_THERE);
+    const sailnet_real tau = command->time_of_flight;
+    if (status != SAILNET_OUTSIDE_DOMAIN) {
+        const sailnet_real longest = *hold > SAILNET_ARRIVAL_THRESHOLD ? *hold : SAILNET_ARRIVAL_THRESHOLD;
+        if (tau <= longest) {
+            *hold = sailnet_limited(&command->time_of_flight, SAILNET_OF_PERIOD);
+            status = SAILNET_ARRIVED;
+        } else if (((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) && (tau >= memory->time_of_flight)) {
+            *hold = R(0.0);
+            status = SAILNET_ARRIVED;
+        } else {
+            /* The flight goes on. */
+        }
+    }
+    return status;
 }
 
 void sailnet_start(sailnet_memory *memory)
@@ -1149,8 +1290,38 @@ void sailnet_start(sailnet_memory *memory)
         memory->held = R(0.0);
         memory->time_of_flight = R(0.0);
         memory->beta = SAILNET_BETA;
+        memory->tangential = R(0.0);
+        memory->surprise = R(0.0);
+        memory->variance = R(0.0);
+        memory->slow = R(0.0);
+        memory->slewing = R(0.0);
+        memory->stake = R(0.0);
+        memory->regret = R(0.0);
+        memory->unseen = R(0.0);
         memory->periods = 0u;
     }
+}
+
+/* The state to steer by: that which is shown, or where the sail must be without one; null if neither is known. */
+SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
+                                                const sailnet_change *change, sailnet_state *reckoned)
+{
+    const sailnet_state *known = NULL;
+    if ((shown != NULL) && (sailnet_is_state(shown) != 0)) {
+        sailnet_learn(memory, shown, change);
+        memory->unseen = R(0.0);
+        known = shown;
+    } else {
+        memory->unseen += memory->held;
+        reckoned->r = memory->state.r + change->by.r;
+        reckoned->u = memory->state.u + change->by.u;
+        reckoned->v = memory->state.v + change->by.v;
+        if ((memory->held > R(0.0)) && (memory->unseen <= SAILNET_LONGEST_RECKONING) &&
+            (sailnet_is_state(reckoned) != 0)) {
+            known = reckoned;
+        }
+    }
+    return known;
 }
 
 sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state, sailnet_real period,
@@ -1160,42 +1331,53 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         (void)sailnet_law(NULL, SAILNET_BETA, command);
         return SAILNET_INVALID_INPUT;
     }
-    /* Without a period, and a NaN is none, there is no valid state. */
+    /* The memory may have held any bits. */
+    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
+    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
+    sailnet_change change;
+    sailnet_state reckoned;
+    const sailnet_state *known = NULL;
     sailnet_real hold = R(0.0);
-    const sailnet_state *valid = NULL;
+    /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser, which takes a comparison with a NaN for undecided. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
-        valid = state;
+        sailnet_predict(memory, &change);
+        known = sailnet_known(memory, state, &change, &reckoned);
     }
-    if (valid != NULL) {
-        sailnet_learn(memory, valid);
-    }
-    /* The memory may have held any bits. */
     memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
-    const uint32_t seen = sailnet_law(valid, memory->beta, command);
-    sailnet_status status = (sailnet_status)(seen & ~SAILNET_THERE);
-    if (status == SAILNET_INVALID_INPUT) {
-        /* The memory stays as it was, but the next state is not what came of the last command. */
+    memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
+    const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
+    const sailnet_real plan = memory->beta * (R(1.0) - lost) * (R(1.0) - sailnet_reserve(memory, hold));
+    const uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
+    command->beta = memory->beta;
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if (known == NULL) {
+        /* What was learnt stays, but the next state is not what came of the last command. */
         memory->held = R(0.0);
     } else {
-        const sailnet_real tau = command->time_of_flight;
-        if (status != SAILNET_OUTSIDE_DOMAIN) {
-            const sailnet_real longest = hold > SAILNET_ARRIVAL_THRESHOLD ? hold : SAILNET_ARRIVAL_THRESHOLD;
-            if (tau <= longest) {
-                hold = sailnet_limited(&command->time_of_flight, SAILNET_OF_PERIOD);
-                status = SAILNET_ARRIVED;
-            } else if (((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) && (tau >= memory->time_of_flight)) {
-                hold = R(0.0);
-                status = SAILNET_ARRIVED;
+        sailnet_keep_side(memory, &change, command);
+        status = sailnet_ends(memory, seen, command, &hold);
+        if (status != SAILNET_ARRIVED) {
+            if (memory->unseen > R(0.0)) {
+                status = SAILNET_RECKONED;
+#if SAILNET_READS_BETA
+            } else if ((status == SAILNET_OK) && (plan < SAILNET_BETA_MIN)) {
+                status = SAILNET_AT_LIMIT;
+#endif
             } else {
-                /* The flight goes on. */
+                /* It is the law's. */
             }
         }
-        memory->state = *state;
+        if (memory->periods > 0u) {
+            const sailnet_real left = memory->slewing - memory->held;
+            const sailnet_real turn = sailnet_size(command->cone_angle - memory->cone_angle);
+            memory->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
+        }
+        memory->state = *known;
         memory->cone_angle = command->cone_angle;
         memory->held = hold;
-        memory->time_of_flight = tau;
+        memory->time_of_flight = command->time_of_flight;
         if (memory->periods < UINT32_MAX) {
             memory->periods++;
         }

@@ -28,7 +28,7 @@ from c_runtime.verification.targets.reference import ReferenceGuidance
 from c_runtime.verification.targets.table import Limit, limits
 from sailnet.flight.closed_loop import History
 from sailnet.guidance.interface import GuidanceStatus, Precision
-from sailnet.guidance.steering import LARGEST_PERIOD
+from sailnet.guidance.rules import LARGEST_PERIOD
 from sailnet.networks.guidance_networks import load_guidance_networks
 from tests.paths import ROOT
 from tests.tools import needs

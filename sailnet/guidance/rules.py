@@ -1,0 +1,75 @@
+"""The numbers by which steering learns, keeps a reserve, and chooses a side."""
+
+from dataclasses import dataclass
+
+from sailnet.errors import GuidanceError
+from sailnet.physics.units import DAY, TU
+
+LARGEST_PERIOD = 0.5
+"""Longest guidance period [TU], some 29 days: beyond it one step no longer predicts what the sail does."""
+
+
+@dataclass(frozen=True)
+class SteeringRules:
+    """What ``sailnet_steer`` does the same for all missions; the flight file's header has the same names.
+
+    The reserve's numbers were found by ``python -m training.reserve``, over simulated flights.
+
+    Attributes:
+        memory: time over which the estimate of beta forgets [TU].
+        surprise_memory: the same of the tangential force, and of how far periods surprise [TU].
+        largest_surprise: largest difference, relative to the mission's beta, by which one period counts.
+        least_cosine2: cos^2(alpha) below which a period says nothing: the sail is edge-on.
+        largest_tangential: largest tangential force, as a share of that along the normal.
+        slew_blur: turn within a period [rad^2] above which that period says nothing.
+        reserve_tangential: share of the tangential force that is not planned with.
+        reserve_slow: reserve per standard deviation of what is slow in the surprises.
+        reserve_white: reserve per standard deviation that white noise leaves in the mean of the periods left.
+        largest_reserve: share of beta that is kept back at most.
+        let_go: time of flight from which on the reserve shrinks to nothing [TU].
+        reversal: a step of the command that changes its sign and is above this is a reversal [rad].
+        largest_patience: staying may cost what it takes to turn from bound to bound, at most this [TU].
+        longest_reckoning: for how long the sail is steered without a valid state [TU].
+    """
+
+    memory: float = 5.0
+    surprise_memory: float = 1.5
+    largest_surprise: float = 0.5
+    least_cosine2: float = 0.05
+    largest_tangential: float = 0.25
+    slew_blur: float = 0.03
+    reserve_tangential: float = 0.5
+    reserve_slow: float = 2.4
+    reserve_white: float = 2.4
+    largest_reserve: float = 0.09
+    let_go: float = 0.16
+    reversal: float = 0.7
+    largest_patience: float = 0.01
+    longest_reckoning: float = 0.5
+
+    def patience(self, phi_max: float, turn_rate: float) -> float:
+        """What staying on a side may cost [TU].
+
+        Args:
+            phi_max: bound on the cone angle [rad].
+            turn_rate: how fast the sail turns [rad/TU].
+        """
+        return min(2.0 * phi_max / turn_rate, self.largest_patience)
+
+
+RULES = SteeringRules()
+"""Those that fly."""
+
+
+def refuse_long_period(period: float) -> None:
+    """Raise an error if steering takes no such guidance period [TU].
+
+    Raises:
+        GuidanceError: it is longer than ``LARGEST_PERIOD``.
+    """
+    if period > LARGEST_PERIOD:
+        days = TU / DAY
+        raise GuidanceError(
+            f"a guidance period of {period:g} TU is {period * days:,.0f} days: the longest is "
+            f"{LARGEST_PERIOD:g} TU, {LARGEST_PERIOD * days:.0f} days. Periods are in TU, of {TU:,.0f} s"
+        )
