@@ -9,11 +9,11 @@ import shlex
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from c_runtime.builds import BATCH, BUILDS
+from c_runtime.builds import BATCH, BUILDS, Build
 
 # Portable flags: what is installed may run on another machine than it was built on. The additions to -O3
 # keep NaN and infinity as they are: gcc makes maxima of clamps, and may use FMA.
@@ -51,8 +51,10 @@ def find_compiler() -> list[str]:
     raise CompilerError("no C compiler found: install gcc or clang (Debian: apt install gcc), or set $CC")
 
 
-def compile_libraries(sources: Path, target: Path) -> list[Path]:
-    """Compile the exported C in ``sources`` in every build; returns the files written.
+def compile_libraries(
+    sources: Path, target: Path, builds: Iterable[Build] = tuple(BUILDS.values())
+) -> list[Path]:
+    """Compile the exported C in ``sources``, in every build unless some are named; returns the files written.
 
     Raises:
         CompilerError: there is no compiler, or it refused the source.
@@ -63,7 +65,7 @@ def compile_libraries(sources: Path, target: Path) -> list[Path]:
     ]  # refuses what the plant would misread
     libraries = {
         build.library: Library([sources / build.source, *beside], (*build.defines, *build.optimisation))
-        for build in BUILDS.values()
+        for build in builds
     }
     return _compile(libraries, target)
 

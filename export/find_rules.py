@@ -1,0 +1,180 @@
+"""``python -m export.find_rules``: direct search for the reserve's numbers, over simulated flights.
+
+Every candidate is a flight file of its own, compiled and flown over the series of a campaign, with a seed of
+its own that no reported campaign uses. What is sought is the smallest mean, over the series, of the logarithm
+of the mean time above the optimum of the sail that flew, plus 0.1 %: of all flights, so that what misses
+its first approach counts with all it costs. Nelder and Mead's simplex, over the logarithms of the numbers.
+
+Every candidate is written to the output as it is done, and is not flown again: a search that was stopped goes
+on where it was.
+"""
+
+import argparse
+import json
+import sys
+import tempfile
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from scipy.optimize import minimize
+from tqdm import tqdm
+
+from c_runtime.builds import BUILDS
+from c_runtime.shared_library import CompilerError, compile_libraries
+from export.errors import ExportError
+from export.to_c import write_c
+from sailnet import SailnetError, load_mission
+from sailnet.campaign.excess import excess_of
+from sailnet.campaign.own_optima import optimal_times_of
+from sailnet.campaign.plan import Plan, Series, load_plan
+from sailnet.flight.closed_loop import Flights, fly
+from sailnet.guidance.exported_c import CGuidance
+from sailnet.guidance.facts import describe
+from sailnet.guidance.rules import RULES, SteeringRules
+from sailnet.mission.mission import Mission
+from sailnet.networks.guidance_networks import GuidanceNetworks, load_guidance_networks
+from sailnet.physics.arrays import Array
+
+SOUGHT = (
+    "memory",
+    "surprise_memory",
+    "reserve_tangential",
+    "reserve_slow",
+    "reserve_white",
+    "largest_reserve",
+    "let_go",
+)
+"""Numbers of ``SteeringRules`` that are searched."""
+
+FLOWN = BUILDS["f64"]
+"""The flight file, in double precision."""
+
+FLOOR = 1e-3
+"""Added to a mean time above the optimum before its logarithm: a series that costs nothing is no goal."""
+
+FIRST_STEP = 0.2
+"""Of the simplex, relative."""
+
+Record = dict[str, object]
+
+
+class Trials:
+    """Candidates flown over the series of a campaign.
+
+    Args:
+        mission: what is flown.
+        networks: what flies.
+        plan: the campaign.
+        output: one line of JSON a candidate; those that it holds are not flown again.
+    """
+
+    def __init__(self, mission: Mission, networks: GuidanceNetworks, plan: Plan, output: Path) -> None:
+        self._mission, self._networks, self._plan, self._output = mission, networks, plan, output
+        self._facts = describe(networks, mission)
+        self._optima: dict[str, Array] = {}
+        lines = output.read_text(encoding="utf-8").splitlines() if output.exists() else []
+        self._known: dict[str, Record] = {
+            json.dumps(record["rules"]): record for record in map(json.loads, lines)
+        }
+
+    def fly(self, rules: SteeringRules) -> Record:
+        """What candidate rules amount to: ``score`` and, for each series, mean, 99 % and first approaches."""
+        numbers = {name: float(f"{getattr(rules, name):.4g}") for name in SOUGHT}
+        key = json.dumps(numbers)
+        if key not in self._known:
+            self._known[key] = self._flown(numbers)
+            with self._output.open("a", encoding="utf-8") as file:
+                file.write(json.dumps(self._known[key]) + "\n")
+        return self._known[key]
+
+    def _flown(self, numbers: Mapping[str, float]) -> Record:
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            write_c(self._networks, self._facts, folder, replace(RULES, **numbers))
+            compile_libraries(folder, folder, [FLOWN])
+            guidance = CGuidance(self._mission, folder / FLOWN.library)
+            series = {one.name: self._series(guidance, one) for one in self._plan.whole}
+        means = np.array([row["mean"] for row in series.values()])
+        return {"score": float(np.log(means + FLOOR).mean()), "rules": dict(numbers), "series": series}
+
+    def _series(self, guidance: CGuidance, series: Series) -> dict[str, float]:
+        mission, seed = self._mission, self._plan.seed
+        starts = series.states(mission, seed, 0, series.count)
+        disturbance = series.disturbances(mission, seed)
+        flights = fly(mission, guidance, starts, disturbance=disturbance)
+        if series.name not in self._optima:
+            self._optima[series.name] = optimal_times_of(mission, flights, disturbance.optics)
+        return _row(mission, flights, self._optima[series.name])
+
+
+def _row(mission: Mission, flights: Flights, optimal: Array) -> dict[str, float]:
+    excess = excess_of(mission, flights, optimal)
+    if excess is None:
+        raise ExportError("no optimum is known of any flight: fly more")
+    return {
+        "mean": excess.relative.mean,
+        "quantile_99": excess.relative.high,
+        "first_approach": excess.first_approach.count / excess.first_approach.of,
+        "reversals_99": float(np.quantile(flights.reversals, 0.99)),
+    }
+
+
+def search(trials: Trials, evaluations: int) -> Record:
+    """The best candidate of a simplex search from the rules that fly now."""
+    start = np.log([getattr(RULES, name) for name in SOUGHT])
+    simplex = np.vstack([start, start + FIRST_STEP * np.eye(len(SOUGHT))])
+    records: list[Record] = []
+    with tqdm(total=evaluations, unit="candidate", file=sys.stderr, disable=None) as bar:
+
+        def score(point: Array) -> float:
+            rules = replace(RULES, **dict(zip(SOUGHT, np.exp(point).tolist(), strict=True)))
+            records.append(trials.fly(rules))
+            bar.update()
+            bar.set_postfix_str(f"best {min(map(_score, records)):.3f}", refresh=False)
+            return _score(records[-1])
+
+        minimize(
+            score,
+            start,
+            method="Nelder-Mead",
+            options={"initial_simplex": simplex, "maxfev": evaluations, "adaptive": True, "xatol": 0.01},
+        )
+    return min(records, key=_score)
+
+
+def _score(record: Record) -> float:
+    return float(str(record["score"]))
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command; returns its exit status."""
+    parser = argparse.ArgumentParser(
+        prog="python -m export.find_rules",
+        description=__doc__,
+        epilog="example: python -m export.find_rules build/earth_mars/wide/networks build/rules.jsonl",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("networks", type=Path, help="folder of the weights")
+    parser.add_argument("output", type=Path, help="a line of JSON for each candidate; what it holds is kept")
+    parser.add_argument("--campaign", default="law", help="series to fly, by name or file (%(default)s)")
+    parser.add_argument("--flights", type=int, default=400, help="of each series (%(default)s)")
+    parser.add_argument("--seed", type=int, default=77, help="of starts and disturbances (%(default)s)")
+    parser.add_argument("--evaluations", type=int, default=120, help="candidates (%(default)s)")
+    options = parser.parse_args(arguments)
+    try:
+        networks = load_guidance_networks(options.networks)
+        mission = load_mission(networks.mission.name)
+        plan = load_plan(options.campaign).flown_by(mission).changed(options.flights, options.seed)
+        options.output.parent.mkdir(parents=True, exist_ok=True)
+        best = search(Trials(mission, networks, plan, options.output), options.evaluations)
+    except (SailnetError, CompilerError, OSError, ValueError) as error:
+        print(f"export.find_rules: {error}", file=sys.stderr)
+        return 1
+    print(json.dumps(best, indent=1))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
