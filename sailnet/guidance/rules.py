@@ -32,7 +32,7 @@ class SteeringRules:
         longest_reckoning: for how long the sail is steered without a valid state [TU].
     """
 
-    memory: float = 5.0
+    memory: float = 6.0
     surprise_memory: float = 1.5
     largest_surprise: float = 0.5
     least_cosine2: float = 0.05
@@ -40,7 +40,7 @@ class SteeringRules:
     slew_blur: float = 0.03
     reserve_tangential: float = 0.5
     reserve_slow: float = 2.4
-    reserve_white: float = 2.4
+    reserve_white: float = 2.6
     largest_reserve: float = 0.09
     let_go: float = 0.16
     reversal: float = 0.7

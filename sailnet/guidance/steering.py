@@ -69,8 +69,8 @@ class ReferenceSteering:
     far, or that was not seen, says nothing.
 
     *A reserve.* The networks read beta (1 - a T) (1 - k), with k = b s + c w sqrt(h / tau): s^2 is the mean
-    product of neighbouring surprises, which white noise does not have, and w^2 the rest of their mean
-    square. It shrinks to nothing with the time of flight tau, so that arrival is as exact as without.
+    product of neighbouring surprises, which white noise has by chance alone: some one and a half standard
+    deviations of that chance are taken off; and w^2 is the rest of their mean square. It shrinks to nothing with the time of flight tau, so that arrival is as exact as without.
 
     *A side.* Where the networks' command reverses the sail, it keeps its side until that has cost it as
     much time as patience allows, by the difference of the Hamiltonian.
@@ -157,7 +157,8 @@ class ReferenceSteering:
     def _reserve(self, memory: _Memory, hold: Array) -> Array:
         rules, mission = self._rules, self._guidance.mission
         tau = np.maximum(memory.time_of_flight, mission.flight.arrival_threshold)
-        slow = np.clip(memory.slow, 0.0, 1.0)
+        share = np.maximum(1.0 / (memory.periods + 1.0), memory.held / rules.surprise_memory)
+        slow = np.clip(memory.slow - memory.variance * np.sqrt(share), 0.0, 1.0)
         white = np.clip(memory.variance - slow, 0.0, 1.0) * hold / tau
         reserve = rules.reserve_slow * np.sqrt(slow) + rules.reserve_white * np.sqrt(white)
         kept: Array = np.minimum(reserve, rules.largest_reserve) * np.minimum(tau / rules.let_go, 1.0)

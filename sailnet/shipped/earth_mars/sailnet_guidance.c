@@ -1043,7 +1043,10 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
 SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
 {
     const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
-    const sailnet_real slow = sailnet_clamped(memory->slow, R(0.0), R(1.0));
+    /* White noise, too, leaves something in a mean of few products: not counted is some one and a half sigma of that. */
+    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+    const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
+    const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
     const sailnet_real rest = memory->variance - slow;
     /* White noise leaves so much of its variance in the mean of the periods that are left. */
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
