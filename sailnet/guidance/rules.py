@@ -32,17 +32,17 @@ class SteeringRules:
         longest_reckoning: for how long the sail is steered without a valid state [TU].
     """
 
-    memory: float = 6.0
-    surprise_memory: float = 1.5
+    memory: float = 6.5
+    surprise_memory: float = 1.6
     largest_surprise: float = 0.5
     least_cosine2: float = 0.05
     largest_tangential: float = 0.25
     slew_blur: float = 0.03
-    reserve_tangential: float = 0.5
-    reserve_slow: float = 2.4
-    reserve_white: float = 2.6
-    largest_reserve: float = 0.09
-    let_go: float = 0.16
+    reserve_tangential: float = 0.51
+    reserve_slow: float = 2.6
+    reserve_white: float = 2.7
+    largest_reserve: float = 0.085
+    let_go: float = 0.165
     reversal: float = 0.7
     largest_patience: float = 0.01
     longest_reckoning: float = 0.5
