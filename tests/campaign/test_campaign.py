@@ -34,9 +34,10 @@ from sailnet.errors import CampaignError, SailnetError
 from sailnet.expert.fastest import solve
 from sailnet.flight.closed_loop import Flights, fly, fly_recorded
 from sailnet.flight.starts import random_starts
-from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.backends import exported_digest, load_guidance
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission, load_mission
+from sailnet.report import campaign_page
 from sailnet.workers.executors import Workers, processes
 from tests.paths import ROOT
 
@@ -296,6 +297,7 @@ def test_interrupted_and_killed_it_goes_on(tmp_path: Path) -> None:
     plan = load_plan(tmp_path / "many.toml")
     whole = fly_plan(MISSION, GUIDANCE, plan, tmp_path / "whole.h5")
     facts = {"backend": "c", "precision": "float64", "layout": "flight"}
+    facts["exported C"] = exported_digest(MISSION)
     finished = fly_plan(MISSION, GUIDANCE, plan, tmp_path / "out" / "many.h5", facts=facts)
     assert finished.digest == whole.digest
     assert not folder.exists()
@@ -444,7 +446,9 @@ def test_the_command_explains_what_it_cannot_do(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out = ("--output", str(tmp_path / "out"))
-    assert "known are acceptance, actuation, beta-bias" in error_of(capsys, "--campaign", "weather", *out)
+    assert "known are acceptance, actuation, bad-days, beta-bias" in error_of(
+        capsys, "--campaign", "weather", *out
+    )
     assert "cannot read campaign" in error_of(capsys, "--campaign", str(tmp_path / "no.toml"), *out)
     (tmp_path / "bad.toml").write_text("name = ")
     assert "not valid TOML" in error_of(capsys, "--campaign", str(tmp_path / "bad.toml"), *out)
@@ -492,7 +496,7 @@ def test_a_finished_campaign_is_not_replaced_unasked(
 
 @pytest.mark.slow
 def test_both_precisions_are_flown_one_after_the_other(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     file, out = tmp_path / "small.toml", tmp_path / "out"
     file.write_text(
@@ -511,6 +515,13 @@ def test_both_precisions_are_flown_one_after_the_other(
         assert said["scores"][0]["flights"] == 12
         assert (out / name / "index.html").exists()
     assert answer["digest"] != answer["float32"]["digest"]
+    monkeypatch.setattr(campaign_page, "write_report", lambda *_, **__: [])
+    assert main(["evaluate", "--campaign", str(file), "--output", str(out), "--precision", "both"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    place = lines.index("Time and arrivals, float64 and float32:")
+    assert [line.split()[:2] for line in lines[place + 1 : place + 4]] == [
+        ["series", "flown"], ["a", "float64"], ["a", "float32"],
+    ]  # fmt: skip
     assert "guidance in float32" in (out / "small-float32" / "index.html").read_text("utf-8")
     assert error_of(capsys, "--flights", "2", "--precision", "both").startswith(
         "error: --precision both is for"
