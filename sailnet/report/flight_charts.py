@@ -18,7 +18,6 @@ SHOWN = 240
 MARKED = {
     "left_reckoned": ("left", GuidanceStatus.RECKONED),
     "left_outside": ("left", GuidanceStatus.OUTSIDE_DOMAIN),
-    "left_unknown": ("left", GuidanceStatus.INVALID_INPUT),
     "beta_at_limit": ("beta_estimate", GuidanceStatus.AT_LIMIT),
 }
 """Columns that are another where the guidance has a status, and no number elsewhere."""
@@ -101,7 +100,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
             "left",
             "Time left",
             "What the network predicts along the way; the flight ends by it. Marked: without a state, where "
-            "the sail must be by what it was told, and beyond that the longest there is.",
+            "the sail must be by what it was told; beyond that it faces the Sun, and nothing is predicted.",
             "time [TU]",
             "time of flight left [TU]",
             [
@@ -109,9 +108,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
                 Curve("time", "left", "predicted", colour=NETWORK),
                 Curve("time", "left_reckoned", "by reckoning", "points", colour=second, width=4.0),
                 Curve("time", "left_outside", "outside the domain", "points", colour=third, width=4.0),
-                Curve(
-                    "time", "left_unknown", "knows no state: faces the Sun", "points", colour=BAD, width=4.0
-                ),
+                Curve("time", "left_unknown", "no state: faces the Sun", "points", colour=BAD, width=4.0),
             ],
         ),
         Chart(
@@ -179,6 +176,11 @@ def flight_columns(
         columns |= {f"seen_{name}": column for name, column in zip("ruv", wrong.T, strict=True)}
     if np.abs(history.attitude - history.cone_angle).max() > 1e-9:
         columns["attitude"] = np.degrees(history.attitude)
+    unknown = history.status == GuidanceStatus.INVALID_INPUT
+    if unknown.any():
+        # What it says then, the longest there is, would flatten all the rest.
+        columns["left"] = np.where(unknown, np.nan, columns["left"])
+        columns["left_unknown"] = np.where(unknown, 0.0, np.nan)
     for name, (source, status) in MARKED.items():
         if source in columns and (history.status == status).any():
             columns[name] = np.where(history.status == status, columns[source], np.nan)

@@ -283,21 +283,30 @@ def test_a_flight_is_shown_with_what_differs() -> None:
 
 def test_a_flight_is_marked_where_guidance_goes_by_something_else() -> None:
     """Without a state, and with a sail weaker than any it knows; elsewhere there is no number."""
-    away = Disturbance(outage_probability=0.005, outage_duration=1.0, beta_bias=-0.25, seed=3)
-    rules = MISSION.flight.model_copy(update={"longest": 6.0})
+    away = Disturbance(outage_probability=0.003, outage_duration=1.0, beta_bias=-0.25, seed=8)
+    rules = MISSION.flight.model_copy(update={"longest": 9.0})
     mission = MISSION.model_copy(update={"flight": rules})
     _, (history,) = fly_recorded(mission, GUIDANCE, [(1.0, 0.0, 1.0)], disturbance=away)
     columns = flight_columns(mission, history, None)
     for name, source, status in (
         ("left_reckoned", "left", GuidanceStatus.RECKONED),
-        ("left_unknown", "left", GuidanceStatus.INVALID_INPUT),
+        ("left_outside", "left", GuidanceStatus.OUTSIDE_DOMAIN),
         ("beta_at_limit", "beta_estimate", GuidanceStatus.AT_LIMIT),
     ):
         there = history.status == status
         assert there.any()
         np.testing.assert_array_equal(columns[name], np.where(there, columns[source], np.nan))
+    unknown = history.status == GuidanceStatus.INVALID_INPUT
+    assert unknown.any()
+    np.testing.assert_array_equal(np.isnan(columns["left"]), unknown)
+    np.testing.assert_array_equal(columns["left_unknown"], np.where(unknown, 0.0, np.nan))
     labels = {curve.label for chart in flight_charts(mission, columns) for curve in chart.curves}
-    assert {"by reckoning", "no state: faces the Sun", "too low to keep a reserve"} <= labels
+    assert {
+        "by reckoning",
+        "outside the domain",
+        "no state: faces the Sun",
+        "too low to keep a reserve",
+    } <= labels
 
 
 NOISY_FLIGHT = ("fly", "1.05", "0.15", "1.03", "--period", "0.02", "--beta-noise", "0.1")
