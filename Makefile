@@ -26,6 +26,14 @@ run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
 exported := $(run)/export
 learned  := $(run).h5
+exporter := $(wildcard export/*.py c_runtime/builds.py \
+    $(addsuffix /*.*,c_runtime/flight c_runtime/simulation c_runtime/simulation/host))
+plain    := $(BUILD)/plain-law
+
+# Campaigns that are flown in both precisions, and how one is flown.
+IN_BOTH := law everything
+fly_campaign = $(VENV)/bin/sailnet evaluate --overwrite --mission $(MISSION) --workers 2 \
+    $(addprefix --flights ,$(CAMPAIGN_FLIGHTS)) --campaign
 
 .PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship quick test test-tools tools peers mutation checks lint clean
 .DELETE_ON_ERROR:
@@ -69,8 +77,7 @@ $(networks)/trained: $(learned) $(wildcard sailnet/networks/*.py training/*.py) 
 
 # The paper compares with guidance by two networks: it needs the one for the signed cone angle.
 export: $(exported)/exported
-$(exported)/exported: $(networks)/trained $(wildcard export/*.py c_runtime/builds.py \
-    $(addsuffix /*.*,c_runtime/flight c_runtime/simulation c_runtime/simulation/host)) | $(READY)
+$(exported)/exported: $(networks)/trained $(exporter) | $(READY)
 	$(PYTHON) -m export $(networks) $(exported) --mission $(MISSION) \
 	    $(if $(filter wide,$(RECIPE)),,--baseline $(networks)/alpha.safetensors)
 	@touch $@
@@ -85,14 +92,20 @@ accept: $(exported)/exported
 	$(VENV)/bin/sailnet evaluate --campaign acceptance --mission $(MISSION) --networks $(exported) \
 	    --flights $(FLIGHTS) --seed $(SEED) --workers 2 --output $(run) --overwrite $(if $(RESTART),--restart)
 
+# The same networks without the law's memory of side, reserve and reckoning, for comparison.
+$(plain)/exported: $(wildcard sailnet/shipped/$(MISSION)/*.safetensors) $(exporter) sailnet/guidance/rules.py | $(READY)
+	$(PYTHON) -m export sailnet/shipped/$(MISSION) $(plain) --mission $(MISSION) --plain-law
+	@touch $@
+
 # Every other campaign with the networks that ship: results, pages, pictures; then the tables of them. One that
-# was flown already with the same networks is only reported anew. CAMPAIGN_FLIGHTS=500: small; PRECISION=both: also
-# in float32, which is what a Cortex-M4F flies.
-campaigns: | $(READY)
+# was flown already with the same flight file is only reported anew. Some are flown in float32 too, which is what a
+# Cortex-M4F flies (PRECISION=both: all), and `law` by the plain law. CAMPAIGN_FLIGHTS=500: small.
+campaigns: $(plain)/exported | $(READY)
 	for name in $(filter-out acceptance,$(basename $(notdir $(wildcard sailnet/campaign/campaigns/*.toml)))); do \
-	    $(VENV)/bin/sailnet evaluate --campaign $$name --overwrite --mission $(MISSION) --output $(BUILD)/campaigns \
-	        --workers 2 $(addprefix --flights ,$(CAMPAIGN_FLIGHTS)) $(addprefix --precision ,$(PRECISION)) || exit 1; \
+	    case " $(IN_BOTH) " in *" $$name "*) precision=both;; *) precision=$(or $(PRECISION),float64);; esac; \
+	    $(fly_campaign) $$name --precision $$precision --output $(BUILD)/campaigns || exit 1; \
 	done
+	$(fly_campaign) law --networks $(plain) --output $(BUILD)/campaigns/plain-law
 	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.score_tables $(BUILD)/campaigns sailnet/campaign/RESULTS.md)
 
 bench: $(run)/bench.json

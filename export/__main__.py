@@ -6,6 +6,7 @@ from pathlib import Path
 
 from export.write import export
 from sailnet import SailnetError, load_mission
+from sailnet.guidance.rules import PLAIN, RULES
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -34,9 +35,17 @@ def main(arguments: list[str] | None = None) -> int:
         metavar="FILE",
         help="alpha.safetensors: a network that gives the signed cone angle itself; adds baseline_f64.onnx",
     )
+    parser.add_argument(
+        "--plain-law",
+        action="store_true",
+        help="for comparison: C without memory of side, reserve, tangential force and reckoning; "
+        "sailnet evaluate --campaign law --networks OUT_DIR flies it",
+    )
     options = parser.parse_args(arguments)
+    rules = PLAIN if options.plain_law else RULES
     try:
-        written = export(options.networks, options.target, load_mission(options.mission), options.baseline)
+        mission = load_mission(options.mission)
+        written = export(options.networks, options.target, mission, options.baseline, rules=rules)
     except SailnetError as error:
         print(f"export: {error}", file=sys.stderr)
         return 1

@@ -13,6 +13,7 @@ from export.torch_networks import TorchBaseline, torch_guidance
 from sailnet.artefacts.checksums import write_checksums
 from sailnet.errors import NetworkError
 from sailnet.guidance.facts import GuidanceFacts, describe
+from sailnet.guidance.rules import RULES, SteeringRules
 from sailnet.mission.mission import Mission
 from sailnet.networks.approach import APPROACH_INPUTS
 from sailnet.networks.guidance_networks import (
@@ -29,7 +30,12 @@ COMMAND = ("cone_angle", "time_of_flight", "lambda_v")
 
 
 def export(
-    networks_folder: Path, target: Path, mission: Mission, baseline: Path | None = None, progress: bool = True
+    networks_folder: Path,
+    target: Path,
+    mission: Mission,
+    baseline: Path | None = None,
+    progress: bool = True,
+    rules: SteeringRules = RULES,
 ) -> list[Path]:
     """Write ONNX graphs, C and compiled libraries of the networks in a folder; returns what was written.
 
@@ -41,6 +47,7 @@ def export(
         mission: whose rules of flight are built in, and whose problem the networks must be trained for.
         baseline: ``alpha.safetensors``, a network that gives the signed cone angle from (r, u, v, tau).
         progress: show a bar on stderr.
+        rules: of steering, which the C has built in.
 
     Raises:
         NetworkError: a network is missing, damaged or does not fit.
@@ -59,7 +66,7 @@ def export(
     try:
         target.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=target, prefix=".export-") as name:
-            return _write_and_move(networks, alpha, mission, Path(name), target, progress)
+            return _write_and_move(networks, alpha, mission, Path(name), target, progress, rules)
     except CompilerError as error:
         raise ExportError(str(error)) from error
     except OSError as error:
@@ -73,9 +80,10 @@ def _write_and_move(
     beside: Path,
     target: Path,
     progress: bool,
+    rules: SteeringRules,
 ) -> list[Path]:
     facts = describe(networks, mission)
-    write_c(networks, facts, beside)
+    write_c(networks, facts, beside, rules)
     compiled = compile_libraries(beside, beside)
 
     for graph in tqdm(_graphs(networks, facts), "ONNX graphs", disable=not progress):

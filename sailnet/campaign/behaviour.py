@@ -32,8 +32,12 @@ class Behaviour:
         largest_excess: by how much at most [deg]; 0 without any.
         outside: flights with a state outside the domain of the networks.
         outside_periods: in how many of their periods.
-        at_limit: flights with the estimate of beta at an end of its range.
+        at_limit: flights with the estimate of beta at an end of its range, or too low to keep a reserve.
         at_limit_periods: in how many of their periods.
+        unseen: flights with outages of navigation.
+        unseen_periods: in how many of their periods.
+        reckoned: flights steered by where the sail must be, for want of a state.
+        reckoned_periods: in how many of their periods.
         periods: that were flown.
     """
 
@@ -49,6 +53,10 @@ class Behaviour:
     outside_periods: int
     at_limit: Share
     at_limit_periods: int
+    unseen: Share
+    unseen_periods: int
+    reckoned: Share
+    reckoned_periods: int
     periods: int
 
 
@@ -68,6 +76,10 @@ def behaviour_of(mission: Mission, flights: Flights) -> Behaviour:
         outside_periods=int(flights.outside.sum()),
         at_limit=Share.where(flights.beta_at_limit > 0),
         at_limit_periods=int(flights.beta_at_limit.sum()),
+        unseen=Share.where(flights.outages > 0),
+        unseen_periods=int(flights.outages.sum()),
+        reckoned=Share.where(flights.reckoned > 0),
+        reckoned_periods=int(flights.reckoned.sum()),
         periods=int(flights.periods.sum()),
     )
 
@@ -87,5 +99,9 @@ def behaviour_record(behaviour: Behaviour) -> dict[str, object]:
         "outside_domain_periods": behaviour.outside_periods,
         "beta_at_limit": behaviour.at_limit.count,
         "beta_at_limit_periods": behaviour.at_limit_periods,
+        "without_navigation": behaviour.unseen.count,
+        "without_navigation_periods": behaviour.unseen_periods,
+        "reckoned": behaviour.reckoned.count,
+        "reckoned_periods": behaviour.reckoned_periods,
         "periods_flown": behaviour.periods,
     }

@@ -11,7 +11,7 @@ from sailnet.artefacts.column_files import Layout
 from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import Flights, History
 
-SCHEMA = "sailnet-campaign/2"
+SCHEMA = "sailnet-campaign/3"
 
 FLIGHTS: Mapping[str, tuple[str, str]] = {
     "series": ("1", "number of the series in the campaign"),
@@ -47,9 +47,10 @@ FLIGHTS: Mapping[str, tuple[str, str]] = {
     "dose": ("TU/AU^2", "sunlight on the sail"),
     "periods": ("1", "guidance periods flown"),
     "outside": ("1", "of these, with a state outside the domain of the networks"),
-    "outages": ("1", "of these, without guidance"),
+    "outages": ("1", "of these, without navigation"),
+    "reckoned": ("1", "of these, steered by where the sail must be, for want of a state"),
     "beyond_bound": ("1", "of these, with the cone angle flown beyond the bound"),
-    "beta_at_limit": ("1", "of these, with the estimate of beta at an end of its range"),
+    "beta_at_limit": ("1", "of these, with the estimate of beta, or what is planned with, at its limit"),
     "reversals": ("1", "steps of the command of more than 40 degrees from one period to the next"),
 }
 KEPT: Mapping[str, tuple[str, str]] = {
@@ -69,12 +70,16 @@ RECORDS: Mapping[str, tuple[str, str]] = {
     "attitude": ("rad", "cone angle flown at the end of the period"),
     "beta": ("1", "the sail's real one"),
     "beta_estimate": ("1", "by the guidance"),
-    "predicted_time_of_flight": ("TU", "by the guidance; NaN in an outage"),
-    "status": ("1", "of the guidance: 0 fine, 1 arrived, 2 outside the domain, 3 invalid input"),
+    "predicted_time_of_flight": ("TU", "by the guidance; in an outage from where the sail must be"),
+    "status": (
+        "1",
+        "of the guidance: 0 fine, 1 arrived, 2 outside the domain, 3 no state, 4 by reckoning, 5 at limit",
+    ),
 }
 INTEGER = {
     **dict.fromkeys(("series", "number", "flight", "records"), "<i8"),
-    **dict.fromkeys(("periods", "outside", "outages", "beyond_bound", "beta_at_limit", "reversals"), "<u4"),
+    **dict.fromkeys(("periods", "outside", "outages", "reckoned"), "<u4"),
+    **dict.fromkeys(("beyond_bound", "beta_at_limit", "reversals"), "<u4"),
     **dict.fromkeys(("ending", "arrived", "status"), "<u1"),
 }
 LAYOUT = Layout(

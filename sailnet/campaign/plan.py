@@ -208,6 +208,10 @@ def single_precision(name: str) -> str:
     return f"{name}-float32"
 
 
+PLAIN_LAW = "plain-law"
+"""Where, beside the others, campaigns lie that were flown by ``sailnet.guidance.rules.PLAIN``."""
+
+
 def load_plan(name_or_path: str | Path) -> Plan:
     """Load a campaign by name (``generalisation``) or from a TOML file.
 

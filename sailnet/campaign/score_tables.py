@@ -1,46 +1,75 @@
-"""``python -m sailnet.campaign.score_tables``: scores of campaigns as tables of a text, between two marks."""
+"""``python -m sailnet.campaign.score_tables``: scores of campaigns as tables of a text, between two marks.
+
+A campaign that was flown in both precisions, or by the plain law too (into the folder ``plain-law`` beside
+the others), has one table of all, with a row of each under the other.
+"""
 
 import argparse
 import json
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from sailnet.artefacts.files import fill_block
-from sailnet.campaign.plan import ready_campaigns, single_precision
-from sailnet.campaign.tables import Table
+from sailnet.campaign.plan import PLAIN_LAW, ready_campaigns, single_precision
+from sailnet.campaign.tables import Table, side_by_side
 from sailnet.errors import CampaignError, SailnetError
 
 MARK = "campaigns"
 
 
-def campaign_tables(records: Sequence[Mapping[str, Any]]) -> str:
-    """Markdown of what ``scores.json`` of some campaigns hold."""
+Record = Mapping[str, Any]
+"""What a ``scores.json`` holds, with what flew as ``flown_by``."""
+
+
+def campaign_tables(records: Sequence[Record]) -> str:
+    """Markdown of some campaigns: one after the other, those of the same flights side by side."""
     blocks = []
-    for record in records:
-        software = record["software"]
-        made = f"{software['machine']}, {software['date']}, revision {software['revision']}"
+    for several in _of_the_same_flights(records):
+        first = several[0]
         blocks.append(
-            f"**{record['title']}** (`{record['campaign']}`, {record['precision']}, networks "
-            f"`{record['networks'][:8]}`, seed {record['seed']}, {made})"
+            f"**{first['title']}** (`{first['campaign']}`, networks `{first['networks'][:8]}`, "
+            f"seed {first['seed']}; {'; '.join(map(_made, several))})"
         )
-        for table in record["tables"]:
-            blocks.append("\n".join([f"*{table['title']}*", "", *Table(**table).markdown()]))
+        tables = {record["flown_by"]: [Table(**table) for table in record["tables"]] for record in several}
+        for table in side_by_side(tables) if len(tables) > 1 else next(iter(tables.values())):
+            blocks.append("\n".join([f"*{table.title}*", "", *table.markdown()]))
     return "\n\n".join(blocks)
 
 
-def read_records(folder: Path) -> list[dict[str, Any]]:
-    """What was flown, in the order of the ready campaigns' names.
+def _made(record: Record) -> str:
+    software = record["software"]
+    return f"{record['flown_by']}: {software['machine']}, {software['date']}, revision {software['revision']}"
+
+
+def _of_the_same_flights(records: Iterable[Record]) -> list[list[Record]]:
+    """Campaigns of one name with the same networks, seed, series, periods and numbers of flights together."""
+    groups: dict[str, list[Record]] = {}
+    for record in records:
+        first = record["tables"][0]
+        same = [record[name] for name in ("campaign", "networks", "seed")]
+        same += [first["heads"][:3], *(row[:3] for row in first["cells"])]
+        groups.setdefault(json.dumps(same), []).append(record)
+    return list(groups.values())
+
+
+def read_records(folder: Path) -> list[Record]:
+    """What was flown, in the order of the ready campaigns' names, those of the plain law last.
 
     Raises:
         CampaignError: none was, or a file is damaged.
     """
-    names = [each for name in ready_campaigns() for each in (name, single_precision(name))]
-    paths = [folder / name / "scores.json" for name in names]
+    places = [
+        (where / flown / "scores.json", law)
+        for name in ready_campaigns()
+        for where, law in ((folder, ""), (folder / PLAIN_LAW, ", plain law"))
+        for flown in (name, single_precision(name))
+    ]
     try:
-        records = [json.loads(path.read_text(encoding="utf-8")) for path in paths if path.exists()]
-    except (OSError, ValueError) as error:
+        found = [(json.loads(path.read_text(encoding="utf-8")), law) for path, law in places if path.exists()]
+        records: list[Record] = [{**record, "flown_by": record["precision"] + law} for record, law in found]
+    except (OSError, ValueError, TypeError, KeyError) as error:
         raise CampaignError(f"cannot read the scores in {folder}: {error}; fly the campaign again") from error
     if not records:
         raise CampaignError(f"no campaign was flown into {folder}: run make campaigns first")

@@ -1,6 +1,6 @@
 """Scores as tables for people: what counts first, in the units of a mission beside those of the files."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from sailnet.campaign.excess import FIRST_APPROACH
@@ -51,21 +51,36 @@ def table_of(title: str, columns: Sequence[Column], scores: Sequence[Score]) -> 
 
 
 def score_tables(scores: Sequence[Score]) -> list[Table]:
-    """Everything: time and arrivals, what it asks of the sail, how near."""
+    """Everything: time and arrivals, what it asks of the sail, what guidance lacked, how near."""
     first = [SERIES, PERIOD, FLIGHTS]
     return [
         table_of("Time and arrivals", [*first, MEAN, HOME, REVERSALS, LATE, ARRIVE, FAIL, UNKNOWN], scores),
-        table_of(
-            "Attitude and estimate",
-            [*first, SLEW, TURNED, RATE, KEPT, BEYOND, OUTSIDE, AT_LIMIT],
-            scores,
-        ),
+        table_of("Attitude", [*first, SLEW, TURNED, RATE, KEPT, BEYOND], scores),
+        table_of("What guidance had to go by", [*first, OUTSIDE, AT_LIMIT, UNSEEN, RECKONED], scores),
         table_of(
             "Where flights end",
             [*first, *within_columns(scores), REQUIRED, EVER, MEDIAN, ERROR, WORST],
             scores,
         ),
     ]
+
+
+def side_by_side(tables: Mapping[str, Sequence[Table]]) -> list[Table]:
+    """The tables of several guidances that flew the same as one each: their rows of a series are together.
+
+    Args:
+        tables: by what flew; of the same series, periods and columns.
+    """
+    together = []
+    for several in zip(*tables.values(), strict=True):
+        series, *heads = several[0].heads
+        cells = [
+            [row[0], flown_by, *row[1:]]
+            for rows in zip(*(table.cells for table in several), strict=True)
+            for flown_by, row in zip(tables, rows, strict=True)
+        ]
+        together.append(Table(several[0].title, [series, "flown by", *heads], cells))
+    return together
 
 
 def share_text(share: Share) -> str:
@@ -209,6 +224,14 @@ OUTSIDE: Column = (
 AT_LIMIT: Column = (
     "estimate of β at its limit",
     lambda s: _periods(s.behaviour.at_limit, s.behaviour.at_limit_periods, s),
+)
+UNSEEN: Column = (
+    "without navigation",
+    lambda s: _periods(s.behaviour.unseen, s.behaviour.unseen_periods, s),
+)
+RECKONED: Column = (
+    "steered by reckoning",
+    lambda s: _periods(s.behaviour.reckoned, s.behaviour.reckoned_periods, s),
 )
 REQUIRED: Column = ("within 10,000 km and 1 m/s", lambda s: share_text(s.required))
 EVER: Column = ("ever within the tolerance", lambda s: f"{100 * s.nearest.share:.2f} %")

@@ -2,16 +2,17 @@
 
 import argparse
 import shlex
+from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from pathlib import Path
 
 from sailnet.campaign.plan import Plan, load_plan, single_precision
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import score_record, scores_of
-from sailnet.campaign.tables import score_tables
+from sailnet.campaign.tables import Table, score_tables, side_by_side
 from sailnet.cli.arguments import BOTH
 from sailnet.errors import SailnetError
-from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.backends import exported_digest, load_guidance
 from sailnet.guidance.interface import Precision
 from sailnet.mission.disturbances import catalogue
 from sailnet.mission.mission import Mission, load_mission
@@ -23,7 +24,7 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     """Carry out the command; the tables are printed unless JSON is wanted.
 
     In both precisions the answer is that of float64, with that of float32 as ``float32``, whose results lie
-    beside it under the campaign's name and ``-float32``.
+    beside it under the campaign's name and ``-float32``; the tables are of both, side by side.
 
     Raises:
         SailnetError: options that a campaign does not take; whatever stops the flights or the report.
@@ -36,20 +37,30 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     plan = plan.changed(options.flights, options.seed)
     need_pictures()
     if options.precision != BOTH:
-        return _flown(options, mission, plan, plan.name, options.precision)
-    return _flown(options, mission, plan, plan.name, "float64") | {
-        "float32": _flown(options, mission, plan, single_precision(plan.name), "float32")
-    }
+        return _flown(options, mission, plan, plan.name, options.precision)[0]
+    result, double = _flown(options, mission, plan, plan.name, "float64")
+    result["float32"], single = _flown(options, mission, plan, single_precision(plan.name), "float32")
+    _print_tables(options, {"float64": double, "float32": single})
+    return result
+
+
+def _print_tables(options: argparse.Namespace, tables: Mapping[str, Sequence[Table]]) -> None:
+    if options.json:
+        return
+    flown_by = " and ".join(tables)
+    for table in side_by_side(tables) if len(tables) > 1 else tables[flown_by]:
+        print("\n".join([f"{table.title}, {flown_by}:", *table.lines()]), end="\n\n")
 
 
 def _flown(
     options: argparse.Namespace, mission: Mission, plan: Plan, name: str, precision: Precision
-) -> dict[str, object]:
-    """Fly in one precision; results and report under a name."""
+) -> tuple[dict[str, object], list[Table]]:
+    """Fly in one precision; results and report under a name. What to answer, and the tables."""
     guidance = load_guidance(mission, options.backend, precision, options.networks, layout=options.layout)
     facts = {"backend": options.backend, "precision": precision}
     if options.backend == "c":
         facts["layout"] = options.layout
+        facts["exported C"] = exported_digest(mission, options.networks, options.layout)
     stored: Path = options.output / f"{name}.h5"
     folder: Path = options.output / name
     alone = options.workers == 1 and options.scheduler is None
@@ -65,9 +76,9 @@ def _flown(
             facts=facts,
         )
     scores = scores_of(results)
-    if not options.json:
-        for table in score_tables(scores):
-            print("\n".join([f"{table.title}, {precision}:", *table.lines()]), end="\n\n")
+    tables = score_tables(scores)
+    if options.precision != BOTH:
+        _print_tables(options, {precision: tables})
     try:
         rows = report("campaign_page").write_report(
             results, folder, guidance, command=_command(options, precision)
@@ -80,7 +91,7 @@ def _flown(
     if options.json:
         result["scores"] = [score_record(score) for score in scores]
         result["paper"] = [vars(row) for row in rows]
-    return result | {"digest": results.digest}
+    return result | {"digest": results.digest}, tables
 
 
 def _command(options: argparse.Namespace, precision: Precision) -> str:

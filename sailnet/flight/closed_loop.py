@@ -72,9 +72,11 @@ class Flights:
         dose: sunlight that fell on the sail [TU/AU^2].
         periods: guidance periods flown.
         outside: of these, with a state outside the domain of the networks.
-        outages: of these, without guidance.
+        outages: of these, without navigation.
+        reckoned: of these, steered by where the sail must be, for want of a state.
         beyond_bound: of these, with the cone angle flown, misalignment and all, beyond the bound.
-        beta_at_limit: of these, with the guidance's estimate of beta at an end of its range.
+        beta_at_limit: of these, with the guidance's estimate of beta at an end of its range, or at the limit
+            of what it can plan with.
         reversals: steps of the command of more than ``plant.REVERSAL``, 40 degrees.
         arrived: stopped, within the mission's tolerance, no command out of bounds.
     """
@@ -97,6 +99,7 @@ class Flights:
     periods: NDArray[np.uint32]
     outside: NDArray[np.uint32]
     outages: NDArray[np.uint32]
+    reckoned: NDArray[np.uint32]
     beyond_bound: NDArray[np.uint32]
     beta_at_limit: NDArray[np.uint32]
     reversals: NDArray[np.uint32]
@@ -127,11 +130,12 @@ class History:
         time: (k,) at the start of each period [TU].
         states: (k, 4) r, theta, u, v then.
         seen: (k, 3) r, u, v as navigation showed them; NaN in an outage.
-        cone_angle: (k,) commanded [rad]; in an outage, what was held.
+        cone_angle: (k,) commanded [rad]; without a state too, by the guidance's own rule.
         attitude: (k,) the cone angle flown at the end of the period [rad].
         beta: (k,) the sail's real beta in the period.
         beta_estimate: (k,) by the guidance.
-        predicted_time_of_flight: (k,) by the guidance [TU]; NaN in an outage.
+        predicted_time_of_flight: (k,) by the guidance [TU]: in an outage, from where the sail must be; the
+            longest that it was trained on where it does not know that either.
         status: (k,) values of ``GuidanceStatus``.
     """
 

@@ -1,5 +1,6 @@
 """Which guidance flies: the exported C or its ONNX graph, shipped or one's own."""
 
+import hashlib
 from importlib import resources
 from pathlib import Path
 from typing import Literal
@@ -42,6 +43,28 @@ def load_guidance(
     if backend == "onnx":
         return OnnxGuidance(mission, where / f"guidance_f{bits}.onnx")
     raise GuidanceError(f"no back end {backend!r}: known are c and onnx")
+
+
+def exported_digest(mission: Mission, folder: Path | None = None, layout: Layout = "flight") -> str:
+    """Digest of the exported C and its header: of the law as well as of the networks.
+
+    Args:
+        mission: the mission to fly.
+        folder: of the exported files; by default those shipped with the package.
+        layout: which form of the C.
+
+    Raises:
+        GuidanceError: a file is missing.
+    """
+    where = folder if folder is not None else _shipped(mission)
+    form = "" if layout == "flight" else f"_{layout}"
+    digest = hashlib.sha256()
+    for name in ("sailnet_guidance.h", f"sailnet_guidance{form}.c"):
+        try:
+            digest.update((where / name).read_bytes())
+        except OSError as error:
+            raise GuidanceError(f"cannot read {where / name}: {error}; export it again") from error
+    return digest.hexdigest()
 
 
 def _shipped(mission: Mission) -> Path:

@@ -61,6 +61,25 @@ RULES = SteeringRules()
 """Those that fly."""
 
 
+PLAIN = SteeringRules(
+    memory=1.0,
+    surprise_memory=1.0,
+    largest_tangential=0.0,
+    slew_blur=1e6,
+    reserve_tangential=0.0,
+    reserve_slow=0.0,
+    reserve_white=0.0,
+    largest_reserve=0.0,
+    largest_patience=0.0,
+    longest_reckoning=0.0,
+)
+"""The plain law, for comparison: the networks with an estimate of beta alone.
+
+It takes whatever side they give, keeps no reserve, knows no tangential force, learns while the sail turns,
+and faces the Sun without a state.
+"""
+
+
 def refuse_long_period(period: float) -> None:
     """Raise an error if steering takes no such guidance period [TU].
 

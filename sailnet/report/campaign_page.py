@@ -20,6 +20,7 @@ from sailnet.guidance.interface import Guidance
 from sailnet.mission.disturbances import switched_on
 from sailnet.physics.optics import OPTICS
 from sailnet.physics.units import AU, AU_PER_TU, DAY, TU
+from sailnet.report.both_laws import both_laws_shown
 from sailnet.report.campaign_charts import campaign_charts
 from sailnet.report.charts import Chart, for_page, page_columns, write_csv, write_picture
 from sailnet.report.comparison import Row, flight_rows
@@ -28,7 +29,7 @@ from sailnet.report.flight_charts import SHOWN, common_columns, flight_templates
 from sailnet.report.flight_page import chart_page, write_flight_picture
 from sailnet.report.paper_figures import paper_charts
 from sailnet.report.reproduction import Reproduction, shipped_record
-from sailnet.report.section5 import has_section5, section5_of
+from sailnet.report.section5 import Section5, has_section5, section5_of
 from sailnet.report.shown_flights import (
     MOST_FAILURES,
     Group,
@@ -67,7 +68,8 @@ def write_report(
     Args:
         results: of the campaign.
         folder: where to.
-        guidance: what flew; it flies the latest detours again, whose trajectories are not kept.
+        guidance: what flew; it flies the latest detours again, whose trajectories are not kept, and a case of
+            Section 5 by the plain law.
         command: that flies the campaign again, for the page.
         reproduction: of the paper, if that is what was flown; otherwise a campaign of its Section 5 is drawn
             beside the one that was shipped.
@@ -79,13 +81,16 @@ def write_report(
     charts = campaign_charts(results, scores)
     rows: list[Row] = []
     figures: list[Chart] = []
+    section5: Section5 | None = None
     record = shipped_record(results.mission) if reproduction is None else reproduction.record
     if reproduction is not None:
-        rows = list(reproduction.rows)
-        figures = paper_charts(results.mission, reproduction.section5, record)
+        rows, section5 = list(reproduction.rows), reproduction.section5
     elif has_section5(results):
         section5 = section5_of(results)
-        rows, figures = flight_rows(section5), paper_charts(results.mission, section5, record)
+        rows = flight_rows(section5)
+    if section5 is not None:
+        figures = paper_charts(results.mission, section5, record)
+    laws, law_charts = both_laws_shown(results, section5, guidance)
     groups = shown_groups(results, scores, guidance is not None)
     shown = [flight for group in groups for flight in group.flights]
     points = max(FEWEST_POINTS, min(SHOWN, MOST_POINTS // max(1, len(shown))))
@@ -93,7 +98,7 @@ def write_report(
         _described(results, shown, guidance, points), LEVELS if points == SHOWN else COARSE_LEVELS
     )
     content = {
-        "charts": [for_page(chart) for chart in [*charts, *figures]],
+        "charts": [for_page(chart) for chart in [*charts, *law_charts, *figures]],
         "templates": [for_page(chart) for chart in flight_templates(results.mission)],
         "common": page_columns(common_columns(results.mission)),
         "flights": {"rows": [flight.row for flight in shown], "together": TOGETHER, "blocks": list(blocks)},
@@ -113,6 +118,8 @@ def write_report(
         conditions=_conditions(results),
         rows=rows,
         charts=charts,
+        laws=laws,
+        law_charts=law_charts,
         figures=figures,
         record=record,
         remarks=() if reproduction is None else reproduction.remarks,
@@ -129,7 +136,7 @@ def write_report(
         software=results.provenance,
     )
     write_whole(folder / "index.html", lambda beside: beside.write_text(text, encoding="utf-8"))
-    _write_files(results, scores, [*charts, *figures], tables, folder)
+    _write_files(results, scores, [*charts, *law_charts, *figures], tables, folder)
     _write_flights(results, shown, guidance, folder / "flights")
     return rows
 

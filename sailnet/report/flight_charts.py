@@ -6,13 +6,21 @@ import numpy as np
 
 from sailnet.expert.fastest import sample_many
 from sailnet.flight.closed_loop import History
+from sailnet.guidance.interface import GuidanceStatus
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
-from sailnet.report.charts import BASELINE, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve
+from sailnet.report.charts import BAD, BASELINE, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve
 from sailnet.report.optimum import Optimum
 
 SHOWN = 240
 """Points of a flight in a page of some: evenly spread, and a sixth of them are the last periods."""
+
+MARKED = {
+    "left_reckoned": ("left", GuidanceStatus.RECKONED),
+    "left_outside": ("left", GuidanceStatus.OUTSIDE_DOMAIN),
+    "beta_at_limit": ("beta_estimate", GuidanceStatus.AT_LIMIT),
+}
+"""Columns that are another where the guidance has a status, and no number elsewhere."""
 
 OPTIMUM_POINTS = 201
 """Of the optimum of one flight of many; every fourth is shown, and all of them give its angle."""
@@ -91,12 +99,16 @@ def flight_templates(mission: Mission) -> list[Chart]:
         Chart(
             "left",
             "Time left",
-            "What the network predicts along the way; the flight ends by it.",
+            "What the network predicts along the way; the flight ends by it. Marked: without a state, where "
+            "the sail must be by what it was told; beyond that it faces the Sun, and nothing is predicted.",
             "time [TU]",
             "time of flight left [TU]",
             [
                 optimal("optimum_time", "optimum_left", "of the optimum"),
                 Curve("time", "left", "predicted", colour=NETWORK),
+                Curve("time", "left_reckoned", "by reckoning", "points", colour=second, width=4.0),
+                Curve("time", "left_outside", "outside the domain", "points", colour=third, width=4.0),
+                Curve("time", "left_unknown", "no state: faces the Sun", "points", colour=BAD, width=4.0),
             ],
         ),
         Chart(
@@ -108,6 +120,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
             [
                 Curve("time", "beta", "real", "steps", colour=OPTIMUM, width=1.0),
                 Curve("time", "beta_estimate", "estimated", colour=NETWORK),
+                Curve("time", "beta_at_limit", "too low to keep a reserve", "points", colour=BAD, width=4.0),
             ],
         ),
         Chart(
@@ -163,6 +176,14 @@ def flight_columns(
         columns |= {f"seen_{name}": column for name, column in zip("ruv", wrong.T, strict=True)}
     if np.abs(history.attitude - history.cone_angle).max() > 1e-9:
         columns["attitude"] = np.degrees(history.attitude)
+    unknown = history.status == GuidanceStatus.INVALID_INPUT
+    if unknown.any():
+        # What it says then, the longest there is, would flatten all the rest.
+        columns["left"] = np.where(unknown, np.nan, columns["left"])
+        columns["left_unknown"] = np.where(unknown, 0.0, np.nan)
+    for name, (source, status) in MARKED.items():
+        if source in columns and (history.status == status).any():
+            columns[name] = np.where(history.status == status, columns[source], np.nan)
     if points is not None and len(r) > points:
         last = points // 6
         # Evenly in time: of a trajectory that was thinned already the last periods lie nearer.

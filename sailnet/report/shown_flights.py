@@ -143,6 +143,8 @@ def flight_facts(results: Results, row: int) -> Mapping[str, str]:
         "attitude beyond the bound": _of_periods(flights, "beyond_bound", row),
         "outside the domain": _of_periods(flights, "outside", row),
         "estimate at its limit": _of_periods(flights, "beta_at_limit", row),
+        "without navigation": _of_periods(flights, "outages", row),
+        "steered by reckoning": _of_periods(flights, "reckoned", row),
         "nearest to the target": f"{near:.1e} after {when:.4f} TU",
         "constant error of β": f"{100 * flights['beta_error'][row]:+.2f} %",
         "estimated β": f"{100 * (flights['beta_estimate'][row] / results.mission.sail.beta - 1):+.2f} %",

@@ -15,7 +15,7 @@ from sailnet.campaign.plan import load_plan
 from sailnet.campaign.results import open_results
 from sailnet.campaign.run import fly_plan
 from sailnet.cli import main
-from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.backends import exported_digest, load_guidance
 from sailnet.mission.mission import load_mission
 from tests.data.test_resume import children, mounted
 from tests.paths import ROOT
@@ -94,7 +94,9 @@ def test_a_killed_worker_costs_no_finished_flight(
         return carry_out(job, number)
 
     monkeypatch.setattr(Job, "carry_out", counted)
-    mission, facts = load_mission("earth_mars"), {"backend": "c", "precision": "float64", "layout": "flight"}
+    mission = load_mission("earth_mars")
+    facts = {"backend": "c", "precision": "float64", "layout": "flight"}
+    facts["exported C"] = exported_digest(mission)
     found = fly_plan(mission, load_guidance(mission), load_plan(file), tmp_path / "many.h5", facts=facts)
     assert found.digest == expected
     assert sorted(flown) == sorted(set(range(8)) - {int(name.split(".")[0]) for name in kept})

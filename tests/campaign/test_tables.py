@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 from scipy.stats import binomtest
 
-from sailnet.campaign.behaviour import DEGREE_PER_HOUR, behaviour_of
+from sailnet.campaign.behaviour import DEGREE_PER_HOUR, behaviour_of, behaviour_record
 from sailnet.campaign.scores import Score, score_of
 from sailnet.campaign.shares import Share, Spread
-from sailnet.campaign.tables import failures_text, percent, plain, score_tables
+from sailnet.campaign.tables import Table, failures_text, percent, plain, score_tables, side_by_side
 from sailnet.flight.closed_loop import fly
 from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.rules import RULES
 from sailnet.mission.disturbances import Disturbance
 from tests.pilots import MISSION, Constant
 
@@ -33,7 +34,7 @@ def test_no_failure_in_many_says_how_many_there_may_be() -> None:
 
 
 def test_time_counts_first(score: Score) -> None:
-    time, attitude, ends = score_tables([score])
+    time, attitude, known, ends = score_tables([score])
     assert time.heads[3:6] == [
         "mean time above own optimum", "home at the first approach: within 1.5 optima",
         "reversals: median, 99 %, worst",
@@ -48,7 +49,8 @@ def test_time_counts_first(score: Score) -> None:
         "by up to 1.15°"
     )
     assert "km; " in ends.cells[0][ends.heads.index("median error (r, u, v)")]
-    for table in (time, attitude, ends):
+    assert known.cells[0][3:] == ["none"] * 4
+    for table in (time, attitude, known, ends):
         assert [len(row) for row in table.cells] == [len(table.heads)]
         assert len(table.lines()) == 2
         assert table.markdown()[1].count("---") == len(table.heads)
@@ -71,6 +73,37 @@ def test_behaviour_counts_flights_and_periods() -> None:
     assert found.outside_periods == flights.outside.sum()
     straight = behaviour_of(MISSION, fly(MISSION, Constant(0.3), STARTS))
     assert (straight.reversals.worst, straight.command_slew.worst, straight.largest_excess) == (0.0, 0.0, 0.0)
+
+
+def test_outages_and_what_is_reckoned_are_counted_apart() -> None:
+    """Beyond the longest reckoning nothing is known, and that is no reckoning."""
+    period = MISSION.flight.period
+    away = Disturbance(outage_probability=0.001, outage_duration=2.0 * RULES.longest_reckoning, seed=3)
+    flights = fly(MISSION, GUIDANCE, STARTS * 10, disturbance=away)
+    found = behaviour_of(MISSION, flights)
+    assert found.unseen.count == (flights.outages > 0).sum() > 0
+    assert found.unseen_periods == flights.outages.sum()
+    assert found.reckoned_periods == flights.reckoned.sum()
+    assert 0 < found.reckoned_periods < found.unseen_periods - RULES.longest_reckoning / period
+    assert found.reckoned.count <= found.unseen.count
+    cells = score_of(MISSION, flights, np.full(30, np.nan), [], 0, "away", period)
+    table = score_tables([cells])[2]
+    row = dict(zip(table.heads, table.cells[0], strict=True))
+    share = 100.0 * found.reckoned_periods / found.periods
+    assert row["steered by reckoning"] == f"{found.reckoned.count} ({share:.2f} % of all periods)"
+    assert row["without navigation"].startswith(f"{found.unseen.count} (")
+    assert behaviour_record(found)["reckoned_periods"] == found.reckoned_periods
+
+
+def test_guidances_side_by_side_keep_the_rows_of_a_series_together() -> None:
+    one, other = (
+        [Table("Times", ["series", "mean"], [["a", f"1{name}"], ["b", f"2{name}"]])] for name in "xy"
+    )
+    (both,) = side_by_side({"float64": one, "float32": other})
+    assert (both.title, both.heads) == ("Times", ["series", "flown by", "mean"])
+    assert both.cells == [
+        ["a", "float64", "1x"], ["a", "float32", "1y"], ["b", "float64", "2x"], ["b", "float32", "2y"],
+    ]  # fmt: skip
 
 
 def test_a_spread_is_mean_and_quantiles() -> None:

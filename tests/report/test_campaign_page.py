@@ -29,6 +29,8 @@ from sailnet.cli import main
 from sailnet.errors import CampaignError, SailnetError
 from sailnet.flight.closed_loop import fly_recorded
 from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.interface import GuidanceStatus
+from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import load_mission
 from sailnet.report import shown_flights
 from sailnet.report.campaign_page import write_report
@@ -279,6 +281,34 @@ def test_a_flight_is_shown_with_what_differs() -> None:
     assert set(few["time"]) < set(columns["time"])
 
 
+def test_a_flight_is_marked_where_guidance_goes_by_something_else() -> None:
+    """Without a state, and with a sail weaker than any it knows; elsewhere there is no number."""
+    away = Disturbance(outage_probability=0.003, outage_duration=1.0, beta_bias=-0.25, seed=8)
+    rules = MISSION.flight.model_copy(update={"longest": 9.0})
+    mission = MISSION.model_copy(update={"flight": rules})
+    _, (history,) = fly_recorded(mission, GUIDANCE, [(1.0, 0.0, 1.0)], disturbance=away)
+    columns = flight_columns(mission, history, None)
+    for name, source, status in (
+        ("left_reckoned", "left", GuidanceStatus.RECKONED),
+        ("left_outside", "left", GuidanceStatus.OUTSIDE_DOMAIN),
+        ("beta_at_limit", "beta_estimate", GuidanceStatus.AT_LIMIT),
+    ):
+        there = history.status == status
+        assert there.any()
+        np.testing.assert_array_equal(columns[name], np.where(there, columns[source], np.nan))
+    unknown = history.status == GuidanceStatus.INVALID_INPUT
+    assert unknown.any()
+    np.testing.assert_array_equal(np.isnan(columns["left"]), unknown)
+    np.testing.assert_array_equal(columns["left_unknown"], np.where(unknown, 0.0, np.nan))
+    labels = {curve.label for chart in flight_charts(mission, columns) for curve in chart.curves}
+    assert {
+        "by reckoning",
+        "outside the domain",
+        "no state: faces the Sun",
+        "too low to keep a reserve",
+    } <= labels
+
+
 NOISY_FLIGHT = ("fly", "1.05", "0.15", "1.03", "--period", "0.02", "--beta-noise", "0.1")
 
 
@@ -334,16 +364,46 @@ def test_the_library_is_the_one_that_was_released() -> None:
 
 def test_tables_for_the_readme(flown: tuple[Results, Path]) -> None:
     record = json.loads((flown[1] / "scores.json").read_text("utf-8"))
-    lines = campaign_tables([record, record]).splitlines()
+    record["flown_by"] = "float64"
+    lines = campaign_tables([record, record | {"seed": 3}]).splitlines()
     rows = [line.count("|") for line in lines if line.startswith("|")]
-    assert rows == 2 * ([11] * 6 + [11] * 6 + [12] * 6)
+    assert rows == 2 * ([11] * 6 + [9] * 6 + [8] * 6 + [12] * 6)
     assert [line for line in lines if line.startswith("*") and "**" not in line] == 2 * [
-        "*Time and arrivals*", "*Attitude and estimate*", "*Where flights end*",
+        "*Time and arrivals*", "*Attitude*", "*What guidance had to go by*", "*Where flights end*",
     ]  # fmt: skip
     assert record["table"] == {name: record["tables"][0][name] for name in ("heads", "cells")}
-    assert lines[0].startswith("**A <page> & more** (`page`, float64, networks `")
+    assert re.match(r"\*\*A <page> & more\*\* \(`page`, networks `\w{8}`, seed 2; float64: ", lines[0])
+    assert any("within 10,000 km and 1 m/s" in line for line in lines)
     with pytest.raises(CampaignError, match="make campaigns"):
         read_records(flown[1])
+
+
+def test_the_same_flights_by_several_guidances_are_one_table(
+    flown: tuple[Results, Path], tmp_path: Path
+) -> None:
+    """In both precisions, and by the plain law; flights of other numbers have tables of their own."""
+    record = json.loads((flown[1] / "scores.json").read_text("utf-8"))
+    for place, changed in (
+        ("law", {}), ("law-float32", {"precision": "float32"}), ("plain-law/law", {}), ("paper", {"seed": 9}),
+    ):  # fmt: skip
+        (tmp_path / place).mkdir(parents=True)
+        (tmp_path / place / "scores.json").write_text(json.dumps(record | changed))
+    records = read_records(tmp_path)
+    assert [each["flown_by"] for each in records] == ["float64", "float32", "float64, plain law", "float64"]
+    lines = campaign_tables(records).splitlines()
+    titles = [line for line in lines if line.startswith("**")]
+    assert len(titles) == 2
+    assert all(f"; {name}: " in titles[0] for name in ("float32", "float64, plain law"))
+    assert "seed 9" in titles[1]
+    rows = [line.strip("| ").split(" | ") for line in lines if line.startswith("|")]
+    assert rows[0][:3] == ["series", "flown by", "period [TU]"]
+    assert [row[:2] for row in rows[2:6]] == [
+        ["calm", "float64"], ["calm", "float32"], ["calm", "float64, plain law"], ["calm", "float64"],
+    ]  # fmt: skip
+    assert len({tuple(row[2:]) for row in rows[2:5]}) == 1
+    (tmp_path / "law" / "scores.json").write_text("{}")
+    with pytest.raises(CampaignError, match="fly the campaign again"):
+        read_records(tmp_path)
 
 
 def test_a_block_of_the_readme_is_written_anew(tmp_path: Path) -> None:

@@ -180,6 +180,7 @@ static double accepted(const plant_rules *rules, plant_sail *sail, const plant_c
     sail->beta_estimate = command->beta;
     sail->beta_at_limit += status == PLANT_AT_LIMIT || at_limit(rules, command->beta) != 0;
     sail->outages += sail->out != 0;
+    sail->reckoned += status == PLANT_RECKONED;
     sail->max_cone_angle = fmax(sail->max_cone_angle, fabs(command->cone_angle));
     sail->outside += status == PLANT_OUTSIDE_DOMAIN;
     if (rules->resolution > 0.0) {

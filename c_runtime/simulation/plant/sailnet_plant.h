@@ -123,6 +123,7 @@ typedef enum { PLANT_ENDING(PLANT_VALUE) } plant_ending;
     MEMBER(uint32_t, periods, )                                                                           \
     MEMBER(uint32_t, outside, )      /* periods in which the guidance reported a state it does not know */\
     MEMBER(uint32_t, outages, )      /* periods without navigation */                                     \
+    MEMBER(uint32_t, reckoned, )     /* periods in which the guidance went by where the sail must be */       \
     MEMBER(uint32_t, beyond_bound, ) /* periods in which the angle flown was beyond the bound */          \
     MEMBER(uint32_t, beta_at_limit, ) /* periods with the estimate of beta at an end of its range */      \
     MEMBER(uint32_t, reversals, )    /* of the command, from one period to the next */                    \

@@ -1,0 +1,46 @@
+"""A guidance under other rules of steering than those built into what was exported."""
+
+from dataclasses import dataclass
+
+from numpy.typing import ArrayLike
+
+from sailnet.guidance.interface import Commands, Guidance, Steering
+from sailnet.guidance.rules import SteeringRules
+from sailnet.guidance.steering import ReferenceSteering
+from sailnet.mission.mission import Mission
+
+
+@dataclass(frozen=True)
+class WithRules:
+    """The same networks, steered in Python by rules of one's own: for a few flights, since that is slow.
+
+    Attributes:
+        guidance: gives the commands.
+        rules: the numbers of steering.
+    """
+
+    guidance: Guidance
+    rules: SteeringRules
+
+    @property
+    def mission(self) -> Mission:
+        """The guidance's."""
+        return self.guidance.mission
+
+    @property
+    def networks_digest(self) -> str:
+        """The guidance's."""
+        return self.guidance.networks_digest
+
+    @property
+    def beta_range(self) -> tuple[float, float]:
+        """The guidance's."""
+        return self.guidance.beta_range
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
+        """The guidance's; see ``sailnet.guidance.interface.Guidance``."""
+        return self.guidance.command(states, beta)
+
+    def steering(self, count: int) -> Steering:
+        """Steering of ``count`` sails by these rules."""
+        return ReferenceSteering(self, count, self.rules)

@@ -1,0 +1,62 @@
+"""The plain law as a flight file: exported by a command, flown beside the law without being taken for it."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from export.__main__ import main as export_main
+from sailnet.cli import main
+from sailnet.flight.closed_loop import fly
+from sailnet.guidance.backends import exported_digest, load_guidance
+from sailnet.guidance.rules import PLAIN
+from sailnet.guidance.with_rules import WithRules
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import load_mission
+from tests.paths import ROOT
+
+MISSION = load_mission("earth_mars")
+SHIPPED = ROOT / "sailnet" / "shipped" / "earth_mars"
+STARTS = [(1.05, 0.15, 1.03), (1.0, 0.0, 1.0), (1.1, 0.18, 0.93)]
+ROUGH = Disturbance(beta_bias=-0.1, beta_noise=0.1, outage_probability=0.002, outage_duration=0.1, seed=6)
+
+
+@pytest.fixture(scope="module")
+def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("plain")
+    assert export_main([str(SHIPPED), str(folder), "--plain-law"]) == 0
+    return folder
+
+
+def test_the_exported_c_is_the_plain_law(exported: Path) -> None:
+    plain, shipped = load_guidance(MISSION, folder=exported), load_guidance(MISSION)
+    assert plain.networks_digest == shipped.networks_digest
+    assert exported_digest(MISSION, exported) != exported_digest(MISSION)
+    for disturbance in (Disturbance(), ROUGH):
+        c, reference = (
+            fly(MISSION, guidance, STARTS, disturbance=disturbance)
+            for guidance in (plain, WithRules(shipped, PLAIN))
+        )
+        np.testing.assert_allclose(c.time_of_flight, reference.time_of_flight, rtol=1e-9)
+        np.testing.assert_array_equal(c.reversals, reference.reversals)
+        assert c.reckoned.sum() == 0
+    assert c.outages.sum() > 0
+
+
+def test_what_the_law_flew_is_not_taken_for_the_plain_law_s(
+    exported: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The networks are the same: the flight file tells them apart."""
+    file = tmp_path / "case.toml"
+    file.write_text(
+        'schema = 1\nname = "case"\ntitle = "Case"\noptima = 0\n'
+        '[[series]]\nname = "a"\nstarts = [[1.05, 0.15, 1.03]]\n'
+    )
+    command = ["evaluate", "--campaign", str(file), "--json", "--output", str(tmp_path / "out")]
+    assert main(command) == 0
+    law = json.loads(capsys.readouterr().out)["scores"][0]["reversals"]["1"]
+    assert main([*command, "--networks", str(exported)]) == 1
+    assert "is finished, with another exported C" in capsys.readouterr().err
+    assert main([*command, "--networks", str(exported), "--overwrite"]) == 0
+    assert json.loads(capsys.readouterr().out)["scores"][0]["reversals"]["1"] > law
