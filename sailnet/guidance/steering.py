@@ -175,8 +175,9 @@ class ReferenceSteering:
         angle = command.cone_angle
         step = np.abs(angle - memory.cone_angle)
         reverses = (angle * memory.cone_angle < 0.0) & (step > self._rules.reversal)
-        stays = reverses & (regret < self._patience)
         size = np.abs(command.lambda_v)
+        # What staying costs must be known.
+        stays = reverses & (regret < self._patience) & np.isfinite(size)
         memory.stake = np.where(valid, np.where(stays, size, -size), memory.stake)
         memory.regret = np.where(valid, np.where(reverses & ~stays, 0.0, regret), memory.regret)
         return np.where(stays, -angle, angle)

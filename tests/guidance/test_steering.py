@@ -1,64 +1,52 @@
 """Steering by the reference in NumPy and by the C that ships, side by side; it takes no compiler."""
 
+from collections import Counter
+
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike
 
 from sailnet.guidance.backends import load_guidance
-from sailnet.guidance.interface import Commands, GuidanceStatus
+from sailnet.guidance.exported_c import CGuidance
+from sailnet.guidance.interface import GuidanceStatus, Precision
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.mission.mission import load_mission
 from tests.held_command import hold_command
+from tests.lockstep import Lockstep
 
 MISSION = load_mission("earth_mars")
 GUIDANCE = load_guidance(MISSION, "c")
 LOW, HIGH = MISSION.generalisation.corners
 
 
-class Echo:
-    """Commands for the very betas that another steering estimated: steep networks enlarge a last digit."""
-
-    mission, beta_range = MISSION, GUIDANCE.beta_range
-
-    def __init__(self) -> None:
-        self.beta = np.empty(0)
-
-    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        return GUIDANCE.command(states, self.beta)
-
-
-def test_the_reference_steers_as_the_shipped_c() -> None:
+@pytest.mark.parametrize("precision", ["float64", "float32"])
+def test_the_reference_steers_as_the_shipped_c(precision: Precision) -> None:
     rng = np.random.default_rng(21)
-    count, steps = 60, 400
+    count, steps = 40, 250
     starts = rng.uniform(LOW, HIGH, (count, 3))
-    starts[:30] = MISSION.problem.target_state + rng.uniform(-4e-3, 4e-3, (30, 3))
+    starts[:20] = MISSION.problem.target_state + rng.uniform(-4e-3, 4e-3, (20, 3))
     states = np.zeros((4, count))
     states[[0, 2, 3]] = starts.T
     beta = MISSION.sail.beta * rng.uniform(0.7, 1.3, count)
-    echo = Echo()
-    c, reference = GUIDANCE.steering(count), ReferenceSteering(echo, count)  # type: ignore[arg-type]
-    ended, stopped, learnt = 0, 0, []
+    guidance = load_guidance(MISSION, "c", precision)
+    assert isinstance(guidance, CGuidance)
+    lockstep = Lockstep(guidance, count)
+    seen: Counter[int] = Counter()
+    stopped, learnt = 0, 0.0
     for step in range(steps):
         sails = np.flatnonzero(rng.random(count) < 0.9)
         shown = states[[0, 2, 3]][:, sails].T.copy()
         shown[rng.random(len(sails)) < 0.02] = np.nan
         period = [0.005, 0.02, 0.05][step % 3] if step % 50 else [np.nan, -1.0, 0.0][step // 50 % 3]
-        told = c.steer(shown, period, sails)
-        echo.beta = told.beta
-        expected = reference.steer(shown, period, sails)
-        np.testing.assert_array_equal(told.status, expected.status, err_msg=f"step {step}")
-        for name in ("beta", "cone_angle", "time_of_flight", "hold"):
-            values = getattr(told, name), getattr(expected, name)
-            np.testing.assert_allclose(*values, rtol=0, atol=2e-12, err_msg=f"{name}, step {step}")
+        told = lockstep.steer(shown, period, sails)
+        seen.update(told.status.tolist())
         stopped += int((told.arrived & (told.hold == 0.0)).sum())
         states[:, sails] = hold_command(states[:, sails], told.cone_angle, beta[sails], told.hold)
         over = sails[told.arrived]
-        ended += len(over)
         states[[[0], [2], [3]], over] = rng.uniform(LOW, HIGH, (len(over), 3)).T
-        learnt.append(abs(told.beta - MISSION.sail.beta).max())
-    assert ended > 15
-    assert stopped > 3
-    assert max(learnt) > 0.1 * MISSION.sail.beta
+        learnt = max(learnt, abs(told.beta - MISSION.sail.beta).max())
+    assert min(seen[status] for status in GuidanceStatus) > 5, seen
+    assert (lockstep.undecided < 10, stopped > 1) == (True, True)
+    assert learnt > 0.1 * MISSION.sail.beta
 
 
 def test_the_estimate_is_the_mean_of_what_was_measured_with_the_mission_s_beta_as_the_first() -> None:

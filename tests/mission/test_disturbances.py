@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import cumulative_simpson
 
 from sailnet.cli.arguments import disturbance_of
 from sailnet.cli.command_line import parser
 from sailnet.errors import MissionError, SailnetError
-from sailnet.flight.closed_loop import Flights, History, fly, fly_recorded
-from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus
+from sailnet.flight.closed_loop import Ending, Flights, History, fly, fly_recorded
+from sailnet.guidance.interface import Guidance, GuidanceStatus, Steered, Steering
 from sailnet.mission.disturbances import (
     DEGREES_PER_DAY,
     NAMES,
@@ -250,42 +250,51 @@ def test_a_spread_of_misalignment_is_each_sails_own() -> None:
     assert offset[:, 0].mean() == pytest.approx(0.1, abs=4 * 0.05 / math.sqrt(3 * 500))
 
 
-def test_in_an_outage_the_last_command_is_held() -> None:
+def test_in_an_outage_navigation_shows_nothing_and_guidance_steers_on() -> None:
     chance, duration = 0.05, 0.06
     given = Disturbance(outage_probability=chance, outage_duration=duration)
     flights, histories = flown(given, Wobble(), count=150)
     out = np.isnan(column(histories, "seen")[:, :, 0])
     assert not out[:, 0].any()
-    attitude = column(histories, "attitude")
-    np.testing.assert_array_equal(attitude[:, 1:][out[:, 1:]], attitude[:, :-1][out[:, 1:]])
-    commanded = Wobble().angle(np.arange(out.shape[1]))
-    np.testing.assert_array_equal(attitude[~out], np.broadcast_to(commanded, out.shape)[~out])
+    commanded = np.broadcast_to(Wobble().angle(np.arange(out.shape[1])), out.shape)
+    np.testing.assert_array_equal(column(histories, "cone_angle"), commanded)
+    np.testing.assert_array_equal(column(histories, "attitude"), commanded)
+    told = np.where(out, GuidanceStatus.RECKONED, GuidanceStatus.OK)
+    np.testing.assert_array_equal(column(histories, "status"), told)
     np.testing.assert_array_equal(flights.outages, out.sum(axis=1))
-    assert np.isnan(column(histories, "predicted_time_of_flight")[out]).all()
+    np.testing.assert_array_equal(column(histories, "predicted_time_of_flight"), 1.0)
     lengths = [len(list(run)) for row in out[:, :-60] for value, run in groupby(row) if value]
     assert np.mean(lengths) * PERIOD == pytest.approx(duration, rel=0.06)
     begun = np.sum(out[:, 1:] & ~out[:, :-1]) / np.sum(~out[:, :-1])
     assert begun == pytest.approx(chance, rel=0.06)
 
 
-class Confused(Constant):
-    """Sees the target where it sees nothing, and its domain nowhere."""
+class Blind(Constant):
+    """Ends the flight in its first period without a state, whatever navigation would have shown."""
 
-    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        unseen = np.isnan(np.asarray(states)).any(axis=1)
-        status = np.full(len(unseen), GuidanceStatus.OUTSIDE_DOMAIN, np.int32)
-        status[unseen] = GuidanceStatus.ARRIVED
-        return Commands(np.full(len(unseen), 0.1), np.where(unseen, 0.0, 1.0), np.zeros(len(unseen)), status)
+    def steering(self, count: int) -> Steering:
+        known = super().steering(count)
+
+        class Now:
+            def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+                told = known.steer(states, period, sails)
+                unseen = np.isnan(np.asarray(states)).any(axis=1)
+                ends = np.where(unseen, np.int32(GuidanceStatus.ARRIVED), told.status)
+                return replace(told, status=ends, hold=np.where(unseen, 0.5 * period, told.hold))
+
+        return Now()
 
 
-def test_in_an_outage_nothing_that_guidance_says_counts() -> None:
+def test_in_an_outage_the_guidance_may_end_the_flight() -> None:
     given = Disturbance(outage_probability=0.2)
-    flights, (history,) = flown(given, Confused(0.1))
-    assert flights.outages[0] > 20
-    assert flights.outside[0] == flights.periods[0] - flights.outages[0]
-    blind = np.isnan(history.seen[:, 0])
-    np.testing.assert_array_equal(history.status[blind], GuidanceStatus.INVALID_INPUT)
-    np.testing.assert_array_equal(history.status[~blind], GuidanceStatus.OUTSIDE_DOMAIN)
+    flights, histories = fly_recorded(
+        MISSION, Blind(0.1, until=9.0), [CIRCULAR] * 5, disturbance=given, period=PERIOD
+    )
+    np.testing.assert_array_equal(flights.ending, Ending.STOPPED)
+    np.testing.assert_array_equal(flights.outages, 1)
+    for flight, history in zip(flights.time_of_flight, histories, strict=True):
+        assert np.isnan(history.seen[:, 0]).tolist() == [False] * (len(history.time) - 1) + [True]
+        assert flight == pytest.approx(history.time[-1] + 0.5 * PERIOD, abs=1e-12)
 
 
 def test_beta_is_never_negative() -> None:

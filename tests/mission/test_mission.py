@@ -80,6 +80,9 @@ def test_earth_mars_is_the_paper_s_problem() -> None:
         ("name", "Earth Mars", "pattern"),
         ("transfer.target_radius", 0.0, "greater than 0"),
         ("flight.period", -0.005, "greater than 0"),
+        ("flight.slew_rate", 0.0, "greater than 0"),
+        ("flight.slew_rate", -1.0, "greater than 0"),
+        ("flight.slew_rate", math.inf, "finite"),
         ("dataset.box.lambda_r", [-20.0, -23.0], "lower bound"),
         ("dataset.box.lambda_u", [5.0, 5.0], "lower bound"),
         ("generalisation.v", [1.2, 0.8], "lower bound"),
@@ -132,6 +135,16 @@ def test_every_mistake_is_reported_at_once() -> None:
         parse_mission(content, "the file")
     for part in ("sail.beta = -1.0", "orbits: unknown key", "flight.period: this key is missing"):
         assert part in str(caught.value)
+
+
+def test_how_fast_the_sail_turns_may_be_left_out_and_says_nothing_of_the_networks() -> None:
+    assert "slew_rate" not in tomllib.loads(TEXT)["flight"]
+    unsaid = parse_mission(tomllib.loads(TEXT), "the file")
+    assert unsaid.flight.slew_rate == pytest.approx(70.0 / 3.0)
+    slow = parse_mission(changed("flight.slew_rate", 1.0), "the file")
+    assert slow.digest() == unsaid.digest()
+    # In deg/h; 1 TU is 58.13 days.
+    assert slow.flight.turn_rate == pytest.approx(math.radians(1.0) * 24.0 * 58.1324, rel=1e-5)
 
 
 def test_a_mission_loads_from_a_path(tmp_path: Path) -> None:

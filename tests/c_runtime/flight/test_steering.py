@@ -1,24 +1,26 @@
 """Steering in C against the reference in NumPy, and what holds whatever the bits."""
 
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from sailnet import load_mission
 from sailnet.errors import GuidanceError
 from sailnet.guidance.backends import Backend, load_guidance
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import round_down
-from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Precision, Steering
-from sailnet.guidance.rules import LARGEST_PERIOD
+from sailnet.guidance.interface import GuidanceStatus, Precision, Steered, Steering
+from sailnet.guidance.rules import LARGEST_PERIOD, RULES
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.arrays import Array
 from tests.conftest import Exported
 from tests.held_command import hold_command
+from tests.lockstep import Lockstep, memory_type
 from tests.random_networks import STATE_MAX, STATE_MIN
 
 MISSION = load_mission("earth_mars")
@@ -27,6 +29,8 @@ PERIODS = (0.005, 0.005, 0.005, 0.01, 0.1)
 # The longest that is one, and what is none.
 ODD_PERIODS = (LARGEST_PERIOD, 1.0001 * LARGEST_PERIOD, 432.0, 1e30, np.nan, -1.0, 0.0, np.inf)
 ALL = np.arange(1)
+
+Steer = Callable[[Array, float, NDArray[np.intp]], Steered]
 
 every_precision = pytest.mark.parametrize("precision", ["float32", "float64"])
 
@@ -44,66 +48,76 @@ def some_starts(rng: np.random.Generator, count: int) -> Array:
     return np.where(rng.random((count, 1)) < 0.7, anywhere, near)
 
 
-@dataclass
-class Echo:
-    """Gives the very commands another steering got, whatever beta is asked for.
-
-    In single precision a command's sign may flip by the last digit of beta; what steering makes of the
-    same commands is compared then.
-    """
-
-    guidance: Guidance
-    beta: Array
-
-    def __post_init__(self) -> None:
-        self.mission, self.beta_range = self.guidance.mission, self.guidance.beta_range
-
-    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        return self.guidance.command(states, self.beta)
-
-
-# A period's change of velocity is rounded by some 3e-10 AU/TU in single precision; beta follows from it
-# times r^2 / (period cos^2 alpha), which is 2e3 at worst here.
-@pytest.mark.parametrize(("precision", "bound"), [("float64", 2e-12), ("float32", 2e-6)])
-def test_c_steers_as_the_reference_does(exported: Exported, precision: Precision, bound: float) -> None:
+def steered_oddly(steer: Steer, precision: Precision, steps: int) -> Counter[str]:
+    """Sails that depart from anywhere and arrive, with sails of any strength, outages and odd periods."""
     rng = np.random.default_rng(11)
-    count, steps = 60, 1500
-    guidance = flown_c(exported, precision)
-    steering = guidance.steering(count)
-    echo = Echo(guidance, np.empty(0))
-    reference = ReferenceSteering(guidance if precision == "float64" else echo, count)  # type: ignore[arg-type]
+    count = 60
     states = some_starts(rng, count).astype(precision).astype(float)
-    seen = {"moved": 0, "arrived": 0, "invalid": 0, "outside": 0, "stopped": 0}
+    seen: Counter[str] = Counter()
     for step in range(steps):
         sails = np.flatnonzero(rng.random(count) < 0.9)
         period = float(rng.choice(PERIODS if rng.random() < 0.97 else ODD_PERIODS))
-        given = states[sails]
-        given = np.where(rng.random((len(sails), 1)) < 0.02, np.nan, given)
-        c = steering.steer(given, period, sails)
-        echo.beta = c.beta
-        expected = reference.steer(given, period, sails)
-        np.testing.assert_allclose(c.beta, expected.beta, rtol=0, atol=bound, err_msg=f"step {step}")
-        np.testing.assert_allclose(c.cone_angle, expected.cone_angle, rtol=0, atol=1e-8)
-        np.testing.assert_allclose(c.time_of_flight, expected.time_of_flight, rtol=1e-6, atol=bound)
-        np.testing.assert_allclose(c.hold, expected.hold, rtol=1e-6, atol=bound)
-        np.testing.assert_array_equal(c.status, expected.status)
-        seen["moved"] += int((np.abs(c.beta - MISSION.sail.beta) > 1e-6).sum())
-        seen["arrived"] += int(c.arrived.sum())
-        seen["stopped"] += int((c.arrived & (c.hold == 0.0) & (c.time_of_flight > period)).sum())
-        seen["invalid"] += int((c.status == GuidanceStatus.INVALID_INPUT).sum())
-        seen["outside"] += int((c.status == GuidanceStatus.OUTSIDE_DOMAIN).sum())
+        given = np.where(rng.random((len(sails), 1)) < 0.02, np.nan, states[sails])
+        if step // 40 % 5 == 4:
+            given[::4] = np.nan  # for longer than the sail is steered without a state
+        told = steer(given, period, sails)
+        seen.update(GuidanceStatus(status).name for status in told.status)
+        seen["stopped"] += int((told.arrived & (told.hold == 0.0) & (told.time_of_flight > period)).sum())
         beta = MISSION.sail.beta * rng.uniform(0.7, 1.3, len(sails))
         plant = np.zeros((4, len(sails)))
         plant[[0, 2, 3]] = states[sails].T
-        after = hold_command(plant, c.cone_angle, beta, c.hold)[[0, 2, 3]].T
+        after = hold_command(plant, told.cone_angle, beta, told.hold)[[0, 2, 3]].T
         # Those that ended or left, and a few others, begin elsewhere: to their memories, a leap.
-        left = (c.status == GuidanceStatus.OUTSIDE_DOMAIN) & (rng.random(len(sails)) < 0.05)
-        anew = c.arrived | left | (after[:, 0] < 0.2) | (rng.random(len(sails)) < 0.01)
+        left = (told.status == GuidanceStatus.OUTSIDE_DOMAIN) & (rng.random(len(sails)) < 0.05)
+        anew = told.arrived | left | (after[:, 0] < 0.2) | (rng.random(len(sails)) < 0.01)
         after = np.where(anew[:, None], some_starts(rng, len(sails)), after)
         states[sails] = after.astype(precision).astype(float)
-    assert all(seen[name] > 10 for name in ("arrived", "invalid", "outside", "stopped")), seen
+    return seen
+
+
+@every_precision
+def test_each_step_of_the_c_is_the_references(exported: Exported, precision: Precision) -> None:
+    guidance = flown_c(exported, precision)
+    lockstep = Lockstep(guidance, 60)
+    kept = turned = 0
+
+    def steer(states: Array, period: float, sails: NDArray[np.intp]) -> Steered:
+        nonlocal kept, turned
+        before = lockstep.memory().rows(sails)
+        told = lockstep.steer(states, period, sails)
+        after = lockstep.memory().rows(sails)
+        kept += int((after.stake > 0.0).sum())
+        turned += int(((before.stake > 0.0) & (after.stake < 0.0) & (after.regret == 0.0)).sum())
+        return told
+
+    seen = steered_oddly(steer, precision, 250)
+    assert lockstep.undecided < 20 < 13_000 < lockstep.compared
     low, high = guidance.beta_range
-    assert (seen["moved"] > 10_000) == (low < high), seen
+    statuses = [status.name for status in GuidanceStatus if low < high or status != GuidanceStatus.AT_LIMIT]
+    assert all(seen[name] > 3 for name in (*statuses, "stopped")), seen
+    assert min(kept, turned) > 10, (kept, turned)
+
+
+def test_the_c_steers_as_the_reference_from_departure_on(exported: Exported) -> None:
+    """In double precision rounding may add up: of a variance of nearly nothing the reserve takes the root."""
+    guidance = flown_c(exported, "float64")
+    steering, reference = guidance.steering(60), ReferenceSteering(guidance, 60)
+    moved = 0
+
+    def steer(states: Array, period: float, sails: NDArray[np.intp]) -> Steered:
+        nonlocal moved
+        told, expected = (either.steer(states, period, sails) for either in (steering, reference))
+        np.testing.assert_array_equal(told.status, expected.status)
+        np.testing.assert_allclose(told.beta, expected.beta, rtol=0, atol=2e-12)
+        for name in ("cone_angle", "time_of_flight", "hold", "lambda_v"):
+            values = getattr(told, name), getattr(expected, name)
+            np.testing.assert_allclose(*values, rtol=1e-6, atol=1e-7, err_msg=name)
+        moved += int((np.abs(told.beta - MISSION.sail.beta) > 1e-6).sum())
+        return told
+
+    steered_oddly(steer, "float64", 1000)
+    low, high = guidance.beta_range
+    assert (moved > 10_000) == (low < high), moved
 
 
 def fly_with(
@@ -121,7 +135,7 @@ def fly_with(
     return steered.beta, ended
 
 
-@pytest.mark.parametrize(("precision", "bound"), [("float64", 1e-4), ("float32", 1e-3)])
+@pytest.mark.parametrize(("precision", "bound"), [("float64", 2e-5), ("float32", 1e-3)])
 @pytest.mark.parametrize("kind", ["c", "reference"])
 def test_the_estimate_converges_to_a_constant_bias(
     approach_exported: Exported, precision: Precision, bound: float, kind: str
@@ -133,7 +147,11 @@ def test_the_estimate_converges_to_a_constant_bias(
     beta = MISSION.sail.beta * rng.uniform(0.85, 1.15, 40)
     estimate, ended = fly_with(steering, starts, beta, 900, precision)
     assert (~ended).sum() > 20
-    np.testing.assert_allclose(estimate[~ended], beta[~ended], rtol=bound)
+    # The mean of all periods, with the mission's beta as the first; fewer of a sail that turned in many.
+    expected = beta + (MISSION.sail.beta - beta) / 900
+    error = abs(estimate / expected - 1.0)[~ended]
+    assert np.median(error) < bound
+    assert error.max() < 5e-3
 
 
 def test_the_estimate_stops_at_the_range(approach_exported: Exported) -> None:
@@ -181,9 +199,16 @@ def test_any_bits_leave_steering_bounded(
         longest = max(period, MISSION.flight.arrival_threshold) if timed else 0.0
         assert 0.0 <= steered.hold[0] <= np.array(longest, precision)
         assert np.isfinite(steered.time_of_flight[0])
-        if not (timed and np.isfinite(state).all()):
+        assert np.isfinite(steered.lambda_v[0])
+        if not timed:
             assert steered.status[0] == GuidanceStatus.INVALID_INPUT
+        if not np.isfinite(state).all():
+            assert steered.status[0] != GuidanceStatus.OK
+        if steered.status[0] == GuidanceStatus.INVALID_INPUT:
             assert steered.cone_angle[0] == 0.0
+        left = memories.view(memory_type(precision))[0, 0]
+        assert abs(left["tangential"]) <= np.array(RULES.largest_tangential, precision)
+        assert max(abs(left["variance"]), abs(left["slow"])) <= 1.3
 
 
 @settings(max_examples=100, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
@@ -206,14 +231,18 @@ def test_an_invalid_state_is_not_learnt_from(
     approach_exported: Exported, backend: Backend, precision: Precision
 ) -> None:
     steering = load_guidance(MISSION, backend, precision, approach_exported.folder).steering(1)
+    nothing = steering.steer([(1.0, np.nan, 1.0)], PERIOD, ALL)
+    assert (nothing.status[0], nothing.cone_angle[0]) == (GuidanceStatus.INVALID_INPUT, 0.0)
+    assert nothing.hold[0] == pytest.approx(PERIOD, rel=1e-6)
     steering.steer([(1.0, 0.0, 1.0)], PERIOD, ALL)
     bad = steering.steer([(1.0, np.nan, 1.0)], PERIOD, ALL)
-    assert bad.status[0] == GuidanceStatus.INVALID_INPUT
+    assert bad.status[0] == GuidanceStatus.RECKONED
     assert bad.hold[0] == pytest.approx(PERIOD, rel=1e-6)
     after = steering.steer([(1.0, 0.5, 1.2)], PERIOD, ALL)
     assert after.beta[0] == pytest.approx(MISSION.sail.beta, rel=1e-7)
-    # The leap from there on counts again.
-    assert steering.steer([(1.1, -0.4, 0.8)], PERIOD, ALL).beta[0] != after.beta[0]
+    # The leap from there on counts again, once the sail has turned.
+    later = [steering.steer([(1.1, -0.4, 0.8)], PERIOD, ALL).beta[0] for _ in range(3)]
+    assert later[-1] != after.beta[0]
 
 
 @every_precision

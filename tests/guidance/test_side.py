@@ -1,0 +1,81 @@
+"""Where both signs of the cone angle are almost equally fast the sail keeps its side."""
+
+import numpy as np
+import pytest
+
+from sailnet.campaign.printed import CASES
+from sailnet.expert.fastest import Extremal, sample
+from sailnet.flight.closed_loop import fly
+from sailnet.guidance.backends import load_guidance
+from sailnet.guidance.rules import RULES
+from sailnet.guidance.steering import ReferenceSteering
+from sailnet.physics.transfer import Transfer
+from tests.guidance.pilots import MISSION, ONE, PERIOD, Told
+
+ANGLE, RADIUS = 0.8, 1.2
+PATIENCE = RULES.patience(MISSION.problem.phi_max, MISSION.flight.turn_rate)
+
+
+@pytest.mark.parametrize("period", [0.001, 0.002, 0.005, 0.01, 0.02])
+def test_the_papers_case_2_reverses_once(jumping: Extremal, problem: Transfer, period: float) -> None:
+    flight = fly(MISSION, load_guidance(MISSION), [CASES["Case 2"]], period=period)
+    assert flight.arrived[0]
+    assert flight.reversals[0] == 1
+    assert flight.command_slew[0] <= 1.2 * optimal_slew(problem, jumping)
+
+
+def optimal_slew(problem: Transfer, extremal: Extremal) -> float:
+    """By how much the optimum turns the sail, its jump and all [rad]."""
+    _, columns = sample(problem, extremal, 4001)
+    return float(abs(np.diff(columns[-1])).sum())
+
+
+def signs(wanted: list[float], lambda_v: float) -> list[float]:
+    """Of the commands of a sail that stands still, told to have its cone angle on these sides."""
+    told = Told(lambda_v=lambda_v)
+    steering = ReferenceSteering(told, 1)
+    flown = []
+    for sign in wanted:
+        told.cone_angle = sign * ANGLE
+        steered = steering.steer([(RADIUS, 0.0, 0.9)], PERIOD, ONE)
+        assert abs(steered.cone_angle[0]) == ANGLE
+        flown.append(float(np.sign(steered.cone_angle[0])))
+    return flown
+
+
+def loss_of(lambda_v: float) -> float:
+    """Time that a period on the other side costs [TU]: the difference of the Hamiltonian."""
+    ratio = MISSION.problem.target_radius / RADIUS
+    return float(PERIOD * 2.0 * lambda_v * ratio**2 * np.cos(ANGLE) ** 2 * np.sin(ANGLE))
+
+
+def test_a_sign_that_flips_where_it_costs_nothing_never_reverses() -> None:
+    assert signs([(-1.0) ** k for k in range(200)], lambda_v=1e-3) == [1.0] * 200
+
+
+@pytest.mark.parametrize("periods", [1, 3, 20])
+def test_a_sail_reverses_when_staying_has_cost_what_patience_allows(periods: int) -> None:
+    # So large that in as many periods it is reached, and in one fewer is not.
+    lambda_v = PATIENCE / (periods - 0.5) / (loss_of(1.0))
+    flown = signs([1.0] * 5 + [-1.0] * 40, lambda_v)
+    assert flown == [1.0] * (5 + periods) + [-1.0] * (40 - periods)
+
+
+def test_what_staying_cost_is_forgotten_as_the_networks_come_round() -> None:
+    """A period on the wanted side makes good for one on the other."""
+    lambda_v = PATIENCE / 2.5 / loss_of(1.0)
+    assert signs([1.0, -1.0, -1.0, 1.0, 1.0] * 10, lambda_v) == [1.0] * 50
+    assert signs([1.0, -1.0, -1.0, -1.0, -1.0], lambda_v)[-1] == -1.0
+
+
+def test_a_guidance_that_does_not_know_what_the_other_side_costs_gets_its_way() -> None:
+    wanted = [(-1.0) ** (k // 3) for k in range(30)]
+    assert signs(wanted, np.inf) == wanted
+
+
+def test_a_small_step_across_zero_is_no_reversal() -> None:
+    told = Told(lambda_v=1e-3)
+    steering = ReferenceSteering(told, 1)
+    for angle in (0.3 * RULES.reversal, -0.3 * RULES.reversal, 0.3 * RULES.reversal):
+        told.cone_angle = angle
+        assert steering.steer([(RADIUS, 0.0, 0.9)], PERIOD, ONE).cone_angle[0] == angle

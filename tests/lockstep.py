@@ -1,0 +1,143 @@
+"""Steering in C held against the reference in NumPy step by step: both start each step from the same memory.
+
+Nothing that rounding did before is left then, and what it does in one step is found by asking: the reference
+answers also with its memory, and the commands' beta, a few rounding errors beside. Within the spread of those
+answers the C's must lie, and where they differ in kind (a status, or a sign that one digit decides) it must
+be of one of those kinds.
+"""
+
+from dataclasses import dataclass, field, fields
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sailnet.guidance.exported_c import CGuidance
+from sailnet.guidance.interface import Commands, Steered
+from sailnet.guidance.steering import ReferenceSteering, _Memory
+from sailnet.physics.arrays import Array
+
+ROUNDINGS = 8.0
+"""How far a nudge goes, in rounding errors: C rounds less often in any one number."""
+
+NUDGES = 8
+
+
+def memory_type(precision: str) -> np.dtype[np.void]:
+    """``sailnet_memory``: the members of the reference's, in order, the state as three."""
+    shapes = {"state": (precision, 3), "periods": ("u4",)}
+    members = [(item.name, *shapes.get(item.name, (precision,))) for item in fields(_Memory)]
+    return np.dtype(members, align=True)
+
+
+@dataclass
+class Nudged:
+    """A guidance that is asked a rounding error beside the question.
+
+    Attributes:
+        size: of the largest nudge, relative.
+        seen: (n,) states that are exact, as both were shown them.
+    """
+
+    guidance: CGuidance
+    rng: np.random.Generator
+    size: float = 0.0
+    seen: NDArray[np.bool_] = field(default_factory=lambda: np.empty(0, bool))
+
+    def __post_init__(self) -> None:
+        self.mission, self.beta_range = self.guidance.mission, self.guidance.beta_range
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
+        asked = np.asarray(states, float)
+        nudged = asked * (1.0 + self.size * self.rng.uniform(-1.0, 1.0, asked.shape))
+        sails = np.asarray(beta, float) * (1.0 + self.size * self.rng.uniform(-1.0, 1.0, len(asked)))
+        sails = np.clip(sails, *self.beta_range)
+        return self.guidance.command(np.where(self.seen[:, None], asked, nudged), sails)
+
+
+class Lockstep:
+    """Steers by the C, and fails where the reference does not.
+
+    Args:
+        guidance: the C.
+        count: number of sails.
+
+    Attributes:
+        compared: answers in which every number was compared.
+        undecided: those whose kind a rounding error decides.
+    """
+
+    def __init__(self, guidance: CGuidance, count: int) -> None:
+        self._c = guidance.steering(count)
+        self._kind = memory_type(guidance.precision)
+        assert self._c.memories.shape == (count, self._kind.itemsize)
+        self._precision = guidance.precision
+        self._epsilon = float(np.finfo(guidance.precision).eps)
+        self._double = Nudged(guidance, np.random.default_rng(count))
+        self._reference = ReferenceSteering(self._double, count)  # type: ignore[arg-type]
+        # The time to turn from bound to bound: that of a small turn is a difference of angles.
+        self._turn = 2.0 * guidance.mission.problem.phi_max / guidance.mission.flight.turn_rate
+        self.compared = self.undecided = 0
+
+    def memory(self) -> _Memory:
+        """That of the C, in the reference's form."""
+        packed = self._c.memories.view(self._kind)[:, 0]
+        wide = {item.name: packed[item.name].astype(float) for item in fields(_Memory)}
+        return _Memory(**wide | {"periods": packed["periods"].astype(np.int64)})
+
+    def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+        """See :class:`sailnet.guidance.interface.Steering`; what the C says.
+
+        Raises:
+            AssertionError: the reference says something else.
+        """
+        shown = np.asarray(states, self._precision).astype(float)
+        before = self.memory()
+        told = self._c.steer(shown, period, sails)
+        self._double.seen = np.isfinite(shown).all(axis=1)
+        sizes = [0.0] + [ROUNDINGS * self._epsilon] * NUDGES
+        answers = [self._answer(before, shown, period, sails, size) for size in sizes]
+        self._compare(_numbers(told, self.memory().rows(sails)), answers)
+        return told
+
+    def _answer(
+        self, before: _Memory, shown: Array, period: float, sails: NDArray[np.intp], size: float
+    ) -> dict[str, Array]:
+        """Of the reference, with a memory that is nudged."""
+        memory, rng = before.rows(np.arange(len(before.held))), self._double.rng
+        for item in fields(_Memory):
+            if item.name not in ("state", "periods", "cone_angle"):
+                value = getattr(memory, item.name)
+                setattr(memory, item.name, value * (1.0 + size * rng.uniform(-1.0, 1.0, value.shape)))
+        # The C rounds of a state by how much it changed, the reference, in double precision, the state.
+        changed = memory.held[sails, None] + np.nan_to_num(abs(shown - memory.state[sails]), posinf=0.0)
+        rounded = size * changed + 2.0 * np.finfo(float).eps * abs(memory.state[sails]) * (size > 0.0)
+        memory.state[sails] += rounded * rng.uniform(-1.0, 1.0, changed.shape)
+        self._double.size, self._reference._memory = size, memory
+        return _numbers(self._reference.steer(shown, period, sails), memory.rows(sails))
+
+    def _compare(self, told: dict[str, Array], answers: list[dict[str, Array]]) -> None:
+        exact, *nudged = answers
+        kinds = np.array([_kinds(answer) for answer in answers])
+        decided = (kinds == kinds[0]).all(axis=(0, 2))
+        assert (kinds == _kinds(told)).all(axis=2).any(axis=0).all(), "an answer of another kind"
+        self.compared += int(decided.sum())
+        self.undecided += int((~decided).sum())
+        for name, value in exact.items():
+            spread = np.max([abs(answer[name] - value) for answer in nudged], axis=0)
+            least = self._turn if name == "memory.slewing" else 0.0
+            bound = 4.0 * (spread + self._epsilon * np.maximum(abs(value), least))
+            wrong = ~(abs(told[name] - value) <= bound)[decided]
+            numbers = (numbers[decided][wrong] for numbers in (told[name], value, bound))
+            assert not wrong.any(), "{}: {} is not {} within {}".format(name, *numbers)
+
+
+def _numbers(steered: Steered, memory: _Memory) -> dict[str, Array]:
+    """Everything that a step gives, and everything that it leaves in memory, by name."""
+    left = {f"memory.{item.name}": np.asarray(getattr(memory, item.name), float) for item in fields(_Memory)}
+    return {item.name: np.asarray(getattr(steered, item.name), float) for item in fields(Steered)} | left
+
+
+def _kinds(answer: dict[str, Array]) -> NDArray[np.int64]:
+    """(n, k) what of an answer is no matter of degree."""
+    signs = [np.sign(answer[name]) for name in ("cone_angle", "lambda_v", "memory.stake", "memory.regret")]
+    return np.stack([answer["status"], *signs, answer["memory.unseen"] > 0.0], axis=1).astype(np.int64)
