@@ -29,7 +29,6 @@ static sailnet_real sailnet_sigmoid(sailnet_real octaves);
     assigns \result \from value, lower, upper;
     ensures \is_finite(\result) && \result <= upper && (lower <= \result || upper <= \result); */
 static sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper);
-#ifndef TESTED_HOST
 /*@ assigns \result \from *value;
     ensures \is_finite(\result) && 0.99e-12 <= \result <= 1.01e12; */
 static sailnet_real sailnet_per_root(const sailnet_real *value);
@@ -37,7 +36,7 @@ static sailnet_real sailnet_per_root(const sailnet_real *value);
     assigns \result \from value;
     ensures \is_finite(\result) && 0 <= \result && (\result == value || \result == -value); */
 static sailnet_real sailnet_size(sailnet_real value);
-#elif SAILNET_READS_BETA
+#if defined(TESTED_HOST) && SAILNET_READS_BETA
 /*@ requires range: 0.99e-24 <= value <= 1.01e30;
     assigns \result \from value;
     ensures \is_finite(\result) && 3e-8 <= \result <= 1.01e6; */
@@ -56,7 +55,7 @@ typedef union {
     sailnet_real value;
 } any_real_bits;
 typedef union {
-    sailnet_bits bits[8];
+    sailnet_bits bits[sizeof(sailnet_memory) / sizeof(sailnet_bits)];
     sailnet_memory value;
 } any_memory_bits;
 extern any_state_bits state_bits;
