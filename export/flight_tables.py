@@ -68,7 +68,7 @@ def flight_tables(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
             "/* Hidden layers of a network. */",
             _depths(trio),
             "",
-            f"/* All numbers, in the order in which they are read; of neurons, biases and then weights. Networks: {_sizes(trio)}. */",
+            f"/* All numbers, in the order in which they are read. Networks: {_sizes(trio)}. */",
             f"#define R{BLOCK}({_list('n{}')}) \\\n    {_list('(sailnet_real)(n{})')}",
             _flat("sailnet_numbers", numbers),
         ]

@@ -101,7 +101,7 @@ typedef uint32_t sailnet_bits;
 /* Hidden layers of a network. */
 #define SAILNET_DEPTH(network) 3
 
-/* All numbers, in the order in which they are read; of neurons, biases and then weights. Networks: tau 20-20-20, alpha_pre 20-20-20, lambda_v 20-20-20. */
+/* All numbers, in the order in which they are read. Networks: tau 20-20-20, alpha_pre 20-20-20, lambda_v 20-20-20. */
 #define R10(n0, n1, n2, n3, n4, n5, n6, n7, n8, n9) \
     (sailnet_real)(n0), (sailnet_real)(n1), (sailnet_real)(n2), (sailnet_real)(n3), (sailnet_real)(n4), (sailnet_real)(n5), (sailnet_real)(n6), (sailnet_real)(n7), (sailnet_real)(n8), (sailnet_real)(n9)
 static const sailnet_real sailnet_numbers[3222] = {
