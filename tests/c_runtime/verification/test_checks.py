@@ -103,7 +103,9 @@ MUTANTS = {
         "R(2.0) * sailnet_size(command->cone_angle);",
         "promise broken: command->cone_angle",
     ),
-    "a NaN let through": Mutant("fuzz", "sailnet_law", "(state->u - state->u)", "R(0.0)", "promise broken"),
+    "a NaN let through": Mutant(
+        "fuzz", "sailnet_is_state", "(state->u - state->u)", "R(0.0)", "promise broken"
+    ),
     "held too long": Mutant(
         "fuzz",
         "sailnet_steer",
