@@ -69,7 +69,7 @@ def flight_tables(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
             _depths(trio),
             "",
             f"/* All numbers, in the order in which they are read. Networks: {_sizes(trio)}. */",
-            f"#define R{BLOCK}({_list('n{}')}) \\\n    {_list('R(n{})')}",
+            f"#define R{BLOCK}({_list('n{}')}) \\\n    {_list('(sailnet_real)(n{})')}",
             _flat("sailnet_numbers", numbers),
         ]
     )
@@ -141,7 +141,7 @@ def _weights(network: Network, unit: float, scales: Array, widest: int, width: i
         rows[1 : 1 + weight.shape[1], : len(bias)] = weight.T
         for first in range(width - BLOCK, -1, -BLOCK):
             neurons = f"neurons {first + 1} to {first + BLOCK}"
-            what = f"{network.name}, layer {layer + 1}, {neurons}: biases, then weights."
+            what = f"{network.name}, layer {layer + 1}, {neurons}."
             numbers.append((what, rows[:, first : first + BLOCK]))
     last = np.concatenate([[output_bias], np.pad(output, (0, widest - len(output)))])
     return [*numbers, (f"{network.name}, output: bias, then weights.", last)]
@@ -220,21 +220,24 @@ def _flat(name: str, numbers: Sequence[Numbers]) -> str:
     for what, values in numbers:
         rows = values if values.ndim == 2 else [values[i : i + BLOCK] for i in range(0, len(values), BLOCK)]
         lines.append(f"    /* {what} */")
-        lines += [f"    {_row([_short(float(v)) for v in row])}," for row in rows]
+        lines += [f"    {_row(list(map(float, row)))}," for row in rows]
     count = sum(values.size for _, values in numbers)
     return "\n".join([f"static const sailnet_real {name}[{count}] = {{", *lines, "};"])
 
 
 def _short(value: float) -> str:
-    """Without the 0 before the point, and a space: of four thousand numbers these are a tenth of the file."""
+    """Without the 0 before the point: of thousands of numbers these are a part of the file."""
     return literal(value).replace("0.", ".", 1) if 0.0 < abs(value) < 1.0 else literal(value)
 
 
-def _row(literals: Sequence[str]) -> str:
-    """Most rows are of ten: the precision of all of them in one macro makes the file a tenth smaller."""
-    if len(literals) == BLOCK:
-        return f"R{BLOCK}({','.join(literals)})"
-    return ", ".join(f"R({literal})" for literal in literals)
+def _row(values: Sequence[float]) -> str:
+    """Most rows are of ten: the precision of all of them in one macro makes the file a tenth smaller.
+
+    It is cast: no suffix is pasted to a number without a 0 before its point, which cppcheck does not read.
+    """
+    if len(values) == BLOCK:
+        return f"R{BLOCK}({','.join(map(_short, values))})"
+    return ", ".join(f"R({literal(value)})" for value in values)
 
 
 def _rows(name: str, pairs: Array) -> str:

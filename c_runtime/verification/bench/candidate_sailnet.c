@@ -1,4 +1,4 @@
-/* The flight runtime: r, u, v and beta to cone angle, time of flight, beta and status. */
+/* The flight runtime: r, u, v and beta to a command, with its status in place of what is held. */
 #include "candidate.h"
 #include "sailnet_guidance.h"
 
@@ -6,7 +6,7 @@
 static sailnet_memory memory;
 #endif
 
-/* A state is the first three numbers of the input, and a command is four: nothing is copied that a caller would not. */
+/* A state is the first three numbers of the input, and a command is the output: nothing is copied that a caller would not. */
 void candidate(const candidate_real *input, candidate_real *output)
 {
     const sailnet_state *state = (const sailnet_state *)(const void *)input;

@@ -10,7 +10,7 @@ from c_runtime.verification.bench.compiled import HERE, Library, Shape, Unit
 NATIVE = "native"
 AVX2, SSE2 = "AVX2", "SSE2"
 
-COMMAND_OUTPUTS = ("cone_angle", "time_of_flight", "beta", "status")
+COMMAND_OUTPUTS = ("cone_angle", "time_of_flight", "beta", "status", "lambda_v")
 """What ``candidate_sailnet.c`` writes, in order."""
 
 

@@ -157,14 +157,15 @@ static void forget(sailnet_command *command, int pattern)
 
 static void check_command(const sailnet_command *command, sailnet_status status)
 {
-    PROMISED((int)status >= (int)SAILNET_OK && (int)status <= (int)SAILNET_INVALID_INPUT);
+    PROMISED((int)status >= (int)SAILNET_OK && (int)status <= (int)SAILNET_AT_LIMIT);
     PROMISED(command->cone_angle >= -SAILNET_PHI_MAX && command->cone_angle <= SAILNET_PHI_MAX);
     PROMISED(command->time_of_flight >= -LONGEST_SANE_TIME && command->time_of_flight <= LONGEST_SANE_TIME);
     PROMISED(command->beta >= SAILNET_BETA_MIN && command->beta <= SAILNET_BETA_MAX);
-    PROMISED(command->hold >= SAILNET_REAL(0.0) && isfinite(command->hold));
+    PROMISED(command->hold >= SAILNET_REAL(0.0) && isfinite(command->hold) && isfinite(command->lambda_v));
     if (status == SAILNET_INVALID_INPUT) {
         PROMISED(command->cone_angle == SAILNET_REAL(0.0));
         PROMISED(command->time_of_flight == SAILNET_LARGEST_TIME_OF_FLIGHT);
+        PROMISED(command->lambda_v == SAILNET_REAL(0.0));
     }
 }
 
@@ -176,7 +177,7 @@ static sailnet_status checked_guidance(const sailnet_state *state, sailnet_real 
     forget(command, 0x5A);
     const sailnet_status status = sailnet_guidance(state, beta, command);
     check_command(command, status);
-    PROMISED((status == SAILNET_INVALID_INPUT) == !valid);
+    PROMISED(status <= SAILNET_INVALID_INPUT && (status == SAILNET_INVALID_INPUT) == !valid);
     PROMISED(command->hold == SAILNET_REAL(0.0));
     PROMISED(command->beta == used_beta(beta));
     if (status == SAILNET_OK || status == SAILNET_ARRIVED) {
@@ -191,22 +192,50 @@ static sailnet_status checked_guidance(const sailnet_state *state, sailnet_real 
         const sailnet_status of_mission = sailnet_guidance(state, SAILNET_BETA, &again);
         PROMISED(of_mission == status || (status == SAILNET_OUTSIDE_DOMAIN && beta != used_beta(beta)));
         PROMISED(again.cone_angle == command->cone_angle && again.time_of_flight == command->time_of_flight);
+        PROMISED(again.lambda_v == command->lambda_v);
 #endif
     }
     return status;
 }
 
-static void check_against_the_law(const sailnet_command *command, sailnet_status status,
-                                  const sailnet_state *state, sailnet_real period)
+/*
+ * What steering commands is the law's for the state that it steers by, shown or reckoned, but for what it plans with and
+ * for its side. The former is known where there is nothing to reserve for, or all networks are for one beta.
+ */
+static void check_against_the_law(const sailnet_command *command, sailnet_status status, const sailnet_memory *after,
+                                  sailnet_real period)
 {
     const sailnet_real longest = period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
+    const int unreserved = after->tangential <= SAILNET_REAL(0.0) && after->variance <= SAILNET_REAL(0.0) &&
+                           after->slow <= SAILNET_REAL(0.0);
+    const sailnet_state state = after->state;
     sailnet_command law;
-    const sailnet_status of_law = checked_guidance(state, command->beta, &law, 0);
-    PROMISED(is_same(&law.cone_angle, &command->cone_angle, sizeof law.cone_angle));
-    PROMISED(is_same(&law.time_of_flight, &command->time_of_flight, sizeof law.time_of_flight));
-    PROMISED((of_law == SAILNET_OUTSIDE_DOMAIN) == (status == SAILNET_OUTSIDE_DOMAIN));
-    PROMISED(of_law != SAILNET_ARRIVED || status == SAILNET_ARRIVED);
+    const sailnet_status of_law = checked_guidance(&state, command->beta, &law, 0);
+    PROMISED(of_law != SAILNET_INVALID_INPUT);
     PROMISED(status == SAILNET_ARRIVED ? command->hold <= longest : command->hold == period);
+    if (unreserved || !SAILNET_READS_BETA) {
+        PROMISED(law.cone_angle == command->cone_angle || law.cone_angle == -command->cone_angle);
+        PROMISED(is_same(&law.time_of_flight, &command->time_of_flight, sizeof law.time_of_flight));
+        PROMISED(is_same(&law.lambda_v, &command->lambda_v, sizeof law.lambda_v));
+        PROMISED(of_law != SAILNET_OUTSIDE_DOMAIN || status == SAILNET_OUTSIDE_DOMAIN || status == SAILNET_RECKONED);
+        PROMISED(of_law != SAILNET_ARRIVED || status == SAILNET_ARRIVED);
+    }
+    PROMISED(status != SAILNET_AT_LIMIT || SAILNET_READS_BETA);
+}
+
+/* For how long nothing was seen, and what was learnt, as only valid states change them. */
+static void check_reckoning(const sailnet_memory *before, const sailnet_memory *after, int shown)
+{
+    if (shown) {
+        PROMISED(after->unseen == SAILNET_REAL(0.0));
+    } else {
+        PROMISED(before->held > SAILNET_REAL(0.0));
+        PROMISED(after->unseen <= SAILNET_LONGEST_RECKONING);
+    }
+    if (!shown || before->unseen != SAILNET_REAL(0.0)) {
+        PROMISED(is_same(&before->surprise, &after->surprise, sizeof after->surprise));
+        PROMISED(isnan(before->beta) || after->beta == used_beta(before->beta));
+    }
 }
 
 static void check_steer(sailnet_memory *memory, const sailnet_state *state, sailnet_real period, int twice)
@@ -222,13 +251,21 @@ static void check_steer(sailnet_memory *memory, const sailnet_state *state, sail
     forget(&command, 0x5A);
     const sailnet_status status = sailnet_steer(memory, state, period, &command);
     check_command(&command, status);
-    PROMISED((status == SAILNET_INVALID_INPUT) == !valid);
     PROMISED(memory->beta == command.beta);
-    if (valid) {
-        check_against_the_law(&command, status, state, period);
+    PROMISED(fabs((double)memory->tangential) <= (double)SAILNET_LARGEST_TANGENTIAL);
+    PROMISED(status != SAILNET_INVALID_INPUT || !valid);
+    PROMISED(status != SAILNET_RECKONED || (timed && !valid));
+    if (status != SAILNET_INVALID_INPUT) {
+        PROMISED(timed && is_state_finite(&memory->state));
+        PROMISED(!valid || is_same(&memory->state, state, sizeof *state));
+        PROMISED(memory->regret >= SAILNET_REAL(0.0) && memory->regret <= SAILNET_LARGEST_PERIOD);
+        PROMISED(isfinite(memory->slewing) || isinf(before.slewing) || isnan(before.slewing));
+        check_against_the_law(&command, status, memory, period);
+        check_reckoning(&before, memory, valid);
         PROMISED(memory->periods - before.periods == (before.periods == UINT32_MAX ? 0u : 1u));
     } else {
         PROMISED(command.hold == (timed ? period : SAILNET_REAL(0.0)));
+        PROMISED(memory->held == SAILNET_REAL(0.0));
         PROMISED(memory->periods == before.periods);
         PROMISED(isnan(before.beta) || command.beta == used_beta(before.beta));
     }
@@ -301,7 +338,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             check_null_pointers(&memory, &given, next_real(&from, 0.0, 0.1), next_byte(&from));
             check_start(&given);
         } else {
-            check_steer(&memory, &given, next_real(&from, 0.0, 0.1), kind == 4);
+            const int lost = next_byte(&from) % 8 == 0;
+            check_steer(&memory, lost ? NULL : &given, next_real(&from, 0.0, 0.1), kind == 4);
         }
         PROMISED(is_same(&given, &state, sizeof state));
     }

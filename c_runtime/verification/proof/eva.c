@@ -29,7 +29,6 @@ static sailnet_real sailnet_sigmoid(sailnet_real octaves);
     assigns \result \from value, lower, upper;
     ensures \is_finite(\result) && \result <= upper && (lower <= \result || upper <= \result); */
 static sailnet_real sailnet_clamped(sailnet_real value, sailnet_real lower, sailnet_real upper);
-#ifndef TESTED_HOST
 /*@ assigns \result \from *value;
     ensures \is_finite(\result) && 0.99e-12 <= \result <= 1.01e12; */
 static sailnet_real sailnet_per_root(const sailnet_real *value);
@@ -37,7 +36,7 @@ static sailnet_real sailnet_per_root(const sailnet_real *value);
     assigns \result \from value;
     ensures \is_finite(\result) && 0 <= \result && (\result == value || \result == -value); */
 static sailnet_real sailnet_size(sailnet_real value);
-#elif SAILNET_READS_BETA
+#if defined(TESTED_HOST) && SAILNET_READS_BETA
 /*@ requires range: 0.99e-24 <= value <= 1.01e30;
     assigns \result \from value;
     ensures \is_finite(\result) && 3e-8 <= \result <= 1.01e6; */
@@ -56,7 +55,7 @@ typedef union {
     sailnet_real value;
 } any_real_bits;
 typedef union {
-    sailnet_bits bits[8];
+    sailnet_bits bits[sizeof(sailnet_memory) / sizeof(sailnet_bits)];
     sailnet_memory value;
 } any_memory_bits;
 extern any_state_bits state_bits;
@@ -79,6 +78,7 @@ static void check(const sailnet_command *command)
     /*@ assert cone_angle: \is_finite(command->cone_angle) && -phi_max <= command->cone_angle <= phi_max; */
     /*@ assert beta: \is_finite(command->beta) && beta_min <= command->beta <= beta_max; */
     /*@ assert time_of_flight: \is_finite(command->time_of_flight); */
+    /*@ assert lambda_v: \is_finite(command->lambda_v); */
     /*@ assert hold: \is_finite(command->hold) && 0 <= command->hold <= largest_period; */
 }
 
@@ -96,7 +96,16 @@ void prove_steering(void)
     check(&command);
     const sailnet_real beta_min = SAILNET_BETA_MIN;
     const sailnet_real beta_max = SAILNET_BETA_MAX;
+    const sailnet_real phi_max = SAILNET_PHI_MAX;
+    const sailnet_real tangential_max = SAILNET_LARGEST_TANGENTIAL;
+    const sailnet_real largest_period = SAILNET_LARGEST_PERIOD;
     /*@ assert memory: \is_finite(any_memory.beta) && beta_min <= any_memory.beta <= beta_max; */
+    /*@ assert told: \is_finite(any_memory.cone_angle) && -phi_max <= any_memory.cone_angle <= phi_max; */
+    /*@ assert tangential:
+          \is_finite(any_memory.tangential) && -tangential_max <= any_memory.tangential <= tangential_max; */
+    /*@ assert variance: \is_finite(any_memory.variance) && -1 <= any_memory.variance <= 1; */
+    /*@ assert slow: \is_finite(any_memory.slow) && -1 <= any_memory.slow <= 1; */
+    /*@ assert held: \is_finite(any_memory.held) && 0 <= any_memory.held <= largest_period; */
 }
 
 /* Nothing is written through a null pointer, nothing read. */

@@ -1,4 +1,8 @@
-"""Guards of the flight file, each taken away: the proof must then fail."""
+"""Guards of the flight file, each taken away: the proof must then fail.
+
+Guards whose absence intervals cannot see are taken away in the tests of the checks: unit tests and
+fuzzing find them.
+"""
 
 import shutil
 from dataclasses import dataclass
@@ -66,6 +70,20 @@ MUTANTS = (
         "memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);",
         "",
     ),
+    Mutant(
+        "angle told trusted",
+        "memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);",
+        "",
+    ),
+    Mutant(
+        "tangential force trusted",
+        "memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);",
+        "",
+    ),
+    Mutant(
+        "variance trusted", "memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);", ""
+    ),
+    Mutant("what is slow trusted", "memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);", ""),
     Mutant(
         "any time held",
         "sailnet_limited(&command->time_of_flight, SAILNET_OF_PERIOD)",

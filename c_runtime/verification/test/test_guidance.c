@@ -92,17 +92,18 @@ static int is_bounded(sailnet_command command)
 {
     return command.cone_angle >= -SAILNET_PHI_MAX && command.cone_angle <= SAILNET_PHI_MAX &&
            isfinite(command.time_of_flight) && command.beta >= SAILNET_BETA_MIN &&
-           command.beta <= SAILNET_BETA_MAX;
+           command.beta <= SAILNET_BETA_MAX && isfinite(command.lambda_v);
 }
 
 static int is_safe(sailnet_command command)
 {
-    return command.cone_angle == R(0.0) && command.time_of_flight == SAILNET_LARGEST_TIME_OF_FLIGHT;
+    return command.cone_angle == R(0.0) && command.time_of_flight == SAILNET_LARGEST_TIME_OF_FLIGHT &&
+           command.lambda_v == R(0.0);
 }
 
 static int is_same(sailnet_command a, sailnet_command b)
 {
-    return memcmp(&a, &b, sizeof a) == 0; /* four numbers of one type: no padding */
+    return memcmp(&a, &b, sizeof a) == 0; /* numbers of one type: no padding */
 }
 
 static int is_same_memory(const sailnet_memory *a, const sailnet_memory *b)
@@ -149,7 +150,7 @@ static void test_special_values_in_each_place(void)
     for (int place = 0; place < 3; place++) {
         for (int i = 0; i < (int)(sizeof special / sizeof special[0]); i++) {
             sailnet_state state = middle_of_domain();
-            sailnet_command command = {R(99.0), R(99.0), R(99.0), R(99.0)};
+            sailnet_command command = {R(99.0), R(99.0), R(99.0), R(99.0), R(99.0)};
             sailnet_real *const component[3] = {&state.r, &state.u, &state.v};
             *component[place] = special[i];
             const sailnet_status status = sailnet_guidance(&state, SAILNET_BETA, &command);
@@ -167,7 +168,7 @@ static void test_special_values_in_each_place(void)
 static void test_null_pointers(void)
 {
     const sailnet_state state = middle_of_domain();
-    sailnet_command command = {R(99.0), R(99.0), R(99.0), R(99.0)};
+    sailnet_command command = {R(99.0), R(99.0), R(99.0), R(99.0), R(99.0)};
     CHECK(sailnet_guidance(&state, SAILNET_BETA, NULL) == SAILNET_INVALID_INPUT);
     CHECK(sailnet_guidance(NULL, SAILNET_BETA, NULL) == SAILNET_INVALID_INPUT);
     CHECK(sailnet_guidance(NULL, SAILNET_BETA, &command) == SAILNET_INVALID_INPUT);
@@ -344,41 +345,299 @@ static void test_steering_stays_bounded_whatever_the_bits(void)
             timed && period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
         CHECK(is_bounded(command));
         CHECK(memory.beta == command.beta);
+        CHECK(fabs((double)memory.tangential) <= (double)SAILNET_LARGEST_TANGENTIAL);
+        CHECK(fabs((double)memory.variance) <= 1.0 && fabs((double)memory.slow) <= 1.0);
+        CHECK(memory.held >= R(0.0) && memory.held <= longest && fabs((double)memory.cone_angle) <= SAILNET_PHI_MAX);
+        if (status != SAILNET_INVALID_INPUT) {
+            CHECK(memory.regret >= R(0.0) && memory.regret <= SAILNET_LARGEST_PERIOD);
+            CHECK(isfinite(memory.slewing) && isfinite(memory.stake) && sailnet_is_state(&memory.state));
+        }
         CHECK(isfinite(command.hold) && command.hold >= R(0.0) && command.hold <= longest);
         CHECK(timed || (status == SAILNET_INVALID_INPUT && is_safe(command) && command.hold == R(0.0)));
     }
 }
 
-static void test_an_invalid_state_leaves_the_memory_alone(void)
+/* Of many states in the domain, where the flight is not about to end: the farthest, or where the side matters most. */
+static sailnet_state some_state(sailnet_real beta, int matters)
 {
-    const sailnet_state good = middle_of_domain();
-    sailnet_state bad = good;
-    sailnet_state next = good;
+    sailnet_state found = middle_of_domain();
+    sailnet_real most = R(0.0);
+    for (int i = 0; i < 1000; i++) {
+        const sailnet_state state = state_in_domain();
+        sailnet_command command;
+        if (sailnet_guidance(&state, beta, &command) == SAILNET_OK && command.time_of_flight > R(0.02)) {
+            const sailnet_real much =
+                matters ? sailnet_size(command.cone_angle * command.lambda_v) : command.time_of_flight;
+            found = much > most ? state : found;
+            most = much > most ? much : most;
+        }
+    }
+    return found;
+}
+
+static sailnet_state far_from_the_target(sailnet_real beta)
+{
+    return some_state(beta, 0);
+}
+
+/* Steered once: nothing is learnt yet, and there is a last command. */
+static sailnet_memory departed(const sailnet_state *state, sailnet_real period)
+{
     sailnet_memory memory;
-    sailnet_memory before;
     sailnet_command command;
-    bad.u = (sailnet_real)NAN;
-    next.u += R(0.1);
+    (void)memset(&memory, 0, sizeof memory); /* its padding too */
     sailnet_start(&memory);
-    sailnet_steer(&memory, &good, R(0.005), &command);
-    CHECK(memory.held == command.hold && memory.periods == 1);
-    before = memory;
-    CHECK(sailnet_steer(&memory, &bad, R(0.005), &command) == SAILNET_INVALID_INPUT);
-    CHECK(is_safe(command) && command.hold == R(0.005));
-    before.held = R(0.0);
-    CHECK(is_same_memory(&memory, &before));
-    /* A leap that would have taught much. */
-    sailnet_steer(&memory, &next, R(0.005), &command);
-    CHECK(command.beta == before.beta && memory.periods == 2);
+    CHECK(sailnet_steer(&memory, state, period, &command) == SAILNET_OK && command.hold == period);
+    return memory;
+}
+
+/* Where the model says that a sail is next. */
+static sailnet_state predicted(const sailnet_memory *memory)
+{
+    sailnet_change change;
+    sailnet_predict(memory, &change);
+    const sailnet_state next = {memory->state.r + change.by.r, memory->state.u + change.by.u,
+                                memory->state.v + change.by.v};
+    return next;
+}
+
+static int is_same_state(sailnet_state a, sailnet_state b)
+{
+    return a.r == b.r && a.u == b.u && a.v == b.v;
+}
+
+static void test_without_a_state_it_is_reckoned_for_a_while(void)
+{
+    enum { RECKONED = 8 };
+    const sailnet_real period = SAILNET_LONGEST_RECKONING / ((sailnet_real)RECKONED + R(0.5));
+    const sailnet_state start = far_from_the_target(SAILNET_BETA);
+    sailnet_state bad = start;
+    sailnet_memory memory = departed(&start, period);
+    sailnet_command command;
+    sailnet_command law;
+    bad.u = (sailnet_real)NAN;
+    for (int i = 0; i < RECKONED; i++) {
+        const sailnet_state expected = predicted(&memory);
+        const uint32_t before = memory.periods;
+        CHECK(sailnet_steer(&memory, i % 2 == 0 ? &bad : NULL, period, &command) == SAILNET_RECKONED);
+        CHECK(is_same_state(memory.state, expected) && memory.periods == before + 1u);
+        /* Nothing is known to reserve for: the command is the law's, on either side. */
+        sailnet_guidance(&expected, SAILNET_BETA, &law);
+        CHECK(command.time_of_flight == law.time_of_flight && command.lambda_v == law.lambda_v);
+        CHECK(command.cone_angle == law.cone_angle || command.cone_angle == -law.cone_angle);
+        CHECK(command.hold == period && command.beta == SAILNET_BETA);
+    }
+    for (int i = 0; i < 3; i++) {
+        const sailnet_state last = memory.state;
+        CHECK(sailnet_steer(&memory, &bad, period, &command) == SAILNET_INVALID_INPUT);
+        CHECK(is_safe(command) && command.hold == period && is_same_state(memory.state, last));
+    }
+}
+
+static void test_before_the_first_state_the_command_is_safe(void)
+{
+    sailnet_memory memory;
+    sailnet_command command;
+    sailnet_start(&memory);
     CHECK(sailnet_steer(&memory, NULL, R(0.005), &command) == SAILNET_INVALID_INPUT);
-    CHECK(is_safe(command) && command.hold == R(0.005));
+    CHECK(is_safe(command) && command.hold == R(0.005) && memory.periods == 0u);
+}
+
+static void test_a_flight_may_end_while_the_sail_is_reckoned(void)
+{
+    sailnet_memory memory;
+    sailnet_command command;
+    const sailnet_state start = far_from_the_target(SAILNET_BETA);
+    const sailnet_state target = {SAILNET_TARGET_R, SAILNET_TARGET_U, SAILNET_TARGET_V};
+    memory = departed(&start, R(0.005));
+    /* At the target, and it was predicted to be even nearer. */
+    memory.state = target;
+    memory.held = SMALLEST;
+    memory.time_of_flight = -LARGEST;
+    CHECK(sailnet_steer(&memory, NULL, R(0.005), &command) == SAILNET_ARRIVED);
+    CHECK(command.hold <= R(0.005) || command.hold <= SAILNET_ARRIVAL_THRESHOLD);
+}
+
+static void test_nothing_is_learnt_across_an_outage(void)
+{
+    const sailnet_real period = R(0.01);
+    const sailnet_state start = far_from_the_target(SAILNET_BETA);
+    sailnet_state leap = start;
+    sailnet_memory memory = departed(&start, period);
+    sailnet_command command;
+    leap.u += R(0.001);
+    for (int lost = 0; lost < 3; lost++) {
+        sailnet_memory before = memory;
+        for (int i = 0; i < lost; i++) {
+            CHECK(sailnet_steer(&memory, NULL, period, &command) == SAILNET_RECKONED);
+        }
+        (void)sailnet_steer(&memory, &leap, period, &command);
+        CHECK((memory.surprise == before.surprise && memory.variance == before.variance &&
+               memory.tangential == before.tangential && memory.beta == before.beta) == (lost > 0));
+        CHECK(memory.unseen == R(0.0) && is_same_state(memory.state, leap));
+        leap.u = -leap.u;
+        memory.slewing = R(0.0);
+    }
+}
+
+static void test_a_reversal_waits_until_it_is_worth_it(void)
+{
+    /* Short enough for staying to be worth it for a while. */
+    const sailnet_real period = R(0.01) * SAILNET_PATIENCE;
+    const sailnet_state state = some_state(SAILNET_BETA, 1);
+    sailnet_memory memory = departed(&state, period);
+    sailnet_command command;
+    sailnet_command law;
+    int reversals = 0;
+    sailnet_guidance(&state, SAILNET_BETA, &law);
+    CHECK(sailnet_size(law.cone_angle) > R(0.5) * SAILNET_REVERSAL && law.lambda_v != R(0.0));
+    /* The sail was told the other side, so far from this command that it were a reversal; nothing is learnt of that. */
+    memory.held = R(0.0);
+    memory.cone_angle = law.cone_angle < R(0.0) ? SAILNET_PHI_MAX : -SAILNET_PHI_MAX;
+    CHECK(sailnet_steer(&memory, &state, period, &command) == SAILNET_OK);
+    CHECK(command.cone_angle == -law.cone_angle && memory.stake == sailnet_size(law.lambda_v));
+    CHECK(memory.regret == R(0.0));
+    /* What staying costs, by the Hamiltonian. Without a state nothing is learnt either, and hardly anything moves. */
+    for (int i = 0; i < 2; i++) {
+        const double ratio = (double)SAILNET_TARGET_R / (double)memory.state.r;
+        const double cosine = cos((double)memory.cone_angle) * ratio;
+        const double rate = 2.0 * cosine * cosine * fabs(sin((double)memory.cone_angle)) * (double)memory.stake;
+        const double expected = (double)memory.regret + rate * (double)period;
+        CHECK(sailnet_steer(&memory, NULL, period, &command) == SAILNET_RECKONED);
+        CHECK(command.cone_angle * law.cone_angle < R(0.0));
+        CHECK(fabs((double)memory.regret - expected) <= 1e-5 * expected && memory.regret > R(0.0));
+        CHECK(memory.regret < SAILNET_PATIENCE);
+    }
+    memory.cone_angle = law.cone_angle < R(0.0) ? SAILNET_PHI_MAX : -SAILNET_PHI_MAX;
+    memory.regret = SAILNET_PATIENCE;
+    for (int i = 0; i < 5; i++) {
+        const sailnet_real before = memory.cone_angle;
+        CHECK(sailnet_steer(&memory, NULL, period, &command) == SAILNET_RECKONED);
+        CHECK(command.cone_angle * law.cone_angle > R(0.0) && memory.stake < R(0.0) && memory.regret == R(0.0));
+        reversals += before * command.cone_angle < R(0.0) ? 1 : 0;
+    }
+    CHECK(reversals == 1);
+}
+
+static void test_a_small_change_of_sign_does_not_wait(void)
+{
+    const sailnet_state state = far_from_the_target(SAILNET_BETA);
+    sailnet_memory memory = departed(&state, R(0.001));
+    sailnet_command command;
+    sailnet_command law;
+    sailnet_guidance(&state, SAILNET_BETA, &law);
+    const sailnet_real rest = SAILNET_REVERSAL - sailnet_size(law.cone_angle);
+    const sailnet_real across = rest > R(0.0) ? R(0.5) * rest : R(0.0);
+    memory.held = R(0.0);
+    memory.cone_angle = law.cone_angle < R(0.0) ? across : -across;
+    (void)sailnet_steer(&memory, &state, R(0.001), &command);
+    CHECK(command.cone_angle == law.cone_angle && memory.stake == -sailnet_size(law.lambda_v));
+}
+
+/* How the command for a state differs from that of the law for a beta, relatively. */
+static double unlike_the_law(const sailnet_command *command, const sailnet_state *state, double beta)
+{
+    sailnet_command law;
+    sailnet_guidance(state, (sailnet_real)beta, &law);
+    return fabs((double)command->time_of_flight / (double)law.time_of_flight - 1.0) +
+           fabs((double)command->lambda_v / (double)law.lambda_v - 1.0);
+}
+
+static void test_what_surprises_is_kept_in_reserve(void)
+{
+    const double hold = 0.005;
+    const sailnet_state state = far_from_the_target(SAILNET_BETA_MIN);
+    const double slows[] = {0.0, 1e-4, 4e-4, 0.2, -0.01, 0.0};
+    const double variances[] = {0.04, 1e-4, 1e-3, 0.25, 0.01, 0.0};
+    const double tangentials[] = {0.0, 0.0, 0.1, 0.0, -0.1, 0.2};
+    sailnet_command command;
+    for (int i = 0; i < 6; i++) {
+        sailnet_memory memory = departed(&state, (sailnet_real)hold);
+        const double slow = slows[i] > 0.0 ? slows[i] : 0.0;
+        const double tau = (double)memory.time_of_flight;
+        const double white = (variances[i] - slow) * hold / tau;
+        const double bounded = fmin((double)SAILNET_RESERVE_SLOW * sqrt(slow) + (double)SAILNET_RESERVE_WHITE * sqrt(white),
+                                    (double)SAILNET_LARGEST_RESERVE);
+        const double reserve = bounded * fmin(tau / (double)SAILNET_LET_GO, 1.0);
+        const double lost = (double)SAILNET_RESERVE_TANGENTIAL * fmax(tangentials[i], 0.0);
+        const double plan = (double)SAILNET_BETA * (1.0 - lost) * (1.0 - reserve);
+        /* A first period says nothing: what is known is what is put here. */
+        memory.held = R(0.0);
+        memory.slow = (sailnet_real)slows[i];
+        memory.variance = (sailnet_real)variances[i];
+        memory.tangential = (sailnet_real)tangentials[i];
+        const sailnet_status status = sailnet_steer(&memory, &state, (sailnet_real)hold, &command);
+        CHECK(command.beta == SAILNET_BETA && status != SAILNET_INVALID_INPUT);
+        CHECK(unlike_the_law(&command, &state, plan) < 2e-4);
+        /* Weaker, and still a reserve: the networks have learnt of no such sail. */
+        memory.held = R(0.0);
+        memory.beta = SAILNET_BETA_MIN;
+#if SAILNET_READS_BETA
+        CHECK(unlike_the_law(&command, &state, (double)SAILNET_BETA) > 1e-3);
+        CHECK(sailnet_steer(&memory, &state, (sailnet_real)hold, &command) == SAILNET_AT_LIMIT);
+#else
+        CHECK(sailnet_steer(&memory, &state, (sailnet_real)hold, &command) == SAILNET_OK);
+#endif
+        CHECK(command.beta == SAILNET_BETA_MIN && unlike_the_law(&command, &state, (double)SAILNET_BETA_MIN) == 0.0);
+    }
+    sailnet_memory memory = departed(&state, (sailnet_real)hold);
+    memory.held = R(0.0);
+    memory.beta = SAILNET_BETA_MIN;
+    CHECK(sailnet_steer(&memory, &state, (sailnet_real)hold, &command) == SAILNET_OK);
+}
+
+static void test_a_tangential_force_is_learnt(void)
+{
+    const sailnet_real period = R(0.02);
+    const sailnet_real share = R(0.1);
+    sailnet_state state = {R(1.0), R(0.0), R(1.0)};
+    sailnet_memory memory;
+    sailnet_command command;
+    double white = 0.0;
+    sailnet_start(&memory);
+    for (int i = 0; i < 600; i++) {
+        (void)sailnet_steer(&memory, &state, period, &command);
+        /* Whatever the networks say, the sail was told this, and is still. */
+        memory.cone_angle = i % 20 < 10 ? R(0.6) : R(-0.6);
+        memory.held = period;
+        memory.slewing = R(0.0);
+        white = i == 300 ? (double)memory.variance : white;
+        sailnet_memory real = memory;
+        real.beta = SAILNET_BETA;
+        real.tangential = share;
+        state = predicted(&real);
+    }
+    CHECK(fabs((double)(memory.tangential - share)) < 0.005);
+    CHECK(fabs((double)(memory.beta / SAILNET_BETA) - 1.0) < 0.005);
+    /* And what is known surprises no more. */
+    CHECK(memory.variance < R(1e-5) && white < 1e-4);
+}
+
+static void test_a_period_in_which_the_sail_turns_says_nothing(void)
+{
+    const sailnet_real period = R(0.005);
+    const sailnet_state state = far_from_the_target(SAILNET_BETA);
+    const double most = sqrt((double)SAILNET_SLEW_BLUR * (double)period / (double)SAILNET_SLEW_RATE);
+    for (int i = 0; i < 2; i++) {
+        sailnet_memory memory = departed(&state, period);
+        sailnet_state leap = state;
+        sailnet_command command;
+        leap.u += R(0.0001);
+        memory.slewing = (sailnet_real)(most * (i == 0 ? 0.999 : 1.001));
+        const double left = fmax((double)memory.slewing - (double)period, 0.0);
+        const sailnet_real before = memory.cone_angle;
+        (void)sailnet_steer(&memory, &leap, period, &command);
+        CHECK((memory.surprise == R(0.0)) == (i == 1));
+        const double turn = fabs((double)(command.cone_angle - before)) / (double)SAILNET_SLEW_RATE;
+        CHECK(fabs((double)memory.slewing - (left + turn)) <= 1e-5 * (left + turn) + (double)SMALLEST);
+    }
 }
 
 static void test_null_pointers_of_steering(void)
 {
     const sailnet_state state = middle_of_domain();
     sailnet_memory memory;
-    sailnet_command command = {R(99.0), R(99.0), R(99.0), R(99.0)};
+    sailnet_command command = {R(99.0), R(99.0), R(99.0), R(99.0), R(99.0)};
     sailnet_start(NULL);
     sailnet_start(&memory);
     CHECK(sailnet_steer(&memory, &state, R(0.005), NULL) == SAILNET_INVALID_INPUT);
@@ -429,7 +688,7 @@ static void test_units_are_those_of_the_law(void)
 static void test_batch_equals_single(void)
 {
     enum { COUNT = 1000 };
-    static sailnet_real states[3 * COUNT], betas[COUNT], cone_angles[COUNT], times_of_flight[COUNT];
+    static sailnet_real states[3 * COUNT], betas[COUNT], cone_angles[COUNT], times_of_flight[COUNT], lambda_vs[COUNT];
     static int32_t statuses[COUNT];
     for (int i = 0; i < COUNT; i++) {
         const sailnet_state state = state_in_domain();
@@ -438,12 +697,13 @@ static void test_batch_equals_single(void)
         states[3 * i + 2] = state.v;
         betas[i] = between(SAILNET_BETA_MIN, SAILNET_BETA_MAX);
     }
-    sailnet_guidance_batch(COUNT, states, betas, cone_angles, times_of_flight, statuses);
+    sailnet_guidance_batch(COUNT, states, betas, cone_angles, times_of_flight, lambda_vs, statuses);
     for (int i = 0; i < COUNT; i++) {
         const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
         sailnet_command single;
         CHECK(sailnet_guidance(&state, betas[i], &single) == (sailnet_status)statuses[i]);
         CHECK(single.cone_angle == cone_angles[i] && single.time_of_flight == times_of_flight[i]);
+        CHECK(single.lambda_v == lambda_vs[i]);
     }
     CHECK(sailnet_memory_size() == sizeof(sailnet_memory));
     CHECK(sailnet_api_version() == SAILNET_API_VERSION);
@@ -495,7 +755,15 @@ int main(void)
 #endif
     test_cosine_and_sine_against_long_double();
     test_steering_stays_bounded_whatever_the_bits();
-    test_an_invalid_state_leaves_the_memory_alone();
+    test_without_a_state_it_is_reckoned_for_a_while();
+    test_before_the_first_state_the_command_is_safe();
+    test_a_flight_may_end_while_the_sail_is_reckoned();
+    test_nothing_is_learnt_across_an_outage();
+    test_a_reversal_waits_until_it_is_worth_it();
+    test_a_small_change_of_sign_does_not_wait();
+    test_what_surprises_is_kept_in_reserve();
+    test_a_tangential_force_is_learnt();
+    test_a_period_in_which_the_sail_turns_says_nothing();
     test_null_pointers_of_steering();
     test_periods_do_not_wrap_around();
     test_a_period_that_is_too_long_is_refused();

@@ -13,20 +13,30 @@
 #define COUNT 40u
 #define PERIODS 300u
 
+/* Commanded without navigation [rad]; sails of such rows are told then that they have arrived. */
+#define UNSEEN 0.3
+#define ARRIVES_UNSEEN(row) ((row) % 11u == 4u)
+
+#define HELD_FOR_NOTHING(row) ((row) % 5u == 1u || (row) % 5u == 2u)
+
 static plant_command_f64 command_of(uint64_t row, double seen)
 {
     const plant_command_f64 command = {
-        .cone_angle = row % 7u == 1u ? NAN : row % 7u == 2u ? INFINITY : sin(9.0 * seen),
+        .cone_angle = isnan(seen) ? UNSEEN : row % 7u == 1u ? NAN : row % 7u == 2u ? INFINITY : sin(9.0 * seen),
         .time_of_flight = 1.0,
         .beta = 0.17,
         .hold = row % 5u == 1u ? NAN : row % 5u == 2u ? -1.0 : row % 5u == 3u ? INFINITY : 0.01,
+        .lambda_v = row % 3u == 1u ? NAN : -0.1,
     };
     return command;
 }
 
 static int32_t status_of(uint64_t row, double seen)
 {
-    return row % 11u == 3u && seen > 1.1 ? PLANT_ARRIVED : (int32_t)(row % 3u) * 2 - 1;
+    if ((row % 11u == 3u && seen > 1.1) || (ARRIVES_UNSEEN(row) && isnan(seen))) {
+        return PLANT_ARRIVED;
+    }
+    return isnan(seen) ? PLANT_RECKONED : (int32_t)(row % 3u) * 2 - 1;
 }
 
 static void steer_f64(uint64_t count, void *memories, const uint64_t *sails, const double *states, double period,
@@ -49,8 +59,30 @@ static void steer_f32(uint64_t count, void *memories, const uint64_t *sails, con
         commands[i].time_of_flight = (float)command.time_of_flight;
         commands[i].beta = (float)command.beta;
         commands[i].hold = (float)command.hold;
+        commands[i].lambda_v = (float)command.lambda_v;
         statuses[i] = status_of(sails[i], (double)states[3 * i]);
     }
+}
+
+/* Without navigation a sail obeys as ever, and its flight may end. */
+static void check_outages(const plant_sail *sails, const plant_record *records)
+{
+    uint64_t unseen = 0;
+    uint64_t ended = 0;
+    for (uint64_t k = 0; k < (uint64_t)COUNT * PERIODS; k++) {
+        if (isnan(records[k].seen[0])) {
+            assert(records[k].cone_angle == UNSEEN);
+            assert(records[k].attitude == UNSEEN || HELD_FOR_NOTHING(k % COUNT));
+            unseen++;
+        }
+    }
+    for (uint64_t i = 0; i < COUNT; i++) {
+        if (ARRIVES_UNSEEN(i) && sails[i].outages > 0u) {
+            assert(sails[i].outages == 1u && sails[i].out && sails[i].ending != PLANT_FLYING);
+            ended += sails[i].ending == PLANT_STOPPED;
+        }
+    }
+    assert(unseen > 0u && ended > 0u);
 }
 
 static void fly(const plant_rules *rules, const plant_steering *steering)
@@ -91,6 +123,9 @@ static void fly(const plant_rules *rules, const plant_steering *steering)
         assert(sails[i].ending >= PLANT_STOPPED && sails[i].ending <= PLANT_TOO_LONG);
         assert(sails[i].periods > 0u && sails[i].periods <= sails[i].outages + 1000u);
     }
+    if (rules->outage_probability > 0.0 && !(rules->rate_limit > 0.0)) {
+        check_outages(sails, records);
+    }
     free(queue);
     free(records);
 }
@@ -109,8 +144,14 @@ int main(void)
     rules.target[0] = 1.524;
     rules.beta = 0.17;
     rules.optics.normal_square = 1.0;
+    fly(&rules, &f32);
+    fly(&rules, &f64);
+    rules.outage_probability = 0.1;
+    rules.outage_duration = 0.03;
     for (int all = 0; all < 2; all++) {
-        fly(&rules, &f32);
+        if (all) {
+            fly(&rules, &f32);
+        }
         fly(&rules, &f64);
         rules.beta_noise = 0.2;
         rules.beta_wander = 2.0;
@@ -126,8 +167,6 @@ int main(void)
         rules.delay = 0.137;
         rules.resolution = 0.01;
         rules.misalignment_spread = 1.5;
-        rules.outage_probability = 0.1;
-        rules.outage_duration = 0.03;
         rules.seed = UINT64_MAX;
     }
     puts("the plant stands it");

@@ -96,8 +96,7 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 }
 
 /*
- * Pairs of a lower and an upper bound, by what they are of. They are in one table because to name a row takes less
- * code than two constants do, wherever a number is clamped.
+ * Pairs of a lower and an upper bound, by what they are of: to name a row takes less code than two constants do.
  */
 #define SAILNET_OF_BETA 0
 #define SAILNET_OF_CONE_ANGLE 1
@@ -1147,14 +1146,13 @@ typedef struct {
 SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
 {
     const sailnet_state *const before = &memory->state;
-    const sailnet_real tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
-    sailnet_cosine_sine(sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE), &change->cosine, &change->sine);
+    sailnet_cosine_sine(memory->cone_angle, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
     /* Along the normal beta cos^2; along the surface, against the Sun, beta tangential cos sin. */
     const sailnet_real push = memory->beta * cosine;
-    const sailnet_real radial = push * (cosine * cosine + tangential * sine * sine) - R(1.0);
-    const sailnet_real transverse = push * (R(1.0) - tangential) * cosine * sine;
+    const sailnet_real radial = push * (cosine * cosine + memory->tangential * sine * sine) - R(1.0);
+    const sailnet_real transverse = push * (R(1.0) - memory->tangential) * cosine * sine;
     sailnet_state rate = {R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
@@ -1172,14 +1170,6 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     }
 }
 
-/* The weight of one more period in a mean over `time`: of all periods at first, and later of those not forgotten. */
-SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
-{
-    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-    const sailnet_real recent = memory->held / time;
-    return recent > all ? recent : all;
-}
-
 /*
  * What one more period tells of the sail, by how much further the velocity changed than predicted: beta along the
  * normal, the tangential force across it, and how far such surprises differ from each other. Changes are compared,
@@ -1192,28 +1182,28 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
     const sailnet_real cosine2 = cosine * cosine;
-    /* The sail turned in this period, or was not seen before it: it says nothing. */
     const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
+    /* It was not held, or the sail turned, or was not seen before: that says nothing. */
+    int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
-    const int32_t telling = ((cosine2 >= SAILNET_LEAST_COSINE2) && (memory->unseen == R(0.0))) ? 1 : 0;
-#else
-    const int32_t telling = (memory->unseen == R(0.0)) ? 1 : 0;
+    telling &= (cosine2 >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
-    if ((telling == 0) || !(held > R(0.0)) || !(turned <= SAILNET_SLEW_BLUR * held)) {
-        return;
-    }
     const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
     const sailnet_real surprise_v = (now->v - before->v) - change->by.v;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
     const sailnet_real per = distance * distance / (held * cosine2);
     const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
     const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
-    if ((sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
+    if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
+        /* The weight of a period in the mean of all at first, and later of those not forgotten. */
+        const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
+        const sailnet_real of_beta = held * (R(1.0) / SAILNET_MEMORY);
+        const sailnet_real recent = held * (R(1.0) / SAILNET_SURPRISE_MEMORY);
+        const sailnet_real weight = recent > all ? recent : all;
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
-        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
-        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
+        memory->beta += (of_beta > all ? of_beta : all) * counted;
         /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
         memory->tangential -= R(2.0) * weight * sine * cosine * aside;
         memory->variance += weight * (relative * relative - memory->variance);
@@ -1247,8 +1237,9 @@ SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_
 SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
 {
     const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
-    const sailnet_real rate = R(2.0) * memory->stake * ratio * ratio * change->cosine * change->cosine * change->sine;
-    const sailnet_real regret = memory->regret + memory->held * (change->sine < R(0.0) ? -rate : rate);
+    const sailnet_real facing = ratio * change->cosine;
+    const sailnet_real regret =
+        memory->regret + R(2.0) * memory->held * memory->stake * facing * facing * sailnet_size(change->sine);
     memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
     memory->stake = -sailnet_size(command->lambda_v);
     const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);
@@ -1262,23 +1253,27 @@ SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change
     }
 }
 
-/* How the flight goes on with a command: how long to hold it, and the status. */
-SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_t seen, const sailnet_command *command,
-                                           sailnet_real *hold)
+/* How the flight goes on with a command, for what it was planned with: the status, and how long to hold it. */
+SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_t seen, sailnet_real plan,
+                                           const sailnet_command *command, sailnet_real *hold)
 {
     sailnet_status status = (sailnet_status)(seen & ~SAILNET_THERE);
+    const int32_t inside = status != SAILNET_OUTSIDE_DOMAIN ? 1 : 0;
     const sailnet_real tau = command->time_of_flight;
-    if (status != SAILNET_OUTSIDE_DOMAIN) {
-        const sailnet_real longest = *hold > SAILNET_ARRIVAL_THRESHOLD ? *hold : SAILNET_ARRIVAL_THRESHOLD;
-        if (tau <= longest) {
-            *hold = sailnet_limited(&command->time_of_flight, SAILNET_OF_PERIOD);
-            status = SAILNET_ARRIVED;
-        } else if (((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) && (tau >= memory->time_of_flight)) {
-            *hold = R(0.0);
-            status = SAILNET_ARRIVED;
-        } else {
-            /* The flight goes on. */
-        }
+    const sailnet_real longest = *hold > SAILNET_ARRIVAL_THRESHOLD ? *hold : SAILNET_ARRIVAL_THRESHOLD;
+    if ((inside != 0) && (tau <= longest)) {
+        *hold = sailnet_limited(&command->time_of_flight, SAILNET_OF_PERIOD);
+        status = SAILNET_ARRIVED;
+    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) &&
+               (tau >= memory->time_of_flight)) {
+        *hold = R(0.0);
+        status = SAILNET_ARRIVED;
+    } else if (memory->unseen > R(0.0)) {
+        status = SAILNET_RECKONED;
+    } else if ((SAILNET_READS_BETA != 0) && (inside != 0) && (plan < SAILNET_BETA_MIN)) {
+        status = SAILNET_AT_LIMIT;
+    } else {
+        /* It is the law's. */
     }
     return status;
 }
@@ -1286,28 +1281,15 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
 void sailnet_start(sailnet_memory *memory)
 {
     if (memory != NULL) {
-        memory->state.r = R(0.0);
-        memory->state.u = R(0.0);
-        memory->state.v = R(0.0);
-        memory->cone_angle = R(0.0);
-        memory->held = R(0.0);
-        memory->time_of_flight = R(0.0);
+        /* Of a real, too, bits that are all 0 are 0. */
+        (void)memset(memory, 0, sizeof *memory);
         memory->beta = SAILNET_BETA;
-        memory->tangential = R(0.0);
-        memory->surprise = R(0.0);
-        memory->variance = R(0.0);
-        memory->slow = R(0.0);
-        memory->slewing = R(0.0);
-        memory->stake = R(0.0);
-        memory->regret = R(0.0);
-        memory->unseen = R(0.0);
-        memory->periods = 0u;
     }
 }
 
 /* The state to steer by: that which is shown, or where the sail must be without one; null if neither is known. */
 SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
-                                                const sailnet_change *change, sailnet_state *reckoned)
+                                                sailnet_change *change)
 {
     const sailnet_state *known = NULL;
     if ((shown != NULL) && (sailnet_is_state(shown) != 0)) {
@@ -1316,12 +1298,12 @@ SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sa
         known = shown;
     } else {
         memory->unseen += memory->held;
-        reckoned->r = memory->state.r + change->by.r;
-        reckoned->u = memory->state.u + change->by.u;
-        reckoned->v = memory->state.v + change->by.v;
+        change->by.r += memory->state.r;
+        change->by.u += memory->state.u;
+        change->by.v += memory->state.v;
         if ((memory->held > R(0.0)) && (memory->unseen <= SAILNET_LONGEST_RECKONING) &&
-            (sailnet_is_state(reckoned) != 0)) {
-            known = reckoned;
+            (sailnet_is_state(&change->by) != 0)) {
+            known = &change->by;
         }
     }
     return known;
@@ -1334,22 +1316,22 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         (void)sailnet_law(NULL, SAILNET_BETA, command);
         return SAILNET_INVALID_INPUT;
     }
-    /* The memory may have held any bits. */
-    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
-    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
     sailnet_change change;
-    sailnet_state reckoned;
     const sailnet_state *known = NULL;
     sailnet_real hold = R(0.0);
+    /* The memory may have held any bits. */
+    memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser, which takes a comparison with a NaN for undecided. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
         sailnet_predict(memory, &change);
-        known = sailnet_known(memory, state, &change, &reckoned);
+        known = sailnet_known(memory, state, &change);
     }
     memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
     memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
+    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
+    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
     const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
     const sailnet_real plan = memory->beta * (R(1.0) - lost) * (R(1.0) - sailnet_reserve(memory, hold));
     const uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
@@ -1360,18 +1342,7 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         memory->held = R(0.0);
     } else {
         sailnet_keep_side(memory, &change, command);
-        status = sailnet_ends(memory, seen, command, &hold);
-        if (status != SAILNET_ARRIVED) {
-            if (memory->unseen > R(0.0)) {
-                status = SAILNET_RECKONED;
-#if SAILNET_READS_BETA
-            } else if ((status == SAILNET_OK) && (plan < SAILNET_BETA_MIN)) {
-                status = SAILNET_AT_LIMIT;
-#endif
-            } else {
-                /* It is the law's. */
-            }
-        }
+        status = sailnet_ends(memory, seen, plan, command, &hold);
         if (memory->periods > 0u) {
             const sailnet_real left = memory->slewing - memory->held;
             const sailnet_real turn = sailnet_size(command->cone_angle - memory->cone_angle);

@@ -20,6 +20,7 @@ C_RUNTIME = ROOT / "c_runtime"
 SHIPPED = ROOT / "sailnet" / "shipped" / "earth_mars"
 # What `make` calls for each, and the packages it is in.
 TARGETS = {
+    "test": (missing("cc"), ("gcc",)),
     "fuzz": (missing("clang"), ("clang", "libclang-rt-14-dev")),
     "valgrind": (missing("valgrind"), ("valgrind",)),
     "misra": (missing("cppcheck"), ("cppcheck",)),
@@ -30,6 +31,7 @@ BUDGET = (
     "FUZZ_RUNS=3000",
     "MEMCHECK_RUNS=300",
     "MEMCHECK_CASES=100",
+    "CFLAGS=-O1 -DCASES=3000",
 )
 
 
@@ -101,7 +103,9 @@ MUTANTS = {
         "R(2.0) * sailnet_size(command->cone_angle);",
         "promise broken: command->cone_angle",
     ),
-    "a NaN let through": Mutant("fuzz", "sailnet_law", "(state->u - state->u)", "R(0.0)", "promise broken"),
+    "a NaN let through": Mutant(
+        "fuzz", "sailnet_is_state", "(state->u - state->u)", "R(0.0)", "promise broken"
+    ),
     "held too long": Mutant(
         "fuzz",
         "sailnet_steer",
@@ -114,10 +118,10 @@ MUTANTS = {
     ),
     "an arrival outside the domain": Mutant(
         "fuzz",
-        "sailnet_steer",
-        "if (status != SAILNET_OUTSIDE_DOMAIN) {",
-        "if (status != SAILNET_INVALID_INPUT) {",
-        "promise broken: (of_law == SAILNET_OUTSIDE_DOMAIN)",
+        "sailnet_ends",
+        "status != SAILNET_OUTSIDE_DOMAIN ? 1 : 0;",
+        "status != SAILNET_INVALID_INPUT ? 1 : 0;",
+        "promise broken: of_law != SAILNET_OUTSIDE_DOMAIN",
     ),
     "something remembered from call to call": Mutant(
         "fuzz",
@@ -133,6 +137,48 @@ MUTANTS = {
         "number = &number[SAILNET_KNOTS + 1];",
         "number = &number[300 * SAILNET_KNOTS];",
         "SUMMARY: ",
+    ),
+    "a time lost of any size": Mutant(
+        "fuzz", "sailnet_keep_side", "sailnet_limited(&regret, SAILNET_OF_PERIOD)", "regret", "memory->regret"
+    ),
+    "a side for ever": Mutant(
+        "test",
+        "sailnet_keep_side",
+        "memory->regret < SAILNET_PATIENCE",
+        "memory->regret < R(9.0)",
+        "failed: ",
+    ),
+    "a side kept for a small step": Mutant(
+        "test", "sailnet_keep_side", "(step > SAILNET_REVERSAL)", "(step > R(0.0))", "failed: "
+    ),
+    "still turning for any time": Mutant(
+        "test", "sailnet_steer", "sailnet_limited(&left, SAILNET_OF_PERIOD) +", "left +", "memory.slewing"
+    ),
+    "learnt while turning": Mutant(
+        "test", "sailnet_learn", "(turned <= SAILNET_SLEW_BLUR * held)", "(turned <= R(9.0))", "failed: "
+    ),
+    "learnt across an outage": Mutant(
+        "test", "sailnet_learn", "(memory->unseen == R(0.0))", "(memory->unseen >= R(0.0))", "failed: "
+    ),
+    "reckoned for ever": Mutant(
+        "test",
+        "sailnet_known",
+        "(memory->unseen <= SAILNET_LONGEST_RECKONING)",
+        "(memory->unseen <= R(9.0))",
+        "failed: ",
+    ),
+    "reckoned to be nowhere": Mutant(
+        "fuzz",
+        "sailnet_known",
+        "(sailnet_is_state(&change->by) != 0)",
+        "(memory->held > R(0.0))",
+        "promise broken",
+    ),
+    "planned with any beta": Mutant(
+        "test", "sailnet_steer", "sailnet_limited(&plan, SAILNET_OF_BETA)", "plan", "SAILNET_AT_LIMIT"
+    ),
+    "no reserve": Mutant(
+        "test", "sailnet_steer", "(R(1.0) - sailnet_reserve(memory, hold))", "R(1.0)", "unlike_the_law"
     ),
     "signed overflow": Mutant(
         "fuzz",
