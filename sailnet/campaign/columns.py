@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from sailnet.artefacts.column_files import Layout
 from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import Flights, History
+from sailnet.guidance.interface import GuidanceStatus
 
 SCHEMA = "sailnet-campaign/2"
 
@@ -47,9 +48,12 @@ FLIGHTS: Mapping[str, tuple[str, str]] = {
     "dose": ("TU/AU^2", "sunlight on the sail"),
     "periods": ("1", "guidance periods flown"),
     "outside": ("1", "of these, with a state outside the domain of the networks"),
-    "outages": ("1", "of these, without guidance"),
+    "outages": ("1", "of these, without navigation"),
     "beyond_bound": ("1", "of these, with the cone angle flown beyond the bound"),
-    "beta_at_limit": ("1", "of these, with the estimate of beta at an end of its range"),
+    "beta_at_limit": (
+        "1",
+        "of these, with the estimate of beta, or what is planned with, at an end of its range",
+    ),
     "reversals": ("1", "steps of the command of more than 40 degrees from one period to the next"),
 }
 KEPT: Mapping[str, tuple[str, str]] = {
@@ -69,8 +73,11 @@ RECORDS: Mapping[str, tuple[str, str]] = {
     "attitude": ("rad", "cone angle flown at the end of the period"),
     "beta": ("1", "the sail's real one"),
     "beta_estimate": ("1", "by the guidance"),
-    "predicted_time_of_flight": ("TU", "by the guidance; NaN in an outage"),
-    "status": ("1", "of the guidance: 0 fine, 1 arrived, 2 outside the domain, 3 invalid input"),
+    "predicted_time_of_flight": ("TU", "by the guidance"),
+    "status": (
+        "1",
+        f"of the guidance: {', '.join(f'{status.value} {status.label}' for status in GuidanceStatus)}",
+    ),
 }
 INTEGER = {
     **dict.fromkeys(("series", "number", "flight", "records"), "<i8"),

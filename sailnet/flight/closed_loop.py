@@ -72,9 +72,10 @@ class Flights:
         dose: sunlight that fell on the sail [TU/AU^2].
         periods: guidance periods flown.
         outside: of these, with a state outside the domain of the networks.
-        outages: of these, without guidance.
+        outages: of these, without navigation.
         beyond_bound: of these, with the cone angle flown, misalignment and all, beyond the bound.
-        beta_at_limit: of these, with the guidance's estimate of beta at an end of its range.
+        beta_at_limit: of these, with the guidance's estimate of beta at an end of its range, or told to be so
+            by its status.
         reversals: steps of the command of more than ``plant.REVERSAL``, 40 degrees.
         arrived: stopped, within the mission's tolerance, no command out of bounds.
     """
@@ -127,11 +128,11 @@ class History:
         time: (k,) at the start of each period [TU].
         states: (k, 4) r, theta, u, v then.
         seen: (k, 3) r, u, v as navigation showed them; NaN in an outage.
-        cone_angle: (k,) commanded [rad]; in an outage, what was held.
+        cone_angle: (k,) commanded [rad].
         attitude: (k,) the cone angle flown at the end of the period [rad].
         beta: (k,) the sail's real beta in the period.
         beta_estimate: (k,) by the guidance.
-        predicted_time_of_flight: (k,) by the guidance [TU]; NaN in an outage.
+        predicted_time_of_flight: (k,) by the guidance [TU].
         status: (k,) values of ``GuidanceStatus``.
     """
 

@@ -50,8 +50,8 @@ class Disturbance:
     A wander is a first-order Gauss-Markov process, stationary from the start. A command is rounded to the
     resolution, takes effect after the delay, and is then approached no faster than the rate limit; the angle
     flown is that plus the misalignment, and never beyond 90 degrees, where a sail is edge-on. A sail departs
-    with the attitude of its first command. In an outage navigation has nothing to show, guidance is told so,
-    and the last command is held; each period outside one begins one by chance, and their durations in
+    with the attitude of its first command. In an outage navigation has nothing to show: guidance is told so,
+    and what it then commands is flown. Each period outside one begins one by chance, and their durations in
     periods are geometric with the mean given.
 
     Raises:
@@ -93,7 +93,7 @@ class Disturbance:
     misalignment_spread: float = _quantity(
         "rad", "half-width of a constant error of the cone angle, drawn uniformly for each flight"
     )
-    outage_probability: float = _quantity("1", "chance that an outage of guidance begins, each period")
+    outage_probability: float = _quantity("1", "chance that an outage of navigation begins, each period")
     outage_duration: float = _quantity("TU", "mean duration of an outage; at least a period", 0.05)
     optics: Optics = field(
         default=OPTICS["ideal"],
