@@ -42,11 +42,12 @@ def add(commands: Commands) -> None:
 
 
 def run(options: argparse.Namespace) -> Result:
-    """Fly; how it ended by name."""
+    """Fly; how it ended by name, and in how many periods the guidance said what."""
     from sailnet.campaign.scores import in_si
     from sailnet.expert.fastest import solve
     from sailnet.expert.real_sails import own_optima
     from sailnet.flight.closed_loop import Ending, fly_recorded
+    from sailnet.guidance.interface import GuidanceStatus
     from sailnet.report import need_pictures, report
 
     mission = load_mission(options.mission)
@@ -82,13 +83,19 @@ def run(options: argparse.Namespace) -> Result:
         "max_attitude": float(flight.max_attitude[0]),
         "reversals": int(flight.reversals[0]),
         "command_slew_deg": math.degrees(flight.command_slew[0]),
+        "statuses": {
+            status.name.lower(): int(count)
+            for status in GuidanceStatus
+            if (count := (history.status == status).sum())
+        },
         "beta_error": float(flight.beta_error[0]),
         "beta_estimate": float(flight.beta_estimate[0]),
         "optimal_time_of_flight": None if optimum is None else optimum.time_of_flight,
         "own_optimal_time_of_flight": own,
     }
     if options.plot is not None:
-        facts = {key.replace("_", " "): readable(value) for key, value in result.items()}
+        said = {key: value for key, value in result.items() if key != "statuses"}
+        facts = {key.replace("_", " "): readable(value) for key, value in said.items()}
         report("flight_page").plot_flight(options.plot, mission, history, optimum, facts)
         result["plot"] = str(options.plot)
     return result

@@ -23,7 +23,11 @@ def add(commands: Commands) -> None:
 
 
 def run(options: argparse.Namespace) -> Result:
-    """Ask the networks; the command by name."""
+    """Ask the networks; the command by name, with its status.
+
+    One command has no memory: its status is ok, arrived, outside_domain or invalid_input. What steering
+    adds to these, ``sailnet fly`` counts.
+    """
     from sailnet.guidance.interface import GuidanceStatus
 
     state = state_of(options)

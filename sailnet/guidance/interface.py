@@ -21,11 +21,22 @@ class GuidanceStatus(IntEnum):
     """What the guidance says about its command, as in ``sailnet_guidance.h``."""
 
     OK = 0
+    """The command is for a state that the networks know."""
     ARRIVED = 1
+    """The flight ends: of one command, the predicted time of flight is below the mission's threshold."""
     OUTSIDE_DOMAIN = 2
+    """The networks were not trained on such a state or such a beta."""
     INVALID_INPUT = 3
+    """Nothing is known of the state: the sail is to face the Sun."""
     RECKONED = 4
+    """From steering: there is no state, and the command is for where the sail must be."""
     AT_LIMIT = 5
+    """From steering: the sail is weaker than the networks have learnt, and no reserve is left."""
+
+    @property
+    def label(self) -> str:
+        """As people read it."""
+        return self.name.lower().replace("_", " ")
 
 
 @dataclass(frozen=True)
@@ -36,7 +47,7 @@ class Commands:
         cone_angle: (n,) [rad], always within the mission's bound, Eq. (3).
         time_of_flight: (n,) predicted time of flight to the target orbit [TU].
         lambda_v: (n,) costate of v times beta / r_f^2, where that is small: its size says what the other
-            sign of the cone angle costs. Infinite if the guidance does not know it.
+            sign of the cone angle costs. Infinite if the guidance does not know it: steering then obeys it.
         status: (n,) values of GuidanceStatus.
     """
 
@@ -56,7 +67,8 @@ class Steered:
         time_of_flight: predicted to the target orbit [TU].
         beta: estimate of the normalised characteristic acceleration.
         lambda_v: as of ``Commands``.
-        status: values of ``GuidanceStatus``: ``ARRIVED`` where the flight ends, else of the command.
+        status: values of ``GuidanceStatus``: ``ARRIVED`` where the flight ends, ``RECKONED`` or ``AT_LIMIT``
+            by what steering knows, else of the command.
     """
 
     cone_angle: Array

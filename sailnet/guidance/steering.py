@@ -68,9 +68,10 @@ class ReferenceSteering:
     them, and later of those not forgotten. They never leave their ranges. A period in which the sail turned
     far, or that was not seen, says nothing.
 
-    *A reserve.* The networks read beta (1 - a T) (1 - k), with k = b s + c w sqrt(h / tau): s^2 is the mean
-    product of neighbouring surprises, which white noise has by chance alone: some one and a half standard
-    deviations of that chance are taken off; and w^2 is the rest of their mean square. It shrinks to nothing with the time of flight tau, so that arrival is as exact as without.
+    *A reserve.* The networks read beta (1 - a T) (1 - k), with k = b s + c w sqrt(h / tau): s^2 is the
+    mean product of neighbouring surprises, which white noise has by chance alone: some one and a half
+    standard deviations of that chance are taken off; and w^2 is the rest of their mean square. It shrinks
+    to nothing with the time of flight tau, so that arrival is as exact as without.
 
     *A side.* Where the networks' command reverses the sail, it keeps its side until that has cost it as
     much time as patience allows, by the difference of the Hamiltonian.

@@ -141,13 +141,14 @@ def test_negative_numbers_are_numbers(number: str) -> None:
 def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
     keys = {"arrived", "time_of_flight", "terminal_error", "max_cone_angle", "optimal_time_of_flight"}
     keys |= {"beta_error", "beta_estimate", "ending", "nearest_error", "terminal_error_km_mps"}
-    keys |= {"max_attitude", "reversals", "command_slew_deg", "own_optimal_time_of_flight"}
+    keys |= {"max_attitude", "reversals", "command_slew_deg", "own_optimal_time_of_flight", "statuses"}
     ends = []
     for options in (("--backend", "onnx"), ("--layout", "host"), ()):
         result = _json("fly", "1", "0", "1", *options)
         assert set(result) == keys
         assert result["arrived"] is True
         assert result["ending"] == "stopped"
+        assert set(result["statuses"]) == {"ok", "arrived"}
         assert max(result["terminal_error"]) < 1e-5
         assert result["beta_estimate"] == pytest.approx(0.16892, rel=1e-6)
         assert result["optimal_time_of_flight"] == pytest.approx(7.01838, abs=1e-5)
@@ -156,6 +157,15 @@ def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
     for other in ends[:2]:
         assert ends[2] == pytest.approx(other, abs=1e-9)
         assert ends[2] != other
+
+
+def test_fly_counts_what_the_guidance_said() -> None:
+    outages = ("--outage-probability", "0.01", "--seed", "3", "--period", "0.01")
+    counts = _json("fly", "1", "0", "1", *outages)["statuses"]
+    assert (counts["arrived"], counts["reckoned"] > 10, counts["ok"] > 500) == (1, True, True)
+    assert _json("fly", "1", "0", "1", "--beta-bias", "-0.21")["statuses"]["at_limit"] > 500
+    lines = _run("fly", "1", "0", "1", *outages).stdout.splitlines()
+    assert ["reckoned", str(counts["reckoned"])] in [line.split() for line in lines]
 
 
 @pytest.mark.slow

@@ -10,9 +10,10 @@ from sailnet.guidance.interface import Precision
 from sailnet.guidance.rules import RULES
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.dynamics import runge_kutta_step
-from tests.guidance.pilots import MISSION, ONE, PERIOD, Told, departed, with_slew_rate
+from tests.guidance.pilots import ONE, PERIOD, Told, departed, with_slew_rate
 from tests.held_command import hold_command
 from tests.lockstep import memory_type
+from tests.pilots import MISSION
 
 BETA = MISSION.sail.beta
 
@@ -49,7 +50,7 @@ def test_the_shipped_c_finds_the_force_along_the_surface(precision: Precision) -
 def test_nothing_is_learnt_while_the_sail_turns(slew_rate: float, waits: bool) -> None:
     """The command steps every ten periods; a slow sail is still turning in the first of them."""
     told = Told()
-    told.mission = with_slew_rate(slew_rate)  # type: ignore[misc]
+    told.mission = with_slew_rate(slew_rate)
     turn, rate = 0.35, told.mission.flight.turn_rate
     steering, state = ReferenceSteering(told, 1), departed()
     learnt, expected, estimate = [], [], BETA

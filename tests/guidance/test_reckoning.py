@@ -9,8 +9,9 @@ from sailnet.guidance.interface import GuidanceStatus, Steering
 from sailnet.guidance.rules import RULES
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.arrays import Array
-from tests.guidance.pilots import MISSION, ONE, Told, departed
+from tests.guidance.pilots import ONE, Told, departed
 from tests.held_command import hold_command
+from tests.pilots import MISSION
 
 PERIOD = 0.005
 BETA = MISSION.sail.beta
@@ -24,13 +25,14 @@ def steering_of(kind: str) -> Steering:
 def flown(steering: Steering, unseen: slice, beta: float = BETA) -> tuple[Array, Array, NDArray[np.int32]]:
     """Where a flight from a circular orbit ends; estimates and statuses of its periods."""
     state = np.array([[1.0], [0.0], [0.0], [1.0]])
-    estimates, status = [], []
+    estimates: list[float] = []
+    status: list[int] = []
     while not status or status[-1] != GuidanceStatus.ARRIVED:
         hidden = len(status) in range(*unseen.indices(10_000))
         shown = np.full((1, 3), np.nan) if hidden else state[[0, 2, 3]].T
         steered = steering.steer(shown, PERIOD, ONE)
-        estimates.append(steered.beta[0])
-        status.append(steered.status[0])
+        estimates.append(float(steered.beta[0]))
+        status.append(int(steered.status[0]))
         state = hold_command(state, steered.cone_angle, beta, steered.hold)
     return state[[0, 2, 3], 0], np.array(estimates), np.array(status)
 

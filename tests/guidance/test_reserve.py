@@ -7,8 +7,9 @@ from sailnet.guidance.interface import GuidanceStatus
 from sailnet.guidance.rules import RULES
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.arrays import Array
-from tests.guidance.pilots import MISSION, ONE, PERIOD, Told, departed
+from tests.guidance.pilots import ONE, PERIOD, Told, departed
 from tests.held_command import hold_command
+from tests.pilots import MISSION
 
 BETA = MISSION.sail.beta
 

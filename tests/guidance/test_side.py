@@ -10,7 +10,8 @@ from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.rules import RULES
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.transfer import Transfer
-from tests.guidance.pilots import MISSION, ONE, PERIOD, Told
+from tests.guidance.pilots import ONE, PERIOD, Told
+from tests.pilots import MISSION
 
 ANGLE, RADIUS = 0.8, 1.2
 PATIENCE = RULES.patience(MISSION.problem.phi_max, MISSION.flight.turn_rate)

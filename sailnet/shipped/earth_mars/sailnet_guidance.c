@@ -986,6 +986,14 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     }
 }
 
+/* The weight of a period in the mean of all at first, and later of those not forgotten. */
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory)
+{
+    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
+    const sailnet_real recent = memory->held * (R(1.0) / SAILNET_SURPRISE_MEMORY);
+    return recent > all ? recent : all;
+}
+
 /*
  * What one more period tells of the sail, by how much further the velocity changed than predicted: beta along the
  * normal, the tangential force across it, and how far such surprises differ from each other. Changes are compared,
@@ -1011,11 +1019,9 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
     const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
     const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
-        /* The weight of a period in the mean of all at first, and later of those not forgotten. */
+        const sailnet_real weight = sailnet_weight(memory);
         const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
         const sailnet_real of_beta = held * (R(1.0) / SAILNET_MEMORY);
-        const sailnet_real recent = held * (R(1.0) / SAILNET_SURPRISE_MEMORY);
-        const sailnet_real weight = recent > all ? recent : all;
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
@@ -1033,7 +1039,7 @@ SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_
 {
     const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
     /* White noise, too, leaves something in a mean of few products: not counted is some one and a half sigma of that. */
-    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+    const sailnet_real weight = sailnet_weight(memory);
     const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
     const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
     const sailnet_real rest = memory->variance - slow;

@@ -83,8 +83,8 @@ typedef float sailnet_real;
    by which one period counts; the cos^2 of the cone angle below which a period says nothing; the largest tangential
    force, as a share of that along the normal; and the rate at which the sail turns [rad/TU], with the turn within a
    period [rad^2] above which that period says nothing. */
-#define SAILNET_MEMORY SAILNET_REAL(5.0)
-#define SAILNET_SURPRISE_MEMORY SAILNET_REAL(1.5)
+#define SAILNET_MEMORY SAILNET_REAL(6.5)
+#define SAILNET_SURPRISE_MEMORY SAILNET_REAL(1.6)
 #define SAILNET_LARGEST_SURPRISE SAILNET_REAL(0.5)
 #define SAILNET_LEAST_COSINE2 SAILNET_REAL(0.05)
 #define SAILNET_LARGEST_TANGENTIAL SAILNET_REAL(0.25)
@@ -94,11 +94,11 @@ typedef float sailnet_real;
 /* The reserve: the part of beta that sailnet_steer does not plan with. Of the tangential force; of what is slow in
    the surprises, as a standard deviation; of what is white in them, times the root of the periods left; its bound;
    and the time of flight [TU] from which on it shrinks to nothing. */
-#define SAILNET_RESERVE_TANGENTIAL SAILNET_REAL(0.5)
-#define SAILNET_RESERVE_SLOW SAILNET_REAL(2.4)
-#define SAILNET_RESERVE_WHITE SAILNET_REAL(2.4)
-#define SAILNET_LARGEST_RESERVE SAILNET_REAL(0.09)
-#define SAILNET_LET_GO SAILNET_REAL(0.16)
+#define SAILNET_RESERVE_TANGENTIAL SAILNET_REAL(0.51)
+#define SAILNET_RESERVE_SLOW SAILNET_REAL(2.6)
+#define SAILNET_RESERVE_WHITE SAILNET_REAL(2.7)
+#define SAILNET_LARGEST_RESERVE SAILNET_REAL(0.085)
+#define SAILNET_LET_GO SAILNET_REAL(0.165)
 
 /* A step of the command that changes its sign and is above the first [rad] is a reversal. Instead of reversing, the
    sail keeps its side until that has cost it as much time [TU] as the second: what it takes to turn from one bound to
