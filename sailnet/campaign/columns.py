@@ -31,6 +31,7 @@ FLIGHTS: Mapping[str, tuple[str, str]] = {
     "optimal_lambda_r": ("TU/AU", "costate of r at the optimum's arrival; NaN likewise"),
     "optimal_lambda_u": ("TU^2/AU", "costate of u at the optimum's arrival"),
     "optimal_lambda_v": ("TU^2/AU", "costate of v at the optimum's arrival"),
+    "optimal_slew": ("rad", "sum of all changes of the cone angle along the optimum of the sail as assumed"),
     "own_optimal_time": ("TU", "shortest time for the sail that flew, its constant beta and its optics"),
     "time_to_go": ("TU", "least that was left to do where the flight ended; NaN where it was not near"),
     "ending": ("1", "1 stopped by its guidance, 2 lost, 3 too long"),
@@ -94,7 +95,7 @@ LAYOUT = Layout(
     small=True,
 )
 OWN = "own_optimal_time"
-OPTIMUM = ("optimal_time", "optimal_lambda_r", "optimal_lambda_u", "optimal_lambda_v", OWN)
+OPTIMUM = ("optimal_time", "optimal_lambda_r", "optimal_lambda_u", "optimal_lambda_v", "optimal_slew", OWN)
 """Columns of ``FLIGHTS`` that the expert fills."""
 
 _TRIPLES = {"starts": "start", "ends": "end", "terminal_error": "error"}

@@ -2,13 +2,16 @@
 
 import numpy as np
 
-from sailnet.expert.fastest import Optima, solve_states
+from sailnet.expert.fastest import Optima, sample_many, solve_states
 from sailnet.expert.real_sails import own_optima
 from sailnet.flight.closed_loop import Flights
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import Optics
 from sailnet.physics.transfer import Transfer
+
+TOGETHER = 256
+"""Optima that are followed at once, for what a sail turns along them."""
 
 FEW = 25
 """Up to so many states are solved one by one: indexing the generalisation set takes some twenty seconds."""
@@ -56,6 +59,22 @@ def assumed_optima(mission: Mission, states: Array, *, anywhere: bool = False) -
     distinct, which = np.unique(states, axis=0, return_inverse=True)
     region = None if anywhere or len(distinct) <= FEW else mission.generalisation.corners
     return solve_states(mission.problem, distinct, region=region).rows(which.ravel())
+
+
+def optimal_slews(transfer: Transfer, optima: Optima) -> Array:
+    """(n,) by how much the cone angle changes in all along optima [rad]; NaN where there is none.
+
+    Args:
+        transfer: the problem that they solve.
+        optima: n of them.
+    """
+    slews = np.full(len(optima.time_of_flight), np.nan)
+    for first in range(0, len(slews), TOGETHER):
+        rows = first + np.flatnonzero(optima.found[first : first + TOGETHER])
+        if len(rows):
+            _, columns = sample_many(transfer, optima.arrival_costates[rows], optima.time_of_flight[rows])
+            slews[rows] = np.abs(np.diff(columns[..., 6], axis=1)).sum(axis=1)
+    return slews
 
 
 def optimal_times_of(mission: Mission, flights: Flights, optics: Optics) -> Array:

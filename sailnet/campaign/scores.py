@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from sailnet.campaign.behaviour import Behaviour, behaviour_of, behaviour_record
 from sailnet.campaign.excess import Excess, counted_times, excess_of, excess_record
 from sailnet.campaign.results import Results
-from sailnet.campaign.shares import Share
+from sailnet.campaign.shares import Share, Spread
 from sailnet.flight.closed_loop import Ending, Flights
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
@@ -38,6 +38,8 @@ class Score:
         period: guidance period [TU].
         excess: time above the optimum of the sail that flew, over all flights; None if no optimum is known.
         behaviour: slews, real attitude, domain and estimate.
+        slew: of the command, in units of that of the optimum of the sail as assumed, over all flights whose
+            optimum is known; None without any.
         arrived: within the mission's tolerance, scored where the guidance on board stopped.
         within: the same for every threshold [AU, AU/TU].
         required: the same for ``REQUIRED``, 10,000 km and 1 m/s.
@@ -59,6 +61,7 @@ class Score:
     period: float
     excess: Excess | None
     behaviour: Behaviour
+    slew: Spread | None
     arrived: Share
     within: Mapping[float, Share]
     required: Share
@@ -114,7 +117,10 @@ def scores_of(results: Results) -> list[Score]:
         for period in plan.periods_of(series, mission):
             rows = results.rows(number, period)
             flights, optimal = results.as_flights(rows), results.flights["own_optimal_time"][rows]
-            scores.append(score_of(mission, flights, optimal, plan.thresholds, number, series.name, period))
+            slews = results.flights["optimal_slew"][rows]
+            scores.append(
+                score_of(mission, flights, optimal, slews, plan.thresholds, number, series.name, period)
+            )
     return scores
 
 
@@ -122,6 +128,7 @@ def score_of(
     mission: Mission,
     flights: Flights,
     optimal: Array,
+    optimal_slews: Array,
     thresholds: Iterable[float],
     series: int,
     name: str,
@@ -133,6 +140,7 @@ def score_of(
         mission: that was flown.
         flights: n of them.
         optimal: (n,) shortest times for the sails that flew [TU]; NaN where not known.
+        optimal_slews: (n,) by how much an optimum's command changes in all [rad]; NaN likewise.
         thresholds: terminal errors [AU, AU/TU]; the mission's tolerance is one always.
         series: their number.
         name: of the series.
@@ -141,6 +149,8 @@ def score_of(
     tolerance, bound = mission.flight.arrival_tolerance, mission.problem.phi_max
     error = largest_error(flights)
     sound = flights.stopped & (flights.max_cone_angle <= bound)
+    slew = flights.command_slew / optimal_slews
+    slew = slew[np.isfinite(slew)]
     gap = flights.time_of_flight / optimal - 1.0
     gap = gap[flights.arrived & np.isfinite(gap)]
     return Score(
@@ -149,6 +159,7 @@ def score_of(
         period=period,
         excess=excess_of(mission, flights, optimal),
         behaviour=behaviour_of(mission, flights),
+        slew=Spread.of(slew) if len(slew) else None,
         arrived=Share.where(flights.arrived),
         within={
             threshold: Share.where(sound & (error <= threshold))
@@ -180,6 +191,7 @@ def score_record(score: Score) -> dict[str, object]:
         "flights": score.arrived.of,
         **excess_record(score.excess),
         **behaviour_record(score.behaviour),
+        "command_slew_of_optimum": None if score.slew is None else score.slew.record(),
         "arrived": score.arrived.count,
         "confidence_interval": list(score.arrived.interval),
         "within": {f"{threshold:g}": share.count for threshold, share in score.within.items()},

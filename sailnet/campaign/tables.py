@@ -55,7 +55,7 @@ def score_tables(scores: Sequence[Score]) -> list[Table]:
     first = [SERIES, PERIOD, FLIGHTS]
     return [
         table_of("Time and arrivals", [*first, MEAN, HOME, REVERSALS, LATE, ARRIVE, FAIL, UNKNOWN], scores),
-        table_of("Attitude", [*first, SLEW, TURNED, RATE, KEPT, BEYOND], scores),
+        table_of("Attitude", [*first, SLEW, SLEW_OF_OPTIMUM, TURNED, RATE, KEPT, BEYOND], scores),
         table_of("What guidance had to go by", [*first, OUTSIDE, AT_LIMIT, UNSEEN, RECKONED], scores),
         table_of(
             "Where flights end",
@@ -200,6 +200,12 @@ UNKNOWN: Column = (
 SLEW: Column = (
     "slew of the command [deg]: median, 99 %",
     lambda s: _degrees(s, s.behaviour.command_slew),
+)
+SLEW_OF_OPTIMUM: Column = (
+    "slew of the command, in optima: median, 99 %",
+    lambda s: (
+        NOTHING if s.slew is None else _several(s, lambda value: f"{value:.2f}", s.slew.median, s.slew.high)
+    ),
 )
 TURNED: Column = (
     "of the sail [deg]: median, 99 %",

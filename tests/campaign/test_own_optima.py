@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from sailnet.campaign import own_optima
-from sailnet.campaign.own_optima import assumed_optima, own_optimal_times
+from sailnet.campaign.own_optima import assumed_optima, optimal_slews, own_optimal_times
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.run import fly_plan
-from sailnet.expert.fastest import solve
+from sailnet.expert.fastest import sample, solve
 from sailnet.guidance.backends import load_guidance
 from sailnet.physics.optics import OPTICS
 from tests.pilots import MISSION
@@ -47,6 +47,17 @@ def test_of_many_what_cannot_be_followed_stays_unknown(monkeypatch: pytest.Monke
     monkeypatch.setattr(own_optima, "FEW", 0)
     assert np.isnan(own_optimal_times(PROBLEM, lost, errors, OPTICS["ideal"])).all()
     assert np.isfinite(own_optimal_times(PROBLEM, assumed, errors, OPTICS["ideal"])).all()
+
+
+def test_the_slew_of_an_optimum_is_that_of_its_command(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However many are followed at once, and none where there is no optimum."""
+    assumed = assumed_optima(MISSION, STATES, anywhere=True)
+    monkeypatch.setattr(own_optima, "TOGETHER", 2)
+    expected = [np.abs(np.diff(sample(PROBLEM, solve(PROBLEM, state))[1][:, 6])).sum() for state in STATES]
+    np.testing.assert_allclose(optimal_slews(PROBLEM, assumed), expected, rtol=1e-4)
+    assert np.degrees(expected[0]) > 120.0  # it jumps from bound to bound
+    some = replace(assumed, time_of_flight=np.where([True, False, True], assumed.time_of_flight, np.nan))
+    np.testing.assert_array_equal(np.isnan(optimal_slews(PROBLEM, some)), [False, True, False])
 
 
 def test_every_flight_of_a_campaign_has_the_optimum_of_its_own_sail(tmp_path: Path) -> None:
