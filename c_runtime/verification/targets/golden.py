@@ -154,7 +154,7 @@ def golden_steering(guidance: ReferenceGuidance, histories: list[History], preci
     for flight, history in enumerate(histories):
         if len(inputs) == SEQUENCES:
             break
-        # Departures and arrivals in turn; in the middle of each two periods that are none, and a state that is
+        # Departures and arrivals in turn; in the middle of each two periods that are none and a state that is
         # no number: it is reckoned in departures, near the target it would magnify the state's rounding, and
         # unknown in arrivals, as it follows on a period that is none.
         departs = flight % 2 == 1
