@@ -154,11 +154,13 @@ def golden_steering(guidance: ReferenceGuidance, histories: list[History], preci
     for flight, history in enumerate(histories):
         if len(inputs) == SEQUENCES:
             break
-        # Departures and arrivals in turn; in the middle of each a state that is no number, and two periods
-        # that are none.
-        piece = slice(PERIODS) if flight % 2 else slice(-PERIODS, None)
+        # Departures and arrivals in turn; in the middle of each two periods that are none and a state that is
+        # no number: it is reckoned in departures, near the target it would magnify the state's rounding, and
+        # unknown in arrivals, as it follows on a period that is none.
+        departs = flight % 2 == 1
+        piece = slice(PERIODS) if departs else slice(-PERIODS, None)
         states = history.ruv[piece].astype(precision)
-        states[PERIODS // 2, flight % 3] = np.nan
+        states[PERIODS // 2 + (0 if departs else 3), flight % 3] = np.nan
         period = np.full(PERIODS, guidance.mission.flight.period, precision)
         period[PERIODS // 2 + 2] = -1.0
         period[PERIODS // 2 + 4] = 1.01 * LARGEST_PERIOD

@@ -178,7 +178,7 @@ MUTANTS = {
         "test", "sailnet_steer", "sailnet_limited(&plan, SAILNET_OF_BETA)", "plan", "SAILNET_AT_LIMIT"
     ),
     "no reserve": Mutant(
-        "test", "sailnet_steer", "(R(1.0) - sailnet_reserve(memory, hold))", "R(1.0)", "unlike_the_law"
+        "test", "sailnet_reserve", "return bounded *", "return R(0.0) * bounded *", "unlike_the_law"
     ),
     "signed overflow": Mutant(
         "fuzz",
