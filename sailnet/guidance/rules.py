@@ -43,7 +43,7 @@ class SteeringRules:
     reserve_white: float = 2.7
     largest_reserve: float = 0.085
     let_go: float = 0.165
-    reversal: float = 0.7
+    reversal: float = 0.15
     largest_patience: float = 0.01
     longest_reckoning: float = 0.5
 
