@@ -1038,7 +1038,7 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
 SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
 {
     const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
-    /* White noise, too, leaves something in a mean of few products: not counted is some one and a half sigma of that. */
+    /* What white noise leaves in a mean of few products, at one and a half sigma. */
     const sailnet_real weight = sailnet_weight(memory);
     const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
     const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
@@ -1052,9 +1052,9 @@ SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_
 }
 
 /*
- * The sign of the command. Where both signs are almost equally fast the networks' may change from one period to the
- * next: the sail keeps its side until that has cost more than a reversal is worth. A mirrored command loses time at
- * the rate 2 beta / r^2 cos^2(alpha) |sin(alpha) lambda_v|, which is the difference of the Hamiltonian.
+ * The sign of the command. Where both are almost equally fast the networks' may change every period: the sail keeps
+ * its side until that has cost more than a reversal is worth. A mirrored command loses time at the rate
+ * 2 beta / r^2 cos^2(alpha) |sin(alpha) lambda_v|, which is the difference of the Hamiltonian.
  */
 SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
 {
