@@ -1,6 +1,6 @@
 """The numbers by which steering learns, keeps a reserve, and chooses a side."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sailnet.errors import GuidanceError
 from sailnet.physics.units import DAY, TU
@@ -59,6 +59,14 @@ class SteeringRules:
 
 RULES = SteeringRules()
 """Those that fly."""
+
+EXPERT_RULES = {
+    "expert": RULES,
+    "expert-without-reserve": replace(
+        RULES, reserve_tangential=0.0, largest_reserve=0.0, largest_patience=0.0
+    ),
+}
+"""Those of the expert in the networks' place: the same; or all of the estimate, and every turn at once."""
 
 
 def refuse_long_period(period: float) -> None:
