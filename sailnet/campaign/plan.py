@@ -208,6 +208,11 @@ def single_precision(name: str) -> str:
     return f"{name}-float32"
 
 
+def by_expert(name: str, guidance: str) -> str:
+    """What the results of a campaign are called that the expert flew, in one of its ways."""
+    return f"{name}-{guidance}"
+
+
 def load_plan(name_or_path: str | Path) -> Plan:
     """Load a campaign by name (``generalisation``) or from a TOML file.
 
