@@ -15,9 +15,13 @@ from sailnet.campaign.time_to_go import time_to_go
 from sailnet.expert.fastest import Optima
 from sailnet.flight.closed_loop import Flights, History, fly, fly_recorded
 from sailnet.flight.plant import constant_errors, rules
+from sailnet.guidance.by_expert.pilot import ExpertGuidance
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
+
+EXPERT_BATCH = 20
+"""Flights side by side where the expert steers: half a minute or so of work."""
 
 OPTIMA_BATCH = 2500
 """States solved at once."""
@@ -54,15 +58,15 @@ class Batch:
     failures: int
 
 
-def batches_of(plan: Plan, mission: Mission) -> list[Batch]:
-    """The batches of a campaign: flights in order of series, period and number, then optima."""
+def batches_of(plan: Plan, mission: Mission, size: int = BATCH) -> list[Batch]:
+    """The batches of a campaign: so many flights in order of series, period and number, then optima."""
     batches: list[Batch] = []
     wanted: dict[Starts | None, tuple[int, int]] = {}
     for number, series in enumerate(plan.whole):
         for period in plan.periods_of(series, mission):
             sampled = plan.sample if period == plan.sampled_period(series, mission) else 0
-            for first in range(0, series.count, BATCH):
-                count = min(BATCH, series.count - first)
+            for first in range(0, series.count, size):
+                count = min(size, series.count - first)
                 batches.append(Batch("flights", number, period, first, count, sampled, plan.failures))
         if series.known:
             shown_by, most = wanted.get(series.starts, (number, 0))
@@ -90,7 +94,8 @@ class Job:
     @cached_property
     def batches(self) -> list[Batch]:
         """The batches, by number."""
-        return batches_of(self.plan, self.mission)
+        slow = isinstance(self.guidance, ExpertGuidance)
+        return batches_of(self.plan, self.mission, EXPERT_BATCH if slow else BATCH)
 
     def carry_out(self, number: int) -> Columns:
         """One batch: columns of ``FLIGHTS`` (``flights/...``), ``KEPT`` and ``RECORDS``, or optima."""

@@ -212,6 +212,11 @@ PLAIN_LAW = "plain-law"
 """Where, beside the others, campaigns lie that were flown by ``sailnet.guidance.rules.PLAIN``."""
 
 
+def by_expert(name: str, guidance: str) -> str:
+    """What the results of a campaign are called that the expert flew, in one of its ways."""
+    return f"{name}-{guidance}"
+
+
 def load_plan(name_or_path: str | Path) -> Plan:
     """Load a campaign by name (``generalisation``) or from a TOML file.
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from sailnet.errors import SailnetError
+from sailnet.guidance.rules import EXPERT_RULES
 from sailnet.mission.disturbances import Disturbance, catalogue, disturbance_from
 from sailnet.mission.mission import Mission
 from sailnet.physics.optics import OPTICS
@@ -44,6 +45,10 @@ BOTH = "both"
 """A choice of precision: a campaign in one after the other."""
 
 
+NETWORKS = "networks"
+"""A choice of guidance, beside those of the expert."""
+
+
 def backend_parser(*more: str) -> argparse.ArgumentParser:
     """Which guidance flies; ``more`` are further choices of its precision."""
     parser = argparse.ArgumentParser(add_help=False)
@@ -56,15 +61,34 @@ def backend_parser(*more: str) -> argparse.ArgumentParser:
         help="of the exported C: the file that goes on board, or the same on vectors (default: %(default)s)",
     )
     parser.add_argument("--networks", type=Path, metavar="DIR", help="exported networks (default: shipped)")
+    parser.add_argument(
+        "--guidance",
+        choices=(NETWORKS, *EXPERT_RULES),
+        default=NETWORKS,
+        help="what flies: the networks; or the expert, solved anew every day, with the networks' rules of "
+        "steering or without their reserve: what guidance could get at all (default: %(default)s)",
+    )
     return parser
 
 
-def guidance_of(options: argparse.Namespace, mission: Mission) -> "Guidance":
+def guidance_of(options: argparse.Namespace, mission: Mission, *, many: bool = False) -> "Guidance":
     """The guidance that the options of :func:`backend_parser` name.
+
+    Args:
+        options: as parsed; its precision is one.
+        mission: to be flown.
+        many: it will be for many flights from the generalisation set.
 
     Raises:
         GuidanceError: it is missing, damaged or of another mission.
+        SailnetError: options of networks that the expert does not take.
     """
+    if options.guidance != NETWORKS:
+        from sailnet.guidance.by_expert.pilot import ExpertGuidance
+
+        if options.networks is not None or (options.backend, options.precision) != ("c", "float64"):
+            raise SailnetError("the expert needs no networks, no back end, and computes in float64 alone")
+        return ExpertGuidance(mission, options.guidance, indexed=many)
     from sailnet.guidance.backends import load_guidance
 
     return load_guidance(mission, options.backend, options.precision, options.networks, layout=options.layout)

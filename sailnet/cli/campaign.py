@@ -6,13 +6,14 @@ from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from pathlib import Path
 
-from sailnet.campaign.plan import Plan, load_plan, single_precision
+from sailnet.campaign.plan import Plan, by_expert, load_plan, single_precision
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import score_record, scores_of
 from sailnet.campaign.tables import Table, score_tables, side_by_side
-from sailnet.cli.arguments import BOTH
+from sailnet.campaign.upper_bound import upper_bounds
+from sailnet.cli.arguments import BOTH, NETWORKS, guidance_of
 from sailnet.errors import SailnetError
-from sailnet.guidance.backends import exported_digest, load_guidance
+from sailnet.guidance.backends import exported_digest
 from sailnet.guidance.interface import Precision
 from sailnet.mission.disturbances import catalogue
 from sailnet.mission.mission import Mission, load_mission
@@ -24,7 +25,8 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     """Carry out the command; the tables are printed unless JSON is wanted.
 
     In both precisions the answer is that of float64, with that of float32 as ``float32``, whose results lie
-    beside it under the campaign's name and ``-float32``; the tables are of both, side by side.
+    beside it under the campaign's name and ``-float32``; the tables are of both, side by side. Those of the
+    expert lie there under its own; where those of the networks are, one table shows both.
 
     Raises:
         SailnetError: options that a campaign does not take; whatever stops the flights or the report.
@@ -36,6 +38,8 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     mission, plan = load_mission(options.mission), load_plan(options.campaign)
     plan = plan.changed(options.flights, options.seed)
     need_pictures()
+    if options.guidance != NETWORKS:
+        return _flown(options, mission, plan, by_expert(plan.name, options.guidance), options.precision)[0]
     if options.precision != BOTH:
         return _flown(options, mission, plan, plan.name, options.precision)[0]
     result, double = _flown(options, mission, plan, plan.name, "float64")
@@ -56,11 +60,14 @@ def _flown(
     options: argparse.Namespace, mission: Mission, plan: Plan, name: str, precision: Precision
 ) -> tuple[dict[str, object], list[Table]]:
     """Fly in one precision; results and report under a name. What to answer, and the tables."""
-    guidance = load_guidance(mission, options.backend, precision, options.networks, layout=options.layout)
-    facts = {"backend": options.backend, "precision": precision}
-    if options.backend == "c":
-        facts["layout"] = options.layout
-        facts["exported C"] = exported_digest(mission, options.networks, options.layout)
+    chosen = argparse.Namespace(**{**vars(options), "precision": precision})
+    guidance = guidance_of(chosen, mission, many=True)
+    facts: dict[str, str] = {"precision": precision}
+    if options.guidance == NETWORKS:
+        facts["backend"] = options.backend
+        if options.backend == "c":
+            facts["layout"] = options.layout
+            facts["exported C"] = exported_digest(mission, options.networks, options.layout)
     stored: Path = options.output / f"{name}.h5"
     folder: Path = options.output / name
     alone = options.workers == 1 and options.scheduler is None
@@ -85,6 +92,9 @@ def _flown(
         )
     except (SailnetError, OSError) as error:
         raise SailnetError(f"{stored} is written, but not its report: {error}") from error
+    if options.guidance != NETWORKS and not options.json:
+        for table in upper_bounds(options.output, [plan.name]):
+            print("\n".join([f"{table.title}:", *table.lines()]), end="\n\n")
     if rows and not options.json:
         print("\n".join(report("comparison").comparison_lines(rows)), end="\n\n")
     result: dict[str, object] = {"results": str(stored), "report": str(folder / "index.html")}
@@ -96,9 +106,9 @@ def _flown(
 
 def _command(options: argparse.Namespace, precision: Precision) -> str:
     """What flies the same campaign again, wherever it writes to."""
-    defaults = {"mission": "earth_mars", "backend": "c", "precision": "float64"}
+    defaults = {"mission": "earth_mars", "guidance": NETWORKS, "backend": "c", "precision": "float64"}
     words = ["sailnet", "evaluate", "--campaign", options.campaign]
-    for name in ("mission", "backend", "precision", "networks", "flights", "seed"):
+    for name in ("mission", "guidance", "backend", "precision", "networks", "flights", "seed"):
         value = precision if name == "precision" else getattr(options, name)
         if value is not None and value != defaults.get(name):
             words += [f"--{name}", str(value)]

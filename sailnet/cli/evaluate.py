@@ -28,7 +28,8 @@ def add(commands: Commands) -> None:
         backend_parser(BOTH),
         loop_parser(),
         example="sailnet evaluate --flights 1000 --beta-noise 0.15 --rate-limit 5 --optics jpl; "
-        "sailnet evaluate --campaign everything --precision both --workers 2",
+        "sailnet evaluate --campaign everything --precision both --workers 2; "
+        "sailnet evaluate --campaign everything --guidance expert --flights 200",
     )
     evaluate.add_argument(
         "--campaign",
@@ -73,7 +74,7 @@ def run(options: argparse.Namespace) -> Result:
     from sailnet.workers.executors import workers
 
     mission = load_mission(options.mission)
-    guidance = guidance_of(options, mission)
+    guidance = guidance_of(options, mission, many=True)
     disturbance = disturbance_of(options, mission)
     alone = options.workers == 1 and options.scheduler is None
     with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:

@@ -1,6 +1,6 @@
 """The numbers by which steering learns, keeps a reserve, and chooses a side."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sailnet.errors import GuidanceError
 from sailnet.physics.units import DAY, TU
@@ -13,7 +13,7 @@ LARGEST_PERIOD = 0.5
 class SteeringRules:
     """What ``sailnet_steer`` does the same for all missions; the flight file's header has the same names.
 
-    The reserve's numbers were found by ``python -m training.reserve``, over simulated flights.
+    The reserve's numbers were found by ``python -m export.find_rules``, over simulated flights.
 
     Attributes:
         memory: time over which the estimate of beta forgets [TU].
@@ -27,7 +27,7 @@ class SteeringRules:
         reserve_white: reserve per standard deviation that white noise leaves in the mean of the periods left.
         largest_reserve: share of beta that is kept back at most.
         let_go: time of flight from which on the reserve shrinks to nothing [TU].
-        reversal: a step of the command that changes its sign and is above this is a reversal [rad].
+        reversal: a step of the command that changes its sign and is above this waits for patience [rad].
         largest_patience: staying may cost what it takes to turn from bound to bound, at most this [TU].
         longest_reckoning: for how long the sail is steered without a valid state [TU].
     """
@@ -43,7 +43,7 @@ class SteeringRules:
     reserve_white: float = 2.7
     largest_reserve: float = 0.085
     let_go: float = 0.165
-    reversal: float = 0.15
+    reversal: float = 0.35
     largest_patience: float = 0.01
     longest_reckoning: float = 0.5
 
@@ -59,6 +59,14 @@ class SteeringRules:
 
 RULES = SteeringRules()
 """Those that fly."""
+
+EXPERT_RULES = {
+    "expert": RULES,
+    "expert-without-reserve": replace(
+        RULES, reserve_tangential=0.0, largest_reserve=0.0, largest_patience=0.0
+    ),
+}
+"""Those of the expert in the networks' place: the same; or all of the estimate, and every turn at once."""
 
 
 PLAIN = SteeringRules(

@@ -104,7 +104,7 @@ class ReferenceSteering:
             known, change = self._known(memory, shown) if timed else (np.full_like(shown, np.nan), None)
             plan = memory.beta * (1.0 - rules.reserve_tangential * np.maximum(memory.tangential, 0.0))
             plan *= 1.0 - self._reserve(memory, hold)
-        command = self._guidance.command(known, np.clip(plan, *self._guidance.beta_range))
+        command = self._command(known, np.clip(plan, *self._guidance.beta_range), hold, sails)
         status = command.status.copy()
         valid = status != GuidanceStatus.INVALID_INPUT
         angle = command.cone_angle.copy()
@@ -120,6 +120,10 @@ class ReferenceSteering:
         self._remember(memory, known, angle, hold, command.time_of_flight, valid)
         self._memory.put(sails, memory)
         return Steered(angle, hold, command.time_of_flight, memory.beta, command.lambda_v, status)
+
+    def _command(self, states: Array, beta: Array, hold: Array, sails: NDArray[np.intp]) -> Commands:
+        """Commands for some of the sails, to be held so long [TU]."""
+        return self._guidance.command(states, beta)
 
     def _known(self, memory: _Memory, shown: Array) -> tuple[Array, "_Change"]:
         """States to steer by: those shown, or where the sails must be; NaN where neither is known."""

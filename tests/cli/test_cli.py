@@ -169,6 +169,21 @@ def test_fly_counts_what_the_guidance_said() -> None:
 
 
 @pytest.mark.slow
+def test_guide_asks_the_expert() -> None:
+    command = _json("guide", "1.05", "0.15", "1.03", "--guidance", "expert")
+    assert command["time_of_flight"] == pytest.approx(6.15517, abs=1e-5)
+    assert command["status"] == "ok"
+
+
+@pytest.mark.parametrize("option", [("--backend", "onnx"), ("--precision", "float32"), ("--networks", ".")])
+def test_the_expert_takes_no_options_of_networks(
+    option: tuple[str, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["guide", "1", "0", "1", "--guidance", "expert", *option]) == 1
+    assert "the expert needs no networks" in capsys.readouterr().err
+
+
+@pytest.mark.slow
 def test_evaluate_counts_arrivals_and_all_flights_against_the_optimum() -> None:
     result = _json("evaluate", "--flights", "3", "--seed", "6", "--period", "0.02")
     assert {

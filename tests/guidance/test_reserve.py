@@ -1,5 +1,7 @@
 """What part of the estimated beta steering does not plan with, and when it says that there is no more."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -38,7 +40,8 @@ def expected_reserve(real: Array, estimates: Array, times: Array) -> Array:
         mean_square += share * (surprise**2 - mean_square)
         mean_product += share * (surprise * last - mean_product)
         last = surprise
-        slow = max(mean_product, 0.0)
+        chance = math.sqrt(max(1.0 / (k + 2), PERIOD / RULES.surprise_memory))
+        slow = max(mean_product - mean_square * chance, 0.0)
         white = max(mean_square - slow, 0.0)
         k_slow, k_white = RULES.reserve_slow, RULES.reserve_white
         wanted = k_slow * np.sqrt(slow) + k_white * np.sqrt(white * PERIOD / times[k - 1])

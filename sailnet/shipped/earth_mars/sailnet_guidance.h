@@ -100,10 +100,10 @@ typedef float sailnet_real;
 #define SAILNET_LARGEST_RESERVE SAILNET_REAL(0.085)
 #define SAILNET_LET_GO SAILNET_REAL(0.165)
 
-/* A step of the command that changes its sign and is above the first [rad] is a reversal. Instead of reversing, the
-   sail keeps its side until that has cost it as much time [TU] as the second: what it takes to turn from one bound to
-   the other at the slew rate, 5.1 hours, or 14.0 if that is longer. */
-#define SAILNET_REVERSAL SAILNET_REAL(0.15)
+/* Where a step of the command changes its sign and is above the first [rad], the sail turns over. Instead, it
+   keeps its side until that has cost it as much time [TU] as the second: what it takes to turn from one bound to
+   the other at the slew rate, 5.1 hours, but no more than 14.0. */
+#define SAILNET_REVERSAL SAILNET_REAL(0.35)
 #define SAILNET_PATIENCE SAILNET_REAL(0.00368616406038182)
 
 /* Without a valid state the sail is steered for so long [TU], some 29 days, by where it must be. */

@@ -1,0 +1,133 @@
+"""``python -m sailnet.campaign.upper_bound``: what the networks fly beside what the expert would.
+
+The same flights, from the same starts with the same random numbers, guided by the expert itself: what is left
+to gain for any guidance that knows no more than the networks do.
+"""
+
+import argparse
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sailnet.artefacts.files import fill_block
+from sailnet.campaign.plan import Series, by_expert, ready_campaigns
+from sailnet.campaign.results import Results, open_results
+from sailnet.campaign.scores import Score, score_of
+from sailnet.campaign.tables import (
+    ARRIVE,
+    FLIGHTS,
+    HOME,
+    LATE,
+    MEAN,
+    PERIOD,
+    REVERSALS,
+    SERIES,
+    Table,
+    table_of,
+)
+from sailnet.errors import CampaignError, SailnetError
+from sailnet.guidance.rules import EXPERT_RULES
+
+MARK = "upper bound"
+
+
+def upper_bounds(folder: Path, campaigns: Iterable[str]) -> list[Table]:
+    """A table for each campaign that networks and expert have flown, in float64.
+
+    Args:
+        folder: where campaigns were flown to.
+        campaigns: their names.
+
+    Raises:
+        CampaignError: results that are damaged, or that are not of the same flights.
+    """
+    tables = []
+    for name in campaigns:
+        paths = {"networks": folder / f"{name}.h5"}
+        paths |= {expert: folder / f"{by_expert(name, expert)}.h5" for expert in EXPERT_RULES}
+        flown = {guided: open_results(path) for guided, path in paths.items() if path.exists()}
+        if "networks" in flown and len(flown) > 1:
+            tables.append(side_by_side(flown))
+    return tables
+
+
+def side_by_side(flown: dict[str, Results]) -> Table:
+    """One campaign as several guidances flew it: of every series the flights that all of them have.
+
+    Args:
+        flown: results by who guided, of the same mission and seed.
+
+    Raises:
+        CampaignError: another mission or seed, or no series in common.
+    """
+    first, *others = flown.values()
+    for other in others:
+        if other.plan.seed != first.plan.seed or other.mission.digest() != first.mission.digest():
+            raise CampaignError(
+                f"campaign {first.plan.name!r} was flown with another seed or mission by the expert"
+            )
+    columns = [SERIES, PERIOD, FLIGHTS, MEAN, HOME, REVERSALS, LATE, ARRIVE]
+    rows: list[list[str]] = []
+    for series in first.plan.whole:
+        places = [place for results in flown.values() for place in _places(results, series)]
+        if len(places) < len(flown):
+            continue
+        for period in first.plan.periods_of(series, first.mission):
+            chosen = [
+                results.rows(place, period) for results, place in zip(flown.values(), places, strict=True)
+            ]
+            common = min(map(len, chosen))
+            for (guided, results), own in zip(flown.items(), chosen, strict=True):
+                cells = table_of("", columns, [_score(results, own[:common], series.name, period)]).cells[0]
+                rows.append([cells[0], guided, *cells[1:]])
+    if not rows:
+        raise CampaignError(
+            f"no series of campaign {first.plan.name!r} was flown by all of {', '.join(flown)}"
+        )
+    heads = [head for head, _ in columns]
+    return Table(f"{first.plan.title}: what guidance could get", [heads[0], "guided by", *heads[1:]], rows)
+
+
+def _places(results: Results, series: Series) -> list[int]:
+    """Number of the series under the same conditions, however many flights it has; none if there is not."""
+    fewer = {"flights": None, "optima": None}
+    wanted = series.model_copy(update=fewer)
+    whole = [other.model_copy(update=fewer) for other in results.plan.whole]
+    return [whole.index(wanted)] if wanted in whole else []
+
+
+def _score(results: Results, rows: NDArray[np.intp], name: str, period: float) -> Score:
+    flights, optimal = results.as_flights(rows), results.flights["own_optimal_time"][rows]
+    slews = results.flights["optimal_slew"][rows]
+    return score_of(results.mission, flights, optimal, slews, results.plan.thresholds, 0, name, period)
+
+
+def main() -> int:
+    """Run the command; returns the exit status."""
+    parser = argparse.ArgumentParser(
+        prog="python -m sailnet.campaign.upper_bound",
+        description=__doc__,
+        epilog="example: python -m sailnet.campaign.upper_bound build/earth_mars/campaigns "
+        "sailnet/campaign/RESULTS.md",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("folder", type=Path, help="where campaigns were flown to")
+    parser.add_argument("text", type=Path, help=f"file with the marks <!-- {MARK} --> and <!-- /{MARK} -->")
+    options = parser.parse_args()
+    try:
+        tables = upper_bounds(options.folder, ready_campaigns())
+        if not tables:
+            raise CampaignError(f"no campaign in {options.folder} was flown by both: see --guidance expert")
+        blocks = ["\n".join([f"*{table.title}*", "", *table.markdown()]) for table in tables]
+        fill_block(options.text, MARK, "\n\n".join(blocks))
+    except (SailnetError, OSError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
