@@ -40,8 +40,7 @@ def expected_reserve(real: Array, estimates: Array, times: Array) -> Array:
         mean_square += share * (surprise**2 - mean_square)
         mean_product += share * (surprise * last - mean_product)
         last = surprise
-        chance = math.sqrt(max(1.0 / (k + 2), PERIOD / RULES.surprise_memory))
-        slow = max(mean_product - mean_square * chance, 0.0)
+        slow = max(mean_product - mean_square * math.sqrt(share), 0.0)
         white = max(mean_square - slow, 0.0)
         k_slow, k_white = RULES.reserve_slow, RULES.reserve_white
         wanted = k_slow * np.sqrt(slow) + k_white * np.sqrt(white * PERIOD / times[k - 1])
