@@ -52,7 +52,7 @@ RNG = np.random.default_rng(3)
 COUNT = 400
 WHITE = RNG.uniform(-0.06, 0.06, COUNT)
 SLOW = 0.02 * np.sin(np.arange(COUNT) * PERIOD / 0.3)
-STRONG = RNG.uniform(-0.17, 0.17, COUNT)
+STRONG = RNG.uniform(-0.3, 0.3, COUNT)
 TIMES = np.linspace(4.0, 0.02, COUNT)
 
 
@@ -66,7 +66,7 @@ def test_the_reserve_is_as_large_as_the_surprises_say(surprises: Array, bound: b
     full = reserve[TIMES[:-1] > RULES.let_go]
     assert (full.max() == RULES.largest_reserve) == bound
     # The last of it is gone with the time to go.
-    assert reserve[-1] <= RULES.largest_reserve * TIMES[-2] / RULES.let_go
+    assert reserve[-1] <= 1.0001 * RULES.largest_reserve * TIMES[-2] / RULES.let_go
 
 
 def test_what_is_white_needs_less_than_what_is_slow() -> None:

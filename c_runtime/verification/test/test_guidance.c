@@ -406,16 +406,24 @@ static int is_same_state(sailnet_state a, sailnet_state b)
     return a.r == b.r && a.u == b.u && a.v == b.v;
 }
 
+/* The same but for contraction, which may differ where the law is put into steering. */
+static int is_near(sailnet_real a, sailnet_real b)
+{
+    return fabs((double)a - (double)b) <= 1e3 * (double)EPSILON * (1.0 + fabs((double)b));
+}
+
 static void test_without_a_state_it_is_reckoned_for_a_while(void)
 {
     enum { RECKONED = 8 };
-    const sailnet_real period = SAILNET_LONGEST_RECKONING / ((sailnet_real)RECKONED + R(0.5));
+    const sailnet_real period = R(0.005);
     const sailnet_state start = far_from_the_target(SAILNET_BETA);
     sailnet_state bad = start;
     sailnet_memory memory = departed(&start, period);
     sailnet_command command;
     sailnet_command law;
     bad.u = (sailnet_real)NAN;
+    /* So many periods are left. */
+    memory.unseen = SAILNET_LONGEST_RECKONING - period * ((sailnet_real)RECKONED + R(0.5));
     for (int i = 0; i < RECKONED; i++) {
         const sailnet_state expected = predicted(&memory);
         const uint32_t before = memory.periods;
@@ -423,8 +431,8 @@ static void test_without_a_state_it_is_reckoned_for_a_while(void)
         CHECK(is_same_state(memory.state, expected) && memory.periods == before + 1u);
         /* Nothing is known to reserve for: the command is the law's, on either side. */
         sailnet_guidance(&expected, SAILNET_BETA, &law);
-        CHECK(command.time_of_flight == law.time_of_flight && command.lambda_v == law.lambda_v);
-        CHECK(command.cone_angle == law.cone_angle || command.cone_angle == -law.cone_angle);
+        CHECK(is_near(command.time_of_flight, law.time_of_flight) && is_near(command.lambda_v, law.lambda_v));
+        CHECK(is_near(sailnet_size(command.cone_angle), sailnet_size(law.cone_angle)));
         CHECK(command.hold == period && command.beta == SAILNET_BETA);
     }
     for (int i = 0; i < 3; i++) {
@@ -495,7 +503,7 @@ static void test_a_reversal_waits_until_it_is_worth_it(void)
     memory.held = R(0.0);
     memory.cone_angle = law.cone_angle < R(0.0) ? SAILNET_PHI_MAX : -SAILNET_PHI_MAX;
     CHECK(sailnet_steer(&memory, &state, period, &command) == SAILNET_OK);
-    CHECK(command.cone_angle == -law.cone_angle && memory.stake == sailnet_size(law.lambda_v));
+    CHECK(is_near(command.cone_angle, -law.cone_angle) && is_near(memory.stake, sailnet_size(law.lambda_v)));
     CHECK(memory.regret == R(0.0));
     /* What staying costs, by the Hamiltonian. Without a state nothing is learnt either, and hardly anything moves. */
     for (int i = 0; i < 2; i++) {
@@ -531,7 +539,7 @@ static void test_a_small_change_of_sign_does_not_wait(void)
     memory.held = R(0.0);
     memory.cone_angle = law.cone_angle < R(0.0) ? across : -across;
     (void)sailnet_steer(&memory, &state, R(0.001), &command);
-    CHECK(command.cone_angle == law.cone_angle && memory.stake == -sailnet_size(law.lambda_v));
+    CHECK(is_near(command.cone_angle, law.cone_angle) && is_near(memory.stake, -sailnet_size(law.lambda_v)));
 }
 
 /* How the command for a state differs from that of the law for a beta, relatively. */
@@ -553,7 +561,9 @@ static void test_what_surprises_is_kept_in_reserve(void)
     sailnet_command command;
     for (int i = 0; i < 6; i++) {
         sailnet_memory memory = departed(&state, (sailnet_real)hold);
-        const double slow = slows[i] > 0.0 ? slows[i] : 0.0;
+        /* Of so many periods chance leaves this in the mean of products. */
+        const double chance = variances[i] / sqrt(401.0);
+        const double slow = fmax(slows[i] - chance, 0.0);
         const double tau = (double)memory.time_of_flight;
         const double white = (variances[i] - slow) * hold / tau;
         const double bounded = fmin((double)SAILNET_RESERVE_SLOW * sqrt(slow) + (double)SAILNET_RESERVE_WHITE * sqrt(white),
@@ -563,6 +573,7 @@ static void test_what_surprises_is_kept_in_reserve(void)
         const double plan = (double)SAILNET_BETA * (1.0 - lost) * (1.0 - reserve);
         /* A first period says nothing: what is known is what is put here. */
         memory.held = R(0.0);
+        memory.periods = 400u;
         memory.slow = (sailnet_real)slows[i];
         memory.variance = (sailnet_real)variances[i];
         memory.tangential = (sailnet_real)tangentials[i];

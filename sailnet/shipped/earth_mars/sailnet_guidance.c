@@ -945,7 +945,7 @@ sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, s
 
 /* ================ 8. Steering ================ */
 
-/* Of the fourth-order method of Runge and Kutta: where in the step its stages are, and what they weigh. */
+/* The method of Runge and Kutta of fourth order: where in the step its stages are, and what they weigh. */
 static const sailnet_real sailnet_stages[4][2] = {{R(0.0), R(0.16666666666666666)},
                                                   {R(0.5), R(0.3333333333333333)},
                                                   {R(0.5), R(0.3333333333333333)},
@@ -958,14 +958,14 @@ typedef struct {
     sailnet_real sine;
 } sailnet_change;
 
-/* One step of fourth-order Runge-Kutta of Eq. (1), under a constant force. */
+/* One such step of Eq. (1), under a constant force. */
 SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
 {
     const sailnet_state *const before = &memory->state;
     sailnet_cosine_sine(memory->cone_angle, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    /* Along the normal beta cos^2; along the surface, against the Sun, beta tangential cos sin. */
+    /* Along the normal beta cos^2, along the surface beta tangential cos sin. */
     const sailnet_real push = memory->beta * cosine;
     const sailnet_real radial = push * (cosine * cosine + memory->tangential * sine * sine) - R(1.0);
     const sailnet_real transverse = push * (R(1.0) - memory->tangential) * cosine * sine;
@@ -995,9 +995,9 @@ SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory)
 }
 
 /*
- * What one more period tells of the sail, by how much further the velocity changed than predicted: beta along the
- * normal, the tangential force across it, and how far such surprises differ from each other. Changes are compared,
- * not states: they are rounded finer. What is not finite counts for nothing, what is large for the bound.
+ * What one more period tells, by how much further the velocity changed than predicted: beta along the normal, the
+ * tangential force across it, and how far such surprises differ. Changes are compared, not states: they are rounded
+ * finer. What is not finite counts for nothing, what is large for the bound.
  */
 SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
 {
@@ -1034,16 +1034,16 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
     }
 }
 
-/* The share of beta that is not planned with, for a time of flight. */
+/* The share of beta that is not planned with. */
 SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
 {
     const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
-    /* What white noise leaves in a mean of few products, at one and a half sigma. */
+    /* What white noise leaves in a mean of few products. */
     const sailnet_real weight = sailnet_weight(memory);
     const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
     const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
     const sailnet_real rest = memory->variance - slow;
-    /* White noise leaves so much of its variance in the mean of the periods that are left. */
+    /* Of its variance the mean of the periods left keeps so much. */
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
     const sailnet_real reserve =
         SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
@@ -1075,7 +1075,7 @@ SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change
     }
 }
 
-/* How the flight goes on with a command, for what it was planned with: the status, and how long to hold it. */
+/* How the flight goes on with a command: the status, and how long to hold it. */
 SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_t seen, sailnet_real plan,
                                            const sailnet_command *command, sailnet_real *hold)
 {
