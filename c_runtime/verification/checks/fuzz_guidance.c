@@ -206,7 +206,7 @@ static void check_against_the_law(const sailnet_command *command, sailnet_status
                                   sailnet_real period)
 {
     const sailnet_real longest = period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
-    const int unreserved = after->tangential <= SAILNET_REAL(0.0) && after->variance <= SAILNET_REAL(0.0) &&
+    const int unreserved = after->tangential <= SAILNET_REAL(0.0) && after->variance == SAILNET_REAL(0.0) &&
                            after->slow <= SAILNET_REAL(0.0);
     const sailnet_state state = after->state;
     sailnet_command law;

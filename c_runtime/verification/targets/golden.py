@@ -169,6 +169,12 @@ def golden_steering(guidance: ReferenceGuidance, histories: list[History], preci
         steered = [steering.steer(row[None, :3], float(row[3]), np.arange(1)) for row in given.astype(float)]
         outputs = np.array([[s.cone_angle[0], s.time_of_flight[0], s.beta[0], s.hold[0]] for s in steered])
         valid = np.array([s.status[0] for s in steered]) != GuidanceStatus.INVALID_INPUT
+        # Nor any in which the sail turns over or keeps its side: rounding may decide when.
+        angle, lambda_v = (
+            np.array([getattr(s, name)[0] for s in steered])[valid] for name in ("cone_angle", "lambda_v")
+        )
+        if (angle * angle[0] <= 0.0).any() or (angle * lambda_v > 0.0).any():
+            continue
         if not _clear(guidance, np.column_stack([states.astype(float), outputs[:, 2]])[valid]).all():
             continue
         inputs.append(given)

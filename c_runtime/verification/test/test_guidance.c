@@ -490,14 +490,14 @@ static void test_nothing_is_learnt_across_an_outage(void)
 
 static void test_a_reversal_waits_until_it_is_worth_it(void)
 {
-    /* Short enough for staying to be worth it for a while. */
-    const sailnet_real period = R(0.01) * SAILNET_PATIENCE;
     const sailnet_state state = some_state(SAILNET_BETA, 1);
-    sailnet_memory memory = departed(&state, period);
     sailnet_command command;
     sailnet_command law;
     int reversals = 0;
     sailnet_guidance(&state, SAILNET_BETA, &law);
+    /* Short enough for staying to be worth it for a while. */
+    const sailnet_real period = R(0.01) * SAILNET_PATIENCE / (R(1.0) + sailnet_size(law.lambda_v));
+    sailnet_memory memory = departed(&state, period);
     CHECK(sailnet_size(law.cone_angle) > R(0.5) * SAILNET_REVERSAL && law.lambda_v != R(0.0));
     /* The sail was told the other side, so far from this command that it were a reversal; nothing is learnt of that. */
     memory.held = R(0.0);
