@@ -146,9 +146,8 @@ class ReferenceSteering:
         telling &= np.isfinite(along) & np.isfinite(across)
         bound = rules.largest_surprise * beta
         relative, aside = (np.clip(np.where(telling, x, 0.0), -bound, bound) / beta for x in (along, across))
-        all_periods = 1.0 / (memory.periods + 1.0)
-        slow_share = np.where(telling, np.maximum(all_periods, held / rules.memory), 0.0)
-        share = np.where(telling, np.maximum(all_periods, held / rules.surprise_memory), 0.0)
+        slow_share = np.where(telling, _weight(memory, rules.memory), 0.0)
+        share = np.where(telling, _weight(memory, rules.surprise_memory), 0.0)
         memory.beta = np.clip(memory.beta + slow_share * relative * beta, *self._guidance.beta_range)
         memory.tangential = np.clip(
             memory.tangential - 2.0 * share * sine * cosine * aside,
@@ -162,8 +161,8 @@ class ReferenceSteering:
     def _reserve(self, memory: _Memory, hold: Array) -> Array:
         rules, mission = self._rules, self._guidance.mission
         tau = np.maximum(memory.time_of_flight, mission.flight.arrival_threshold)
-        share = np.maximum(1.0 / (memory.periods + 1.0), memory.held / rules.surprise_memory)
-        slow = np.clip(memory.slow - memory.variance * np.sqrt(share), 0.0, 1.0)
+        chance = memory.variance * np.sqrt(_weight(memory, rules.surprise_memory))
+        slow = np.clip(memory.slow - chance, 0.0, 1.0)
         white = np.clip(memory.variance - slow, 0.0, 1.0) * hold / tau
         reserve = rules.reserve_slow * np.sqrt(slow) + rules.reserve_white * np.sqrt(white)
         kept: Array = np.minimum(reserve, rules.largest_reserve) * np.minimum(tau / rules.let_go, 1.0)
@@ -222,6 +221,12 @@ class _Change:
     by: Array
     cosine: Array
     sine: Array
+
+
+def _weight(memory: _Memory, time: float) -> Array:
+    """(n,) of a period in the mean of all at first, and later of those not forgotten over ``time`` [TU]."""
+    weight: Array = np.maximum(1.0 / (memory.periods + 1.0), memory.held / time)
+    return weight
 
 
 def _predicted(memory: _Memory) -> _Change:
