@@ -4,17 +4,16 @@ A campaign that was flown in both precisions, or by the plain law too (into the 
 the others), has one table of all, with a row of each under the other.
 """
 
-import argparse
 import json
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from sailnet.artefacts.files import fill_block
 from sailnet.campaign.plan import PLAIN_LAW, ready_campaigns, single_precision
 from sailnet.campaign.tables import Table, side_by_side
-from sailnet.errors import CampaignError, SailnetError
+from sailnet.campaign.text_command import fill_from_folder
+from sailnet.errors import CampaignError
 
 MARK = "campaigns"
 
@@ -78,22 +77,12 @@ def read_records(folder: Path) -> list[Record]:
 
 def main() -> int:
     """Run the command; returns the exit status."""
-    parser = argparse.ArgumentParser(
-        prog="python -m sailnet.campaign.score_tables",
-        description=__doc__,
-        epilog="example: python -m sailnet.campaign.score_tables build/earth_mars/campaigns "
-        "sailnet/campaign/RESULTS.md",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+    return fill_from_folder(
+        "sailnet.campaign.score_tables",
+        __doc__,
+        MARK,
+        lambda folder: campaign_tables(read_records(folder)),
     )
-    parser.add_argument("folder", type=Path, help="where campaigns were flown to")
-    parser.add_argument("text", type=Path, help=f"file with the marks <!-- {MARK} --> and <!-- /{MARK} -->")
-    options = parser.parse_args()
-    try:
-        fill_block(options.text, MARK, campaign_tables(read_records(options.folder)))
-    except (SailnetError, OSError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 1
-    return 0
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@ The same flights, from the same starts with the same random numbers, guided by t
 to gain for any guidance that knows no more than the networks do.
 """
 
-import argparse
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -12,7 +11,6 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.artefacts.files import fill_block
 from sailnet.campaign.plan import Series, by_expert, ready_campaigns
 from sailnet.campaign.results import Results, open_results
 from sailnet.campaign.scores import Score, score_of
@@ -28,7 +26,8 @@ from sailnet.campaign.tables import (
     Table,
     table_of,
 )
-from sailnet.errors import CampaignError, SailnetError
+from sailnet.campaign.text_command import fill_from_folder
+from sailnet.errors import CampaignError
 from sailnet.guidance.rules import EXPERT_RULES
 
 MARK = "upper bound"
@@ -105,28 +104,16 @@ def _score(results: Results, rows: NDArray[np.intp], name: str, period: float) -
     return score_of(results.mission, flights, optimal, slews, results.plan.thresholds, 0, name, period)
 
 
+def _blocks(folder: Path) -> str:
+    tables = upper_bounds(folder, ready_campaigns())
+    if not tables:
+        raise CampaignError(f"no campaign in {folder} was flown by both: see --guidance expert")
+    return "\n\n".join("\n".join([f"*{table.title}*", "", *table.markdown()]) for table in tables)
+
+
 def main() -> int:
     """Run the command; returns the exit status."""
-    parser = argparse.ArgumentParser(
-        prog="python -m sailnet.campaign.upper_bound",
-        description=__doc__,
-        epilog="example: python -m sailnet.campaign.upper_bound build/earth_mars/campaigns "
-        "sailnet/campaign/RESULTS.md",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    parser.add_argument("folder", type=Path, help="where campaigns were flown to")
-    parser.add_argument("text", type=Path, help=f"file with the marks <!-- {MARK} --> and <!-- /{MARK} -->")
-    options = parser.parse_args()
-    try:
-        tables = upper_bounds(options.folder, ready_campaigns())
-        if not tables:
-            raise CampaignError(f"no campaign in {options.folder} was flown by both: see --guidance expert")
-        blocks = ["\n".join([f"*{table.title}*", "", *table.markdown()]) for table in tables]
-        fill_block(options.text, MARK, "\n\n".join(blocks))
-    except (SailnetError, OSError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return fill_from_folder("sailnet.campaign.upper_bound", __doc__, MARK, _blocks)
 
 
 if __name__ == "__main__":
