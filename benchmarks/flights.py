@@ -100,7 +100,7 @@ class Idle:
         self._command = plant().filled("plant_command_f64", command)
 
         def steer(*given: int) -> None:
-            count, commands, statuses = given[0], given[5], given[6]
+            count, commands, statuses = given[0], given[6], given[7]
             room = (ctypes.c_char * (count * kind.itemsize)).from_address(commands)
             np.frombuffer(room, kind)[:] = self._command
             ctypes.memset(statuses, 0, 4 * count)
@@ -111,7 +111,13 @@ class Idle:
         """See :class:`sailnet.guidance.NativeSteering`."""
         return ctypes.cast(self._function, ctypes.c_void_p).value or 0, 0, "float64"
 
-    def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+    def steer(
+        self,
+        states: ArrayLike,
+        period: float,
+        sails: NDArray[np.intp],
+        attitudes: ArrayLike | None = None,
+    ) -> Steered:
         """See :class:`sailnet.guidance.Steering`; the plant calls the native function instead."""
         raise NotImplementedError
 

@@ -86,6 +86,8 @@ def limits(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
         [
             "/* Whether the bound on the cone angle lets a sail be edge-on, which tells nothing of beta. */",
             f"#define SAILNET_MAY_BE_EDGE_ON {int(edge_on)}",
+            "/* A measured attitude counts for no more [rad]. */",
+            f"#define SAILNET_LARGEST_ATTITUDE R({literal(RULES.largest_attitude(facts.phi_max))})",
             "/* The tube's last knot. */",
             f"#define SAILNET_LAST_KNOT R({literal(KNOTS - 1)})",
             "/* Of each of r, u, v: the trained box, the widened box, and what is at the target. */",
@@ -140,7 +142,7 @@ def _weights(network: Network, unit: float, scales: Array, widest: int, width: i
         rows[0, : len(bias)] = bias
         rows[1 : 1 + weight.shape[1], : len(bias)] = weight.T
         for first in range(width - BLOCK, -1, -BLOCK):
-            neurons = f"neurons {first + 1} to {first + BLOCK}"
+            neurons = f"neurons {first + 1}-{first + BLOCK}"
             what = f"{network.name}, layer {layer + 1}, {neurons}."
             numbers.append((what, rows[:, first : first + BLOCK]))
     last = np.concatenate([[output_bias], np.pad(output, (0, widest - len(output)))])
@@ -219,8 +221,8 @@ def _flat(name: str, numbers: Sequence[Numbers]) -> str:
     lines = []
     for what, values in numbers:
         rows = values if values.ndim == 2 else [values[i : i + BLOCK] for i in range(0, len(values), BLOCK)]
-        lines.append(f"    /* {what} */")
-        lines += [f"    {_row(list(map(float, row)))}," for row in rows]
+        lines.append(f"/* {what} */")
+        lines += [f"{_row(list(map(float, row)))}," for row in rows]
     count = sum(values.size for _, values in numbers)
     return "\n".join([f"static const sailnet_real {name}[{count}] = {{", *lines, "};"])
 

@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.interface import Commands, Steered
-from sailnet.guidance.steering import ReferenceSteering, _Memory
+from sailnet.guidance.memory import Memory
+from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.arrays import Array
 
 ROUNDINGS = 8.0
@@ -25,7 +26,7 @@ NUDGES = 8
 def memory_type(precision: str) -> np.dtype[np.void]:
     """``sailnet_memory``: the members of the reference's, in order, the state as three."""
     shapes = {"state": (precision, 3), "periods": ("u4",)}
-    members = [(item.name, *shapes.get(item.name, (precision,))) for item in fields(_Memory)]
+    members = [(item.name, *shapes.get(item.name, (precision,))) for item in fields(Memory)]
     return np.dtype(members, align=True)
 
 
@@ -74,17 +75,25 @@ class Lockstep:
         self._epsilon = float(np.finfo(guidance.precision).eps)
         self._double = Nudged(guidance, np.random.default_rng(count))
         self._reference = ReferenceSteering(self._double, count)  # type: ignore[arg-type]
-        # The time to turn from bound to bound: that of a small turn is a difference of angles.
-        self._turn = 2.0 * guidance.mission.problem.phi_max / guidance.mission.flight.turn_rate
+        # Differences of angles, and the time to turn from bound to bound.
+        bound, rate = guidance.mission.problem.phi_max, guidance.mission.flight.turn_rate
+        self._scales = {
+            "memory.slewing": 2.0 * bound / rate,
+            "memory.offset": bound,
+            "memory.attitude": bound,
+        }
+        self._scales["cone_angle"] = bound
         self.compared = self.undecided = 0
 
-    def memory(self) -> _Memory:
+    def memory(self) -> Memory:
         """That of the C, in the reference's form."""
         packed = self._c.memories.view(self._kind)[:, 0]
-        wide = {item.name: packed[item.name].astype(float) for item in fields(_Memory)}
-        return _Memory(**wide | {"periods": packed["periods"].astype(np.int64)})
+        wide = {item.name: packed[item.name].astype(float) for item in fields(Memory)}
+        return Memory(**wide | {"periods": packed["periods"].astype(np.int64)})
 
-    def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+    def steer(
+        self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None
+    ) -> Steered:
         """See :class:`sailnet.guidance.interface.Steering`; what the C says.
 
         Raises:
@@ -92,20 +101,27 @@ class Lockstep:
         """
         shown = np.asarray(states, self._precision).astype(float)
         before = self.memory()
-        told = self._c.steer(shown, period, sails)
+        measured = None if attitudes is None else np.asarray(attitudes, self._precision).astype(float)
+        told = self._c.steer(shown, period, sails, measured)
         self._double.seen = np.isfinite(shown).all(axis=1)
         sizes = [0.0] + [ROUNDINGS * self._epsilon] * NUDGES
-        answers = [self._answer(before, shown, period, sails, size) for size in sizes]
+        answers = [self._answer(before, shown, period, sails, measured, size) for size in sizes]
         self._compare(_numbers(told, self.memory().rows(sails)), answers)
         return told
 
     def _answer(
-        self, before: _Memory, shown: Array, period: float, sails: NDArray[np.intp], size: float
+        self,
+        before: Memory,
+        shown: Array,
+        period: float,
+        sails: NDArray[np.intp],
+        measured: Array | None,
+        size: float,
     ) -> dict[str, Array]:
         """Of the reference, with a memory that is nudged."""
         memory, rng = before.rows(np.arange(len(before.held))), self._double.rng
-        for item in fields(_Memory):
-            if item.name not in ("state", "periods", "cone_angle"):
+        for item in fields(Memory):
+            if item.name not in ("state", "periods", "cone_angle", "attitude", "measured"):
                 value = getattr(memory, item.name)
                 setattr(memory, item.name, value * (1.0 + size * rng.uniform(-1.0, 1.0, value.shape)))
         # The C rounds of a state by how much it changed, the reference, in double precision, the state.
@@ -113,7 +129,7 @@ class Lockstep:
         rounded = size * changed + 2.0 * np.finfo(float).eps * abs(memory.state[sails]) * (size > 0.0)
         memory.state[sails] += rounded * rng.uniform(-1.0, 1.0, changed.shape)
         self._double.size, self._reference._memory = size, memory
-        return _numbers(self._reference.steer(shown, period, sails), memory.rows(sails))
+        return _numbers(self._reference.steer(shown, period, sails, measured), memory.rows(sails))
 
     def _compare(self, told: dict[str, Array], answers: list[dict[str, Array]]) -> None:
         exact, *nudged = answers
@@ -124,16 +140,16 @@ class Lockstep:
         self.undecided += int((~decided).sum())
         for name, value in exact.items():
             spread = np.max([abs(answer[name] - value) for answer in nudged], axis=0)
-            least = self._turn if name == "memory.slewing" else 0.0
+            least = self._scales.get(name, 0.0)
             bound = 4.0 * (spread + self._epsilon * np.maximum(abs(value), least))
             wrong = ~(abs(told[name] - value) <= bound)[decided]
             numbers = (numbers[decided][wrong] for numbers in (told[name], value, bound))
             assert not wrong.any(), "{}: {} is not {} within {}".format(name, *numbers)
 
 
-def _numbers(steered: Steered, memory: _Memory) -> dict[str, Array]:
+def _numbers(steered: Steered, memory: Memory) -> dict[str, Array]:
     """Everything that a step gives, and everything that it leaves in memory, by name."""
-    left = {f"memory.{item.name}": np.asarray(getattr(memory, item.name), float) for item in fields(_Memory)}
+    left = {f"memory.{item.name}": np.asarray(getattr(memory, item.name), float) for item in fields(Memory)}
     return {item.name: np.asarray(getattr(steered, item.name), float) for item in fields(Steered)} | left
 
 

@@ -150,6 +150,7 @@ class SideBySide:
             "rows": np.arange(count, dtype=np.uint64),
             "queue": np.zeros((count, slots)),
             "states": np.empty((count, 3), precision),
+            "attitudes": np.empty(count, precision),
             "commands": np.empty(count, loaded.structures[f"plant_command_{bits}"]),
             "statuses": np.empty(count, np.int32),
         }
@@ -199,14 +200,23 @@ def _called_back(
     errors: list[BaseException],
 ) -> Callable[..., None]:
     """``plant_steer_f64`` for a steering in Python; an error there ends the flights and is kept."""
-    states, rows, commands, statuses = (places[name] for name in ("states", "rows", "commands", "statuses"))
+    names = ("states", "attitudes", "rows", "commands", "statuses")
+    states, attitudes, rows, commands, statuses = (places[name] for name in names)
 
     def steer(
-        count: int, _memories: int, _rows: int, _states: int, period: float, _commands: int, _statuses: int
+        count: int,
+        _memories: int,
+        _rows: int,
+        _states: int,
+        measured: int | None,
+        period: float,
+        _commands: int,
+        _statuses: int,
     ) -> None:
         # The addresses are those of the arrays of the flights.
         try:
-            steered = steering.steer(states[:count].copy(), period, rows[:count].astype(np.intp))
+            given = (states[:count].copy(), period, rows[:count].astype(np.intp))
+            steered = steering.steer(*given, attitudes[:count].copy()) if measured else steering.steer(*given)
             for name in commands.dtype.names or ():
                 commands[name][:count] = getattr(steered, name)
             statuses[:count] = steered.status

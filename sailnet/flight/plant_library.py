@@ -17,17 +17,15 @@ from numpy.typing import NDArray
 from sailnet.artefacts.checksums import verify_checksum
 from sailnet.errors import GuidanceError
 
-API_VERSION = 4
+API_VERSION = 5
 
 LIBRARY = Path(__file__).parent / "native" / "plant.so"
 
 _NUMBERS = {"double": "f8", "float": "f4", "uint64_t": "u8", "uint32_t": "u4", "int32_t": "i4"}
 _POINTER = ctypes.c_void_p
 _VISIT = ctypes.CFUNCTYPE(None, *[ctypes.c_char_p] * 3, *[ctypes.c_uint64] * 2)
-STEER = ctypes.CFUNCTYPE(
-    None, ctypes.c_uint64, _POINTER, _POINTER, _POINTER, ctypes.c_double, _POINTER, _POINTER
-)
-"""``plant_steer_f64``: count, memories, sails, states, period, commands, statuses."""
+STEER = ctypes.CFUNCTYPE(None, ctypes.c_uint64, *[_POINTER] * 4, ctypes.c_double, *[_POINTER] * 2)
+"""``plant_steer_f64``: count, memories, sails, states, attitudes, period, commands, statuses."""
 
 
 class Plant:

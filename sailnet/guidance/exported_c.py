@@ -9,10 +9,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.artefacts.checksums import verify_checksum
 from sailnet.errors import GuidanceError
-from sailnet.guidance.interface import Commands, Precision, Steered, as_betas, as_states
+from sailnet.guidance.interface import Commands, Precision, Steered, as_attitudes, as_betas, as_states
 from sailnet.mission.mission import Mission
 
-API_VERSION = 4
+API_VERSION = 5
 
 _SUFFIXES: Mapping[str, Precision] = {"f32": "float32", "f64": "float64"}
 """At the end of every symbol of a library."""
@@ -58,7 +58,7 @@ class CGuidance:
             self._command = _declared(loaded, f"sailnet_guidance_batch_{suffix}", None, count, *[pointer] * 6)
             self._start = _declared(loaded, f"sailnet_start_batch_{suffix}", None, count, pointer)
             self._steer = _declared(
-                loaded, f"sailnet_steer_batch_{suffix}", None, count, *[pointer] * 3, real, *[pointer] * 2
+                loaded, f"sailnet_steer_batch_{suffix}", None, count, *[pointer] * 4, real, *[pointer] * 2
             )
         except (OSError, AttributeError) as error:
             raise GuidanceError(
@@ -105,7 +105,12 @@ class CGuidance:
         return memories
 
     def steer(
-        self, memories: NDArray[np.uint8], states: ArrayLike, period: float, sails: NDArray[np.intp]
+        self,
+        memories: NDArray[np.uint8],
+        states: ArrayLike,
+        period: float,
+        sails: NDArray[np.intp],
+        attitudes: ArrayLike | None = None,
     ) -> Steered:
         """Steer the sails numbered ``sails``, whose ``memories`` are changed.
 
@@ -113,6 +118,7 @@ class CGuidance:
             GuidanceError: states of another shape, or a sail that there is no memory of.
         """
         array = as_states(states, self.precision)
+        measured = None if attitudes is None else as_attitudes(attitudes, len(array), self.precision)
         rows = np.ascontiguousarray(sails, np.uint64)
         if rows.shape != (len(array),) or (len(rows) and int(rows.max()) >= len(memories)):
             raise GuidanceError(f"{len(array)} states need as many numbers of sails below {len(memories)}")
@@ -121,6 +127,7 @@ class CGuidance:
         self._steer(
             len(array),
             *(place.ctypes.data for place in (memories, rows, array)),
+            None if measured is None else measured.ctypes.data,
             period,
             commands.ctypes.data,
             status.ctypes.data,
@@ -145,9 +152,11 @@ class CSteering:
         """Address of the function that steers, of these memories, and the precision of both."""
         return self._guidance.steer_address, self.memories.ctypes.data, self._guidance.precision
 
-    def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+    def steer(
+        self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None
+    ) -> Steered:
         """See :class:`sailnet.guidance.interface.Steering`."""
-        return self._guidance.steer(self.memories, states, period, sails)
+        return self._guidance.steer(self.memories, states, period, sails, attitudes)
 
 
 def _declared(

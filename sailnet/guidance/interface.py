@@ -87,7 +87,9 @@ class Steered:
 class Steering(Protocol):
     """Memories of a number of sails, and the guidance that steers them."""
 
-    def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+    def steer(
+        self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None
+    ) -> Steered:
         """Steer some of the sails.
 
         Where a state is not finite the sail is steered for a while by where it must be, and then gets the
@@ -98,6 +100,7 @@ class Steering(Protocol):
             states: (n, 3) r, u, v now, after what was commanded last was held.
             period: guidance period [TU].
             sails: (n,) which of the sails these are.
+            attitudes: (n,) mean cone angles over the period that ends, as measured [rad]; NaN where not.
         """
 
 
@@ -155,6 +158,22 @@ def as_states(states: ArrayLike, precision: Precision) -> NDArray[np.floating]:
         raise GuidanceError(f"states must be numbers in an (n, 3) array: {error}") from error
     if array.ndim != 2 or array.shape[1] != 3:
         raise GuidanceError(f"states must be an (n, 3) array of (r, u, v), not of shape {array.shape}")
+    return array
+
+
+def as_attitudes(attitudes: ArrayLike, count: int, precision: Precision) -> NDArray[np.floating]:
+    """(count,) contiguous array of one precision; numbers beyond its range become infinite.
+
+    Raises:
+        GuidanceError: another shape, or not numbers.
+    """
+    try:
+        with np.errstate(over="ignore"):
+            array = np.ascontiguousarray(attitudes, dtype=precision)
+    except (TypeError, ValueError) as error:
+        raise GuidanceError(f"attitudes must be numbers: {error}") from error
+    if array.shape != (count,):
+        raise GuidanceError(f"{count} states need as many attitudes, not an array of shape {array.shape}")
     return array
 
 

@@ -1,5 +1,6 @@
 """The numbers by which steering learns, keeps a reserve, and chooses a side."""
 
+import math
 from dataclasses import dataclass, replace
 
 from sailnet.errors import GuidanceError
@@ -21,7 +22,9 @@ class SteeringRules:
         largest_surprise: largest difference, relative to the mission's beta, by which one period counts.
         least_cosine2: cos^2(alpha) below which a period says nothing: the sail is edge-on.
         largest_tangential: largest tangential force, as a share of that along the normal.
-        slew_blur: turn within a period [rad^2] above which that period says nothing.
+        slew_blur: turn within a period [rad^2] above which that period says nothing; a measured attitude may
+            change by its root.
+        largest_offset: largest offset of measured cone angles from those commanded that counts as one [rad].
         reserve_tangential: share of the tangential force that is not planned with.
         reserve_slow: reserve per standard deviation of what is slow in the surprises.
         reserve_white: reserve per standard deviation that white noise leaves in the mean of the periods left.
@@ -38,6 +41,7 @@ class SteeringRules:
     least_cosine2: float = 0.05
     largest_tangential: float = 0.25
     slew_blur: float = 0.03
+    largest_offset: float = 0.15
     reserve_tangential: float = 0.51
     reserve_slow: float = 2.6
     reserve_white: float = 2.7
@@ -46,6 +50,14 @@ class SteeringRules:
     reversal: float = 0.35
     largest_patience: float = 0.01
     longest_reckoning: float = 0.5
+
+    def largest_attitude(self, phi_max: float) -> float:
+        """A measured cone angle counts for no more [rad]: beyond it a period says nothing.
+
+        Args:
+            phi_max: bound on the cone angle [rad].
+        """
+        return max(phi_max, math.acos(math.sqrt(self.least_cosine2)))
 
     def patience(self, phi_max: float, turn_rate: float) -> float:
         """What staying on a side may cost [TU].

@@ -6,52 +6,16 @@ a while, and decides when the flight ends. This is the reference in NumPy for th
 both are held equal by test.
 """
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Steered
+from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Steered, as_attitudes
+from sailnet.guidance.memory import Memory
 from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import runge_kutta_step
-
-
-@dataclass
-class _Memory:
-    """Of n sails, as in ``sailnet_memory``."""
-
-    state: Array
-    cone_angle: Array
-    held: Array
-    time_of_flight: Array
-    beta: Array
-    tangential: Array
-    surprise: Array
-    variance: Array
-    slow: Array
-    slewing: Array
-    stake: Array
-    regret: Array
-    unseen: Array
-    periods: NDArray[np.int64]
-
-    @classmethod
-    def started(cls, count: int, beta: float) -> "_Memory":
-        names = [item.name for item in fields(cls) if item.name not in ("state", "beta", "periods")]
-        return cls(
-            state=np.zeros((count, 3)),
-            beta=np.full(count, beta),
-            periods=np.zeros(count, np.int64),
-            **{name: np.zeros(count) for name in names},
-        )
-
-    def rows(self, sails: NDArray[np.intp]) -> "_Memory":
-        return _Memory(**{item.name: getattr(self, item.name)[sails] for item in fields(self)})
-
-    def put(self, sails: NDArray[np.intp], rows: "_Memory") -> None:
-        for item in fields(self):
-            getattr(self, item.name)[sails] = getattr(rows, item.name)
 
 
 class ReferenceSteering:
@@ -66,7 +30,8 @@ class ReferenceSteering:
     The estimates start at the mission's beta and at 0, and move by a share of the measurement that falls as
     1/2, 1/3, 1/4, ... down to h / memory: the mean of all periods at first, with the start value as one of
     them, and later of those not forgotten. They never leave their ranges. A period in which the sail turned
-    far, or that was not seen, says nothing.
+    far, or that was not seen, says nothing. The attitude is the commanded one, or the mean that was
+    measured: by how much that exceeds the commanded, on average, is taken off the next command.
 
     *A reserve.* The networks read beta (1 - a T) (1 - k), with k = b s + c w sqrt(h / tau): s^2 is the
     mean product of neighbouring surprises, which white noise has by chance alone: some one and a half
@@ -92,11 +57,15 @@ class ReferenceSteering:
         mission = guidance.mission
         self._turn_rate = mission.flight.turn_rate
         self._patience = rules.patience(mission.problem.phi_max, self._turn_rate)
-        self._memory = _Memory.started(count, float(np.clip(mission.sail.beta, *guidance.beta_range)))
+        self._memory = Memory.started(count, float(np.clip(mission.sail.beta, *guidance.beta_range)))
 
-    def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+    def steer(
+        self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None
+    ) -> Steered:
         """See :class:`sailnet.guidance.interface.Steering`."""
         rules, memory = self._rules, self._memory.rows(sails)
+        if attitudes is not None:
+            self._measured(memory, np.asarray(as_attitudes(attitudes, len(sails), "float64"), float))
         shown = np.asarray(states, float)
         timed = 0.0 < period <= LARGEST_PERIOD
         hold = np.full(len(shown), period if timed else 0.0)
@@ -117,15 +86,38 @@ class ReferenceSteering:
         unseen = left & (memory.unseen > 0.0)
         status[left & (status == GuidanceStatus.OK) & (plan < low) & (low < high)] = GuidanceStatus.AT_LIMIT
         status[unseen] = GuidanceStatus.RECKONED
+        told = np.where(valid, self._told(memory, angle), angle)
         self._remember(memory, known, angle, hold, command.time_of_flight, valid)
+        memory.attitude = np.where(valid, told + memory.offset, memory.attitude)
         self._memory.put(sails, memory)
-        return Steered(angle, hold, command.time_of_flight, memory.beta, command.lambda_v, status)
+        return Steered(told, hold, command.time_of_flight, memory.beta, command.lambda_v, status)
+
+    def _told(self, memory: Memory, angle: Array) -> Array:
+        """What the sails are told for a cone angle to come true."""
+        bound = np.maximum(self._guidance.mission.problem.phi_max, abs(angle))
+        told: Array = np.clip(angle - memory.offset, -bound, bound)
+        return told
+
+    def _measured(self, memory: Memory, attitudes: Array) -> None:
+        """What the attitude was in the period that ends, where that was measured."""
+        rules, there = self._rules, np.isfinite(attitudes)
+        with np.errstate(all="ignore"):
+            little = (attitudes - memory.measured) ** 2 <= rules.slew_blur
+            askew = attitudes - self._told(memory, memory.cone_angle)
+            # Farther off it lags.
+            counts = there & (askew**2 <= rules.largest_offset**2)
+            weight = _weight(memory, rules.surprise_memory)
+        memory.offset += np.where(counts, weight * (askew - memory.offset), 0.0)
+        memory.slewing = np.where(there, np.where(little, 0.0, memory.held), memory.slewing)
+        memory.measured = np.where(there, attitudes, memory.measured)
+        widest = rules.largest_attitude(self._guidance.mission.problem.phi_max)
+        memory.attitude = np.where(there, np.clip(attitudes, -widest, widest), memory.attitude)
 
     def _command(self, states: Array, beta: Array, hold: Array, sails: NDArray[np.intp]) -> Commands:
         """Commands for some of the sails, to be held so long [TU]."""
         return self._guidance.command(states, beta)
 
-    def _known(self, memory: _Memory, shown: Array) -> tuple[Array, "_Change"]:
+    def _known(self, memory: Memory, shown: Array) -> tuple[Array, "_Change"]:
         """States to steer by: those shown, or where the sails must be; NaN where neither is known."""
         seen = np.asarray(np.isfinite(shown).all(axis=1))
         change = _predicted(memory)
@@ -135,7 +127,7 @@ class ReferenceSteering:
         lost = (memory.held <= 0.0) | (memory.unseen > self._rules.longest_reckoning)
         return np.where(seen[:, None], shown, np.where(lost[:, None], np.nan, reckoned)), change
 
-    def _learn(self, memory: _Memory, shown: Array, change: "_Change", seen: NDArray[np.bool_]) -> None:
+    def _learn(self, memory: Memory, shown: Array, change: "_Change", seen: NDArray[np.bool_]) -> None:
         rules, beta = self._rules, self._guidance.mission.sail.beta
         cosine, sine, held = change.cosine, change.sine, memory.held
         telling = seen & (held > 0.0) & (memory.unseen == 0.0) & (cosine**2 >= rules.least_cosine2)
@@ -158,7 +150,7 @@ class ReferenceSteering:
         memory.slow += share * (relative * memory.surprise - memory.slow)
         memory.surprise = np.where(telling, relative, memory.surprise)
 
-    def _reserve(self, memory: _Memory, hold: Array) -> Array:
+    def _reserve(self, memory: Memory, hold: Array) -> Array:
         rules, mission = self._rules, self._guidance.mission
         tau = np.maximum(memory.time_of_flight, mission.flight.arrival_threshold)
         chance = memory.variance * np.sqrt(_weight(memory, rules.surprise_memory))
@@ -169,7 +161,7 @@ class ReferenceSteering:
         return kept
 
     def _kept_side(
-        self, memory: _Memory, change: "_Change", command: Commands, valid: NDArray[np.bool_]
+        self, memory: Memory, change: "_Change", command: Commands, valid: NDArray[np.bool_]
     ) -> Array:
         """(n,) the cone angle, mirrored where the sail stays on its side."""
         ratio = self._guidance.mission.problem.target_radius / memory.state[:, 0]
@@ -187,7 +179,7 @@ class ReferenceSteering:
         return np.where(stays, -angle, angle)
 
     def _end(
-        self, memory: _Memory, known: Array, command: Commands, status: NDArray[np.int32], hold: Array
+        self, memory: Memory, known: Array, command: Commands, status: NDArray[np.int32], hold: Array
     ) -> tuple[NDArray[np.int32], Array]:
         """Status, ``ARRIVED`` where the flight ends, and for how long to hold."""
         mission, tau = self._guidance.mission, command.time_of_flight
@@ -201,7 +193,7 @@ class ReferenceSteering:
         return status, np.where(last, np.maximum(tau, 0.0), np.where(past, 0.0, hold))
 
     def _remember(
-        self, memory: _Memory, known: Array, angle: Array, hold: Array, tau: Array, valid: NDArray[np.bool_]
+        self, memory: Memory, known: Array, angle: Array, hold: Array, tau: Array, valid: NDArray[np.bool_]
     ) -> None:
         left = np.clip(memory.slewing - memory.held, 0.0, LARGEST_PERIOD)
         turning = left + np.abs(angle - memory.cone_angle) / self._turn_rate
@@ -216,22 +208,22 @@ class ReferenceSteering:
 
 @dataclass(frozen=True)
 class _Change:
-    """What the last command did: changes of (r, u, v), (n, 3), and the direction of the force."""
+    """What the last period did: changes of (r, u, v), (n, 3), and the direction of the force."""
 
     by: Array
     cosine: Array
     sine: Array
 
 
-def _weight(memory: _Memory, time: float) -> Array:
+def _weight(memory: Memory, time: float) -> Array:
     """(n,) of a period in the mean of all at first, and later of those not forgotten over ``time`` [TU]."""
     weight: Array = np.maximum(1.0 / (memory.periods + 1.0), memory.held / time)
     return weight
 
 
-def _predicted(memory: _Memory) -> _Change:
+def _predicted(memory: Memory) -> _Change:
     before = np.zeros((4, len(memory.state)))
     before[[0, 2, 3]] = memory.state.T
-    after = runge_kutta_step(before, memory.cone_angle, memory.beta, memory.held, memory.tangential)
+    after = runge_kutta_step(before, memory.attitude, memory.beta, memory.held, memory.tangential)
     by = (after - before)[[0, 2, 3]].T
-    return _Change(by, np.cos(memory.cone_angle), np.sin(memory.cone_angle))
+    return _Change(by, np.cos(memory.attitude), np.sin(memory.attitude))

@@ -95,6 +95,10 @@ class Disturbance:
     )
     outage_probability: float = _quantity("1", "chance that an outage of navigation begins, each period")
     outage_duration: float = _quantity("TU", "mean duration of an outage; at least a period", 0.05)
+    attitude_measured: float = _quantity(
+        "1", "share of periods of which guidance is told the mean cone angle flown; 1: all, 0: none"
+    )
+    attitude_noise: float = _quantity("rad", "sigma of the error of a measured cone angle")
     optics: Optics = field(
         default=OPTICS["ideal"],
         metadata={"unit": "", "meaning": f"optical coefficients: {' or '.join(OPTICS)}"},
@@ -131,6 +135,7 @@ _TIMES = ("beta_wander_time", "degradation_dose", "navigation_wander_time", "out
 _LIMITS = {
     "degradation_loss": (0.0, 1.0),
     "outage_probability": (0.0, 1.0),
+    "attitude_measured": (0.0, 1.0),
     "misalignment": (-math.pi / 2, math.pi / 2),
     "misalignment_spread": (0.0, math.pi / 2),
     "resolution": (0.0, math.pi),

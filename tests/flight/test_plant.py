@@ -49,6 +49,8 @@ EVERYTHING = Disturbance(
     misalignment=0.002,
     misalignment_spread=0.003,
     outage_probability=0.004,
+    attitude_measured=0.9,
+    attitude_noise=1e-3,
     optics=OPTICS["jpl"],
     seed=2**63 + 5,
 )
@@ -233,8 +235,14 @@ class Indirect(Pilot):
         steering = self._guidance.steering(count)
 
         class Wrapped:
-            def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
-                return steering.steer(states, period, sails)
+            def steer(
+                self,
+                states: ArrayLike,
+                period: float,
+                sails: NDArray[np.intp],
+                attitudes: ArrayLike | None = None,
+            ) -> Steered:
+                return steering.steer(states, period, sails, attitudes)
 
         return Wrapped()
 

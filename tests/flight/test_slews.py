@@ -35,7 +35,13 @@ class Memoryless(Pilot):
         guidance = self._guidance
 
         class Now:
-            def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+            def steer(
+                self,
+                states: ArrayLike,
+                period: float,
+                sails: NDArray[np.intp],
+                attitudes: ArrayLike | None = None,
+            ) -> Steered:
                 commands = guidance.command(states)
                 tau = commands.time_of_flight
                 ends = tau <= MISSION.flight.arrival_threshold

@@ -2,8 +2,10 @@
 
 from typing import get_args
 
+import numpy as np
 import pytest
 
+from sailnet.errors import GuidanceError
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.interface import Precision
@@ -73,3 +75,51 @@ def test_an_edge_on_sail_says_nothing() -> None:
     for _ in range(10):
         assert steering.steer(state[[0, 2, 3]].T, PERIOD, ONE).beta[0] == BETA
         state = hold_command(state, 1.5, 1.1 * BETA, PERIOD)
+
+
+@pytest.mark.parametrize("kind", ["reference", "c"])
+def test_a_sail_that_is_measured_to_be_askew_is_made_right(kind: str) -> None:
+    guidance = load_guidance(MISSION, "c")
+    assert isinstance(guidance, CGuidance)
+    askew, state = 0.08, departed()
+    steering = guidance.steering(1) if kind == "c" else ReferenceSteering(guidance, 1)
+    blind = ReferenceSteering(guidance, 1)
+    attitude = np.full(1, np.nan)
+    for _ in range(60):
+        shown = state[[0, 2, 3]].T
+        steered = steering.steer(shown, PERIOD, ONE, attitude)
+        unaware = blind.steer(shown, PERIOD, ONE)
+        attitude = steered.cone_angle + askew
+        state = hold_command(state, attitude, BETA, PERIOD)
+    wanted = guidance.command(shown, steered.beta).cone_angle
+    # All but the first of the mean of 60, in which nothing was known.
+    assert attitude - wanted == pytest.approx(askew / 60, rel=0.1)
+    assert steered.beta[0] == pytest.approx(BETA, rel=1e-6)
+    assert abs(unaware.beta[0] / BETA - 1.0) > 1e-3
+
+
+def test_a_sail_that_lags_is_neither_askew_nor_of_another_force() -> None:
+    """It turns from bound to bound and back, for ten periods each."""
+    told, state, turn = Told(), departed(), 0.12
+    steering, blind = ReferenceSteering(told, 1), ReferenceSteering(told, 1)
+    attitude = measured = None
+    for k in range(200):
+        told.cone_angle = 0.9 if k // 50 % 2 else -0.9
+        shown = state[[0, 2, 3]].T
+        steered = steering.steer(shown, PERIOD, ONE, measured)
+        unaware = blind.steer(shown, PERIOD, ONE)
+        attitude = told.cone_angle if attitude is None else attitude
+        after = attitude + np.clip(told.cone_angle - attitude, -turn, turn)
+        measured = np.array([0.5 * (attitude + after)])
+        state, attitude = hold_command(state, measured, BETA, PERIOD), after
+    assert steered.beta[0] == pytest.approx(BETA, rel=1e-4)
+    assert abs(unaware.beta[0] / BETA - 1.0) > 0.02
+    assert abs(steered.cone_angle[0] - 0.9) < 0.01
+
+
+@pytest.mark.parametrize("attitudes", [[0.1, 0.2], [[0.1]], ["askew"]])
+def test_attitudes_of_another_shape_are_refused(attitudes: object) -> None:
+    guidance = load_guidance(MISSION, "c")
+    for steering in (guidance.steering(1), ReferenceSteering(guidance, 1)):
+        with pytest.raises(GuidanceError, match="attitudes"):
+            steering.steer(departed()[[0, 2, 3]].T, PERIOD, ONE, attitudes)  # type: ignore[arg-type]

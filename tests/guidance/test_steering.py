@@ -21,7 +21,7 @@ LOW, HIGH = MISSION.generalisation.corners
 @pytest.mark.parametrize("precision", ["float64", "float32"])
 def test_the_reference_steers_as_the_shipped_c(precision: Precision) -> None:
     rng = np.random.default_rng(21)
-    count, steps = 40, 250
+    count, steps = 40, 300
     starts = rng.uniform(LOW, HIGH, (count, 3))
     starts[:20] = MISSION.problem.target_state + rng.uniform(-4e-3, 4e-3, (20, 3))
     states = np.zeros((4, count))
@@ -32,15 +32,20 @@ def test_the_reference_steers_as_the_shipped_c(precision: Precision) -> None:
     lockstep = Lockstep(guidance, count)
     seen: Counter[int] = Counter()
     stopped, learnt = 0, 0.0
+    askew, before = rng.uniform(-0.05, 0.05, count), np.zeros(count)
     for step in range(steps):
         sails = np.flatnonzero(rng.random(count) < 0.9)
         shown = states[[0, 2, 3]][:, sails].T.copy()
         shown[rng.random(len(sails)) < 0.02] = np.nan
         period = [0.005, 0.02, 0.05][step % 3] if step % 50 else [np.nan, -1.0, 0.0][step // 50 % 3]
-        told = lockstep.steer(shown, period, sails)
+        measured = np.where(rng.random(len(sails)) < 0.8, (before + askew)[sails], np.nan)
+        told = lockstep.steer(shown, period, sails, measured if step // 25 % 2 else None)
+        before[sails] = told.cone_angle
         seen.update(told.status.tolist())
         stopped += int((told.arrived & (told.hold == 0.0)).sum())
-        states[:, sails] = hold_command(states[:, sails], told.cone_angle, beta[sails], told.hold)
+        states[:, sails] = hold_command(
+            states[:, sails], told.cone_angle + askew[sails], beta[sails], told.hold
+        )
         over = sails[told.arrived]
         states[[[0], [2], [3]], over] = rng.uniform(LOW, HIGH, (len(over), 3)).T
         learnt = max(learnt, abs(told.beta - MISSION.sail.beta).max())

@@ -242,6 +242,66 @@ def test_a_misaligned_sail_flies_as_if_commanded_so() -> None:
     assert flights.max_attitude[0] == pytest.approx(0.5 + offset)
 
 
+class Watched(Wobble):
+    """Keeps the attitudes that its steering is told of, a row a period."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.told: list[Array] = []
+
+    def steering(self, count: int) -> Steering:
+        """As a Wobble's, but for that."""
+        inner, told = super().steering(count), self.told
+
+        class Noting:
+            def steer(
+                self,
+                states: ArrayLike,
+                period: float,
+                sails: NDArray[np.intp],
+                attitudes: ArrayLike | None = None,
+            ) -> Steered:
+                told.append(np.full(len(sails), np.inf) if attitudes is None else np.array(attitudes))
+                return inner.steer(states, period, sails)
+
+        return Noting()
+
+
+def test_a_measured_attitude_is_the_mean_of_what_was_flown() -> None:
+    """Of a sail that turns steadily, is late and askew: by the trapezoidal rule over what it did."""
+    pilot, rate, late, askew = Watched(), 3.0, 0.4 * PERIOD, 0.02
+    given = Disturbance(rate_limit=rate, delay=late, misalignment=askew, attitude_measured=1.0)
+    _, (history,) = flown(given, pilot)
+    told = np.concatenate(pilot.told)
+    assert np.isnan(told[0])
+    commands, attitude, steps = history.cone_angle, history.cone_angle[0], 2000
+    grid = (np.arange(steps) + 0.5) / steps * PERIOD
+    for k in range(40):
+        integral = 0.0
+        for wanted, duration in ((commands[max(k - 1, 0)], late), (commands[k], PERIOD - late)):
+            moved = np.clip(wanted - attitude, -rate * grid, rate * grid)
+            inside = grid <= duration
+            integral += (attitude + moved)[inside].sum() * PERIOD / steps
+            attitude += np.clip(wanted - attitude, -rate * duration, rate * duration)
+        assert told[k + 1] == pytest.approx(integral / PERIOD + askew, abs=2e-5)
+    assert abs(np.diff(commands[:40])).max() > rate * PERIOD
+
+
+def test_attitudes_are_measured_as_often_and_as_exactly_as_it_says() -> None:
+    pilot, noise = Watched(), 1e-3
+    flown(Disturbance(attitude_measured=0.7, attitude_noise=noise), pilot, count=50)
+    told = np.array(pilot.told)
+    assert np.isnan(told[0]).all()
+    there = np.isfinite(told[1:])
+    assert there.mean() == pytest.approx(0.7, abs=4 * math.sqrt(0.21 / there.size))
+    error = (told[1:] - Wobble().angle(np.arange(len(told) - 1))[:, None])[there]
+    assert error.std() == pytest.approx(noise, rel=4 / math.sqrt(2 * error.size))
+    assert abs(error.mean()) < 4 * noise / math.sqrt(error.size)
+    blind = Watched()
+    flown(Disturbance(), blind)
+    assert np.isinf(np.concatenate(blind.told)).all()
+
+
 def test_a_spread_of_misalignment_is_each_sails_own() -> None:
     histories = flown(Disturbance(misalignment=0.1, misalignment_spread=0.05), count=500, longest=0.02)[1]
     offset = column(histories, "attitude") - column(histories, "cone_angle")
@@ -276,7 +336,13 @@ class Blind(Constant):
         known = super().steering(count)
 
         class Now:
-            def steer(self, states: ArrayLike, period: float, sails: NDArray[np.intp]) -> Steered:
+            def steer(
+                self,
+                states: ArrayLike,
+                period: float,
+                sails: NDArray[np.intp],
+                attitudes: ArrayLike | None = None,
+            ) -> Steered:
                 told = known.steer(states, period, sails)
                 unseen = np.isnan(np.asarray(states)).any(axis=1)
                 ends = np.where(unseen, np.int32(GuidanceStatus.ARRIVED), told.status)
@@ -352,6 +418,7 @@ def test_each_disturbance_changes_a_flight() -> None:
         "degradation_dose": {"degradation_loss": 0.1},
         "navigation_wander_time": {"r_wander": 0.1},
         "outage_duration": {"outage_probability": 0.2},
+        "attitude_noise": {"attitude_measured": 1.0},
     }
     for name in NAMES:
         without: dict[str, Any] = companions.get(name, {})
@@ -386,7 +453,7 @@ def test_values_that_cannot_be_are_refused_by_name(name: str, value: object) -> 
 @pytest.mark.parametrize(
     ("table", "says"),
     [
-        ({"beta_nosie": 0.1}, "no disturbance beta_nosie; known are beta_bias"),
+        ({"beta_nosie": 0.1}, "no disturbance beta_nosie; known are attitude_measured"),
         ({"seed": -1}, "seed"),
         ({"seed": 1.5}, "seed"),
         ({"seed": 2**64}, "seed"),

@@ -12,8 +12,10 @@ enum {
     BETA_WANDER,
     MISALIGNMENT_SPREAD,
     OUTAGE,
-    NAVIGATION_NOISE,                        /* of r; u and v follow */
-    NAVIGATION_WANDER = NAVIGATION_NOISE + 3 /* the same */
+    NAVIGATION_NOISE,                         /* of r; u and v follow */
+    NAVIGATION_WANDER = NAVIGATION_NOISE + 3, /* the same */
+    ATTITUDE_MEASURED = NAVIGATION_WANDER + 3,
+    ATTITUDE_NOISE
 };
 
 #define POLAR 3
@@ -97,6 +99,19 @@ static void navigate(const plant_rules *rules, plant_sail *sail, double seen[POL
     }
 }
 
+/* What the guidance is told of the attitude that it had: NaN if nothing. */
+static double measured_attitude(const plant_rules *rules, const plant_sail *sail)
+{
+    if (sail->periods == 0u ||
+        plant_uniform(rules->seed, sail->number, ATTITUDE_MEASURED, sail->periods) >= rules->attitude_measured) {
+        return NAN;
+    }
+    const double error = rules->attitude_noise > 0.0
+                             ? rules->attitude_noise * normal(rules, sail, ATTITUDE_NOISE, sail->periods)
+                             : 0.0;
+    return sail->mean_attitude + error;
+}
+
 /* The real beta of this period. */
 static double real_beta(const plant_rules *rules, plant_sail *sail)
 {
@@ -115,12 +130,20 @@ static double real_beta(const plant_rules *rules, plant_sail *sail)
     return rules->beta * fmax(0.0, share);
 }
 
-/* Turn steadily to the attitude `end`. `*widest` is the largest size of the angle flown in the period so far. */
+/* Of the angle flown in the period so far: its largest size [rad], and its integral [rad TU]. */
+typedef struct {
+    double widest;
+    double integral;
+} flown_angle;
+
+/* Turn steadily to the attitude `end`. */
 static int hold(const plant_rules *rules, plant_sail *sail, double beta, double end, double rate, double duration,
-                double *widest)
+                flown_angle *flown)
 {
     const double angle = sail->attitude + sail->misalignment;
-    *widest = fmax(*widest, fmax(fabs(angle), fabs(end + sail->misalignment)));
+    const double last = end + sail->misalignment;
+    flown->widest = fmax(flown->widest, fmax(fabs(angle), fabs(last)));
+    flown->integral += 0.5 * (angle + last) * duration;
     const int inside = plant_hold(rules, beta, angle, rate, duration, &sail->state, &sail->step);
     sail->attitude = end;
     return inside;
@@ -128,7 +151,7 @@ static int hold(const plant_rules *rules, plant_sail *sail, double beta, double 
 
 /* Turn to the wanted angle, as fast as allowed, and stay there. Returns 0 if the sail is lost. */
 static int turn(const plant_rules *rules, plant_sail *sail, double beta, double wanted, double duration,
-                double *widest)
+                flown_angle *flown)
 {
     if (!(duration > 0.0)) {
         return 1;
@@ -141,7 +164,7 @@ static int turn(const plant_rules *rules, plant_sail *sail, double beta, double 
         const double needed = (wanted - before) / rate;
         const double turning = fmin(needed, duration);
         const double end = needed <= duration ? wanted : before + rate * turning;
-        inside = hold(rules, sail, beta, end, rate, turning, widest);
+        inside = hold(rules, sail, beta, end, rate, turning, flown);
         left -= turning;
     }
     else {
@@ -149,7 +172,7 @@ static int turn(const plant_rules *rules, plant_sail *sail, double beta, double 
     }
     const double turned = fabs(sail->attitude - before);
     sail->attitude_slew += isfinite(turned) ? turned : 0.0;
-    return inside && (left <= 0.0 || hold(rules, sail, beta, sail->attitude, 0.0, left, widest));
+    return inside && (left <= 0.0 || hold(rules, sail, beta, sail->attitude, 0.0, left, flown));
 }
 
 static void note_distance(const plant_rules *rules, plant_sail *sail)
@@ -234,11 +257,12 @@ static void obey(const plant_rules *rules, plant_sail *sail, double *queue, cons
     const double first = fmin(late, lasting);
     const double beta = real_beta(rules, sail);
     const plant_state start = sail->state;
-    double widest = 0.0;
-    const int inside = turn(rules, sail, beta, told(queue, slots, period, whole + 1u), first, &widest) &&
-                       turn(rules, sail, beta, told(queue, slots, period, whole), lasting - first, &widest);
-    sail->max_attitude = fmax(sail->max_attitude, widest);
-    sail->beyond_bound += widest > rules->bound;
+    flown_angle flown = {0.0, 0.0};
+    const int inside = turn(rules, sail, beta, told(queue, slots, period, whole + 1u), first, &flown) &&
+                       turn(rules, sail, beta, told(queue, slots, period, whole), lasting - first, &flown);
+    sail->max_attitude = fmax(sail->max_attitude, flown.widest);
+    sail->beyond_bound += flown.widest > rules->bound;
+    sail->mean_attitude = lasting > 0.0 ? flown.integral / lasting : sail->mean_attitude;
     if (record != NULL) {
         write_record(sail, &start, beta, command, status, record);
     }
@@ -258,12 +282,13 @@ static void obey(const plant_rules *rules, plant_sail *sail, double *queue, cons
 
 static void steer(const plant_rules *rules, const plant_steering *steering, plant_flights *flights)
 {
+    const void *const attitudes = rules->attitude_measured > 0.0 ? flights->attitudes : NULL;
     if (steering->f64 != NULL) {
-        steering->f64(flights->flying, steering->memories, flights->rows, flights->states, rules->period,
-                      flights->commands, flights->statuses);
+        steering->f64(flights->flying, steering->memories, flights->rows, flights->states, attitudes,
+                      rules->period, flights->commands, flights->statuses);
     }
     else {
-        steering->f32(flights->flying, steering->memories, flights->rows, flights->states,
+        steering->f32(flights->flying, steering->memories, flights->rows, flights->states, attitudes,
                       (float)rules->period, flights->commands, flights->statuses);
     }
 }
@@ -309,6 +334,9 @@ uint64_t plant_fly(const plant_rules *rules, const plant_steering *steering, pla
             }
             update_outage(rules, sail);
             navigate(rules, sail, seen);
+            if (rules->attitude_measured > 0.0) {
+                put(steering, flights->attitudes, i, measured_attitude(rules, sail));
+            }
             for (uint64_t k = 0; k < POLAR; k++) {
                 put(steering, flights->states, POLAR * i + k, seen[k]);
                 if (records != NULL) {

@@ -15,7 +15,7 @@ extern "C" {
 #endif
 
 /* Raised whenever a function of this header changes, or what a member of a structure means. */
-#define PLANT_API_VERSION 4
+#define PLANT_API_VERSION 5
 
 /*
  * A structure is a list of its members, MEMBER(type, name, extent). From the same lines come the structure in C
@@ -85,6 +85,8 @@ typedef struct {
     MEMBER(double, misalignment_spread, )                                                          \
     MEMBER(double, outage_probability, )                                                           \
     MEMBER(double, outage_duration, )                                                              \
+    MEMBER(double, attitude_measured, )                                                            \
+    MEMBER(double, attitude_noise, )                                                               \
     MEMBER(uint64_t, seed, )
 
 typedef struct {
@@ -108,6 +110,7 @@ typedef enum { PLANT_ENDING(PLANT_VALUE) } plant_ending;
     MEMBER(double, time, )           /* flown so far [TU] */                                              \
     MEMBER(double, attitude, )       /* where the actuator has turned the sail, no misalignment [rad] */  \
     MEMBER(double, misalignment, )   /* of this sail [rad] */                                             \
+    MEMBER(double, mean_attitude, )  /* of the angle flown, over the last period [rad] */                 \
     MEMBER(double, beta_error, )     /* constant relative error of this sail's beta */                    \
     MEMBER(double, beta_wander, )    /* the Gauss-Markov errors now, in units of their sigma */           \
     MEMBER(double, navigation_wander, [3])                                                                \
@@ -187,12 +190,12 @@ typedef enum { PLANT_STATUS(PLANT_VALUE) } plant_status;
 
 /*
  * sailnet_steer_batch of a flight library: entry i is of the sail numbered sails[i], whose memory it uses;
- * `states` holds r, u, v of one sail after the other.
+ * `states` holds r, u, v of one sail after the other; `attitudes` is null, or has a mean cone angle [rad] each, or NaN.
  */
 typedef void plant_steer_f32(uint64_t count, void *memories, const uint64_t *sails, const float *states,
-                             float period, plant_command_f32 *commands, int32_t *statuses);
+                             const float *attitudes, float period, plant_command_f32 *commands, int32_t *statuses);
 typedef void plant_steer_f64(uint64_t count, void *memories, const uint64_t *sails, const double *states,
-                             double period, plant_command_f64 *commands, int32_t *statuses);
+                             const double *attitudes, double period, plant_command_f64 *commands, int32_t *statuses);
 
 /* Exactly one of the two functions is set. */
 #define PLANT_STEERING(MEMBER)        \
@@ -212,6 +215,7 @@ typedef struct {
     MEMBER(uint64_t *, rows, )     /* count; the first `flying` are the rows of those that fly */       \
     MEMBER(double *, queue, )      /* count * plant_queue_slots(): commands that may still take effect */\
     MEMBER(void *, states, )       /* 3 * count numbers of the steering's precision */                  \
+    MEMBER(void *, attitudes, )    /* count of the same */                                              \
     MEMBER(void *, commands, )     /* count plant_command_f32 or plant_command_f64 */                   \
     MEMBER(int32_t *, statuses, )  /* count */                                                          \
     MEMBER(int32_t, interrupted, ) /* the steering may set it: the flights stop where they are */

@@ -198,6 +198,14 @@ static sailnet_status checked_guidance(const sailnet_state *state, sailnet_real 
     return status;
 }
 
+/* What is commanded for a cone angle, by how askew the sail was measured to be. */
+static sailnet_real told(sailnet_real cone_angle, const sailnet_memory *memory)
+{
+    const sailnet_real corrected = cone_angle - memory->offset;
+    const sailnet_real lowered = corrected < SAILNET_PHI_MAX ? corrected : SAILNET_PHI_MAX;
+    return lowered > -SAILNET_PHI_MAX ? lowered : -SAILNET_PHI_MAX;
+}
+
 /*
  * What steering commands is the law's for the state that it steers by, shown or reckoned, but for what it plans with and
  * for its side. The former is known where there is nothing to reserve for, or all networks are for one beta.
@@ -214,7 +222,7 @@ static void check_against_the_law(const sailnet_command *command, sailnet_status
     PROMISED(of_law != SAILNET_INVALID_INPUT);
     PROMISED(status == SAILNET_ARRIVED ? command->hold <= longest : command->hold == period);
     if (unreserved || !SAILNET_READS_BETA) {
-        PROMISED(law.cone_angle == command->cone_angle || law.cone_angle == -command->cone_angle);
+        PROMISED(told(law.cone_angle, after) == command->cone_angle || told(-law.cone_angle, after) == command->cone_angle);
         PROMISED(is_same(&law.time_of_flight, &command->time_of_flight, sizeof law.time_of_flight));
         PROMISED(is_same(&law.lambda_v, &command->lambda_v, sizeof law.lambda_v));
         PROMISED(of_law != SAILNET_OUTSIDE_DOMAIN || status == SAILNET_OUTSIDE_DOMAIN || status == SAILNET_RECKONED);
@@ -253,6 +261,7 @@ static void check_steer(sailnet_memory *memory, const sailnet_state *state, sail
     check_command(&command, status);
     PROMISED(memory->beta == command.beta);
     PROMISED(fabs((double)memory->tangential) <= (double)SAILNET_LARGEST_TANGENTIAL);
+    PROMISED(fabs((double)memory->offset) <= (double)SAILNET_LARGEST_OFFSET);
     PROMISED(status != SAILNET_INVALID_INPUT || !valid);
     PROMISED(status != SAILNET_RECKONED || (timed && !valid));
     if (status != SAILNET_INVALID_INPUT) {
@@ -304,6 +313,7 @@ static void check_null_pointers(const sailnet_memory *memory, const sailnet_stat
     sailnet_command command;
     (void)memcpy(&untouched, memory, sizeof untouched);
     sailnet_start(NULL);
+    sailnet_measured(NULL, period);
     PROMISED(sailnet_guidance(given, period, NULL) == SAILNET_INVALID_INPUT);
     PROMISED(sailnet_steer(NULL, given, period, NULL) == SAILNET_INVALID_INPUT);
     PROMISED(sailnet_steer(&untouched, given, period, NULL) == SAILNET_INVALID_INPUT);
@@ -339,6 +349,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             check_start(&given);
         } else {
             const int lost = next_byte(&from) % 8 == 0;
+            if (kind == 7) {
+                sailnet_measured(&memory, next_real(&from, -1.5, 1.5));
+            }
             check_steer(&memory, lost ? NULL : &given, next_real(&from, 0.0, 0.1), kind == 4);
         }
         PROMISED(is_same(&given, &state, sizeof state));

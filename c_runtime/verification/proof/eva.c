@@ -61,12 +61,14 @@ typedef union {
 extern any_state_bits state_bits;
 extern any_real_bits beta_bits;
 extern any_real_bits period_bits;
+extern any_real_bits attitude_bits;
 extern any_memory_bits memory_bits;
 #define any_state state_bits.value
 #define any_beta beta_bits.value
 #define any_period period_bits.value
+#define any_attitude attitude_bits.value
 #define any_memory memory_bits.value
-extern int any_choice[1];
+extern int any_choice[2];
 
 static void check(const sailnet_command *command)
 {
@@ -92,17 +94,22 @@ void prove_guidance(void)
 void prove_steering(void)
 {
     sailnet_command command;
+    if (any_choice[1]) {
+        sailnet_measured(&any_memory, any_attitude);
+    }
     (void)sailnet_steer(&any_memory, any_choice[0] ? &any_state : (const sailnet_state *)0, any_period, &command);
     check(&command);
     const sailnet_real beta_min = SAILNET_BETA_MIN;
     const sailnet_real beta_max = SAILNET_BETA_MAX;
     const sailnet_real phi_max = SAILNET_PHI_MAX;
     const sailnet_real tangential_max = SAILNET_LARGEST_TANGENTIAL;
+    const sailnet_real offset_max = SAILNET_LARGEST_OFFSET;
     const sailnet_real largest_period = SAILNET_LARGEST_PERIOD;
     /*@ assert memory: \is_finite(any_memory.beta) && beta_min <= any_memory.beta <= beta_max; */
     /*@ assert told: \is_finite(any_memory.cone_angle) && -phi_max <= any_memory.cone_angle <= phi_max; */
     /*@ assert tangential:
           \is_finite(any_memory.tangential) && -tangential_max <= any_memory.tangential <= tangential_max; */
+    /*@ assert offset: \is_finite(any_memory.offset) && -offset_max <= any_memory.offset <= offset_max; */
     /*@ assert variance: \is_finite(any_memory.variance) && -1 <= any_memory.variance <= 1; */
     /*@ assert slow: \is_finite(any_memory.slow) && -1 <= any_memory.slow <= 1; */
     /*@ assert held: \is_finite(any_memory.held) && 0 <= any_memory.held <= largest_period; */
@@ -114,6 +121,7 @@ void prove_null_pointers(void)
     sailnet_command command;
     sailnet_start((sailnet_memory *)0);
     sailnet_start(&any_memory);
+    sailnet_measured((sailnet_memory *)0, any_attitude);
     (void)sailnet_guidance(&any_state, any_beta, (sailnet_command *)0);
     (void)sailnet_steer(&any_memory, &any_state, any_period, (sailnet_command *)0);
     (void)sailnet_steer((sailnet_memory *)0, &any_state, any_period, &command);

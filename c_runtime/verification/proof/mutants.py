@@ -81,6 +81,16 @@ MUTANTS = (
         "",
     ),
     Mutant(
+        "offset trusted",
+        "memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);",
+        "",
+    ),
+    Mutant(
+        "angle corrected beyond its bound",
+        "return sailnet_limited(&told, SAILNET_OF_CONE_ANGLE);",
+        "return told;",
+    ),
+    Mutant(
         "variance trusted", "memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);", ""
     ),
     Mutant("what is slow trusted", "memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);", ""),

@@ -339,6 +339,9 @@ static void test_steering_stays_bounded_whatever_the_bits(void)
         if (i % 7 == 0) {
             period = random_real();
         }
+        if (i % 4 == 0) {
+            sailnet_measured(&memory, random_real());
+        }
         const sailnet_status status = sailnet_steer(&memory, &state, period, &command);
         const int timed = period > R(0.0) && period <= SAILNET_LARGEST_PERIOD;
         const sailnet_real longest =
@@ -347,6 +350,7 @@ static void test_steering_stays_bounded_whatever_the_bits(void)
         CHECK(memory.beta == command.beta);
         CHECK(fabs((double)memory.tangential) <= (double)SAILNET_LARGEST_TANGENTIAL);
         CHECK(fabs((double)memory.variance) <= 1.0 && fabs((double)memory.slow) <= 1.0);
+        CHECK(fabs((double)memory.offset) <= (double)SAILNET_LARGEST_OFFSET);
         CHECK(memory.held >= R(0.0) && memory.held <= longest && fabs((double)memory.cone_angle) <= SAILNET_PHI_MAX);
         if (status != SAILNET_INVALID_INPUT) {
             CHECK(memory.regret >= R(0.0) && memory.regret <= SAILNET_LARGEST_PERIOD);
@@ -389,6 +393,13 @@ static sailnet_memory departed(const sailnet_state *state, sailnet_real period)
     sailnet_start(&memory);
     CHECK(sailnet_steer(&memory, state, period, &command) == SAILNET_OK && command.hold == period);
     return memory;
+}
+
+/* What a sail was commanded, by what it was to be turned to. */
+static sailnet_real command_of(const sailnet_memory *memory)
+{
+    const sailnet_real told = memory->cone_angle - memory->offset;
+    return sailnet_clamped(told, -SAILNET_PHI_MAX, SAILNET_PHI_MAX);
 }
 
 /* Where the model says that a sail is next. */
@@ -508,8 +519,8 @@ static void test_a_reversal_waits_until_it_is_worth_it(void)
     /* What staying costs, by the Hamiltonian. Without a state nothing is learnt either, and hardly anything moves. */
     for (int i = 0; i < 2; i++) {
         const double ratio = (double)SAILNET_TARGET_R / (double)memory.state.r;
-        const double cosine = cos((double)memory.cone_angle) * ratio;
-        const double rate = 2.0 * cosine * cosine * fabs(sin((double)memory.cone_angle)) * (double)memory.stake;
+        const double cosine = cos((double)memory.attitude) * ratio;
+        const double rate = 2.0 * cosine * cosine * fabs(sin((double)memory.attitude)) * (double)memory.stake;
         const double expected = (double)memory.regret + rate * (double)period;
         CHECK(sailnet_steer(&memory, NULL, period, &command) == SAILNET_RECKONED);
         CHECK(command.cone_angle * law.cone_angle < R(0.0));
@@ -609,7 +620,7 @@ static void test_a_tangential_force_is_learnt(void)
     for (int i = 0; i < 600; i++) {
         (void)sailnet_steer(&memory, &state, period, &command);
         /* Whatever the networks say, the sail was told this, and is still. */
-        memory.cone_angle = i % 20 < 10 ? R(0.6) : R(-0.6);
+        memory.attitude = i % 20 < 10 ? R(0.6) : R(-0.6);
         memory.held = period;
         memory.slewing = R(0.0);
         white = i == 300 ? (double)memory.variance : white;
@@ -642,6 +653,63 @@ static void test_a_period_in_which_the_sail_turns_says_nothing(void)
         const double turn = fabs((double)(command.cone_angle - before)) / (double)SAILNET_SLEW_RATE;
         CHECK(fabs((double)memory.slewing - (left + turn)) <= 1e-5 * (left + turn) + (double)SMALLEST);
     }
+}
+
+static void test_a_measured_attitude_is_what_a_period_is_learnt_from(void)
+{
+    const sailnet_real period = R(0.005);
+    const sailnet_state state = far_from_the_target(SAILNET_BETA);
+    const sailnet_real askew = R(0.05);
+    sailnet_memory memory = departed(&state, period);
+    sailnet_command command;
+    /* The sail is askew, the force is as the model has it: that must not be taken for another beta. */
+    for (int i = 0; i < 30; i++) {
+        sailnet_memory real = memory;
+        real.attitude = command_of(&memory) + askew;
+        const sailnet_state next = predicted(&real);
+        sailnet_measured(&memory, real.attitude);
+        CHECK(memory.attitude == real.attitude && memory.measured == real.attitude);
+        (void)sailnet_steer(&memory, &next, period, &command);
+        CHECK(command.cone_angle == command_of(&memory) && memory.attitude == command.cone_angle + memory.offset);
+    }
+    /* The start value counts as one. */
+    CHECK(fabs((double)memory.offset * 31.0 / 30.0 - (double)askew) < 1e-4);
+    CHECK(fabs((double)(memory.beta / SAILNET_BETA) - 1.0) < 1e-3 && memory.variance < R(1e-5));
+}
+
+static void test_a_measured_attitude_says_whether_the_sail_turned(void)
+{
+    const sailnet_state state = far_from_the_target(SAILNET_BETA);
+    const double most = sqrt((double)SAILNET_SLEW_BLUR);
+    sailnet_memory memory = departed(&state, R(0.005));
+    for (int i = 0; i < 4; i++) {
+        const int turns = i / 2;
+        memory.measured = R(0.25);
+        memory.slewing = R(0.001);
+        sailnet_measured(&memory, (sailnet_real)(0.25 + (i % 2 == 0 ? most : -most) * (turns ? 1.001 : 0.999)));
+        CHECK(memory.slewing == (turns ? memory.held : R(0.0)));
+    }
+    /* Farther off than that it is no offset. */
+    for (int i = 0; i < 4; i++) {
+        const double off = (double)SAILNET_LARGEST_OFFSET * (i / 2 == 1 ? 1.001 : 0.999) * (i % 2 == 0 ? 1.0 : -1.0);
+        memory.offset = R(0.0);
+        sailnet_measured(&memory, (sailnet_real)((double)memory.cone_angle + off));
+        CHECK((memory.offset == R(0.0)) == (i / 2 == 1));
+        CHECK(i / 2 == 1 || fabs((double)memory.offset - 0.5 * off) < 1e-6);
+    }
+}
+
+static void test_what_was_not_measured_changes_nothing(void)
+{
+    const sailnet_state state = far_from_the_target(SAILNET_BETA);
+    sailnet_memory memory = departed(&state, R(0.005));
+    const sailnet_memory before = memory;
+    const sailnet_real nothing[] = {(sailnet_real)NAN, (sailnet_real)INFINITY, -(sailnet_real)INFINITY};
+    for (size_t i = 0; i < sizeof nothing / sizeof nothing[0]; i++) {
+        sailnet_measured(&memory, nothing[i]);
+        CHECK(is_same_memory(&memory, &before));
+    }
+    sailnet_measured(NULL, R(0.5));
 }
 
 static void test_null_pointers_of_steering(void)
@@ -724,7 +792,7 @@ static void test_steering_in_a_batch_equals_single(void)
 {
     enum { SAILS = 50, PERIODS = 40 };
     static sailnet_memory alone[SAILS], together[SAILS];
-    static sailnet_real states[3 * SAILS];
+    static sailnet_real states[3 * SAILS], attitudes[SAILS];
     static sailnet_command commands[SAILS];
     static uint64_t sails[SAILS];
     static int32_t statuses[SAILS];
@@ -740,10 +808,17 @@ static void test_steering_in_a_batch_equals_single(void)
             states[3 * i + 1] = state.u;
             states[3 * i + 2] = state.v;
         }
-        sailnet_steer_batch(SAILS, together, sails, states, R(0.01), commands, statuses);
+        for (int i = 0; i < SAILS; i++) {
+            attitudes[i] = i % 3 == 0 ? (sailnet_real)NAN : between(-SAILNET_PHI_MAX, SAILNET_PHI_MAX);
+        }
+        const int measured = period % 2;
+        sailnet_steer_batch(SAILS, together, sails, states, measured ? attitudes : NULL, R(0.01), commands, statuses);
         for (int i = 0; i < SAILS; i++) {
             const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
             sailnet_command single;
+            if (measured) {
+                sailnet_measured(&alone[sails[i]], attitudes[i]);
+            }
             CHECK(sailnet_steer(&alone[sails[i]], &state, R(0.01), &single) == (sailnet_status)statuses[i]);
             CHECK(is_same(single, commands[i]));
         }
@@ -775,6 +850,9 @@ int main(void)
     test_what_surprises_is_kept_in_reserve();
     test_a_tangential_force_is_learnt();
     test_a_period_in_which_the_sail_turns_says_nothing();
+    test_a_measured_attitude_is_what_a_period_is_learnt_from();
+    test_a_measured_attitude_says_whether_the_sail_turned();
+    test_what_was_not_measured_changes_nothing();
     test_null_pointers_of_steering();
     test_periods_do_not_wrap_around();
     test_a_period_that_is_too_long_is_refused();

@@ -39,20 +39,33 @@ static int32_t status_of(uint64_t row, double seen)
     return isnan(seen) ? PLANT_RECKONED : (int32_t)(row % 3u) * 2 - 1;
 }
 
-static void steer_f64(uint64_t count, void *memories, const uint64_t *sails, const double *states, double period,
-                      plant_command_f64 *commands, int32_t *statuses)
+/* Calls with attitudes, and those of which the first is a number. */
+static uint64_t with_attitudes;
+static uint64_t measured;
+
+static void count_measured(uint64_t count, int given, double first)
+{
+    assert(count > 0u);
+    with_attitudes += given != 0;
+    measured += given && !isnan(first);
+}
+
+static void steer_f64(uint64_t count, void *memories, const uint64_t *sails, const double *states,
+                      const double *attitudes, double period, plant_command_f64 *commands, int32_t *statuses)
 {
     assert(memories == NULL && period > 0.0);
+    count_measured(count, attitudes != NULL, attitudes != NULL ? attitudes[0] : 0.0);
     for (uint64_t i = 0; i < count; i++) {
         commands[i] = command_of(sails[i], states[3 * i]);
         statuses[i] = status_of(sails[i], states[3 * i]);
     }
 }
 
-static void steer_f32(uint64_t count, void *memories, const uint64_t *sails, const float *states, float period,
-                      plant_command_f32 *commands, int32_t *statuses)
+static void steer_f32(uint64_t count, void *memories, const uint64_t *sails, const float *states,
+                      const float *attitudes, float period, plant_command_f32 *commands, int32_t *statuses)
 {
     assert(memories == NULL && period > 0.0f);
+    count_measured(count, attitudes != NULL, attitudes != NULL ? (double)attitudes[0] : 0.0);
     for (uint64_t i = 0; i < count; i++) {
         const plant_command_f64 command = command_of(sails[i], (double)states[3 * i]);
         commands[i].cone_angle = (float)command.cone_angle;
@@ -91,6 +104,7 @@ static void fly(const plant_rules *rules, const plant_steering *steering)
     plant_sail sails[COUNT];
     uint64_t rows[COUNT];
     double states[3u * COUNT];
+    double attitudes[COUNT];
     plant_command_f64 commands[COUNT];
     int32_t statuses[COUNT];
     double *queue = calloc(COUNT * slots, sizeof *queue);
@@ -102,6 +116,7 @@ static void fly(const plant_rules *rules, const plant_steering *steering)
         .rows = rows,
         .queue = queue,
         .states = states,
+        .attitudes = attitudes,
         .commands = commands,
         .statuses = statuses,
     };
@@ -114,11 +129,15 @@ static void fly(const plant_rules *rules, const plant_steering *steering)
         sails[i].state.u = i % 4u == 3u ? -20.0 : 0.0;
         sails[i].state.v = i % 4u == 3u ? 0.0 : 1.0 / sqrt(sails[i].state.r);
     }
+    with_attitudes = 0;
+    measured = 0;
     uint64_t left = plant_fly(rules, steering, &flights, PERIODS, records);
     for (int more = 0; more < 10 && left > 0u; more++) {
         left = plant_fly(rules, steering, &flights, PERIODS, NULL);
     }
     assert(left == 0u);
+    /* Nothing is measured before the first period. */
+    assert((measured > 0u) == (rules->attitude_measured > 0.0) && (with_attitudes > measured) == (measured > 0u));
     for (uint64_t i = 0; i < COUNT; i++) {
         assert(sails[i].ending >= PLANT_STOPPED && sails[i].ending <= PLANT_TOO_LONG);
         assert(sails[i].periods > 0u && sails[i].periods <= sails[i].outages + 1000u);

@@ -1,6 +1,8 @@
 /* Many sails at once, for simulation on a host. Not part of the flight file. */
 #include "sailnet_batch.h"
 
+#include <stddef.h>
+
 void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
                             sailnet_real *cone_angles, sailnet_real *times_of_flight, sailnet_real *lambda_vs,
                             int32_t *statuses)
@@ -23,11 +25,14 @@ void sailnet_start_batch(uint64_t count, sailnet_memory *memories)
 }
 
 void sailnet_steer_batch(uint64_t count, sailnet_memory *memories, const uint64_t *sails,
-                         const sailnet_real *states, sailnet_real period, sailnet_command *commands,
-                         int32_t *statuses)
+                         const sailnet_real *states, const sailnet_real *attitudes, sailnet_real period,
+                         sailnet_command *commands, int32_t *statuses)
 {
     for (uint64_t i = 0; i < count; i++) {
         const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
+        if (attitudes != NULL) {
+            sailnet_measured(&memories[sails[i]], attitudes[i]);
+        }
         statuses[i] = (int32_t)sailnet_steer(&memories[sails[i]], &state, period, &commands[i]);
     }
 }

@@ -44,10 +44,13 @@ void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sa
 /* Start `count` memories. */
 void sailnet_start_batch(uint64_t count, sailnet_memory *memories);
 
-/* Steer `count` sails, of which entry i uses memories[sails[i]] and gets commands[i] and statuses[i]. */
+/*
+ * Steer `count` sails, of which entry i uses memories[sails[i]] and gets commands[i] and statuses[i]. Unless it is null,
+ * `attitudes` has a measured mean cone angle [rad] each, or NaN.
+ */
 void sailnet_steer_batch(uint64_t count, sailnet_memory *memories, const uint64_t *sails,
-                         const sailnet_real *states, sailnet_real period, sailnet_command *commands,
-                         int32_t *statuses);
+                         const sailnet_real *states, const sailnet_real *attitudes, sailnet_real period,
+                         sailnet_command *commands, int32_t *statuses);
 
 /* What a caller that loads this as a shared library has to check before it flies, or has to know. */
 uint32_t sailnet_api_version(void);

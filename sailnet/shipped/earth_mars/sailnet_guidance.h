@@ -31,7 +31,7 @@
 extern "C" {
 #endif
 
-#define SAILNET_API_VERSION 4
+#define SAILNET_API_VERSION 5
 #define SAILNET_VERSION "0.2.0"
 #define SAILNET_MISSION "earth_mars"
 #define SAILNET_MISSION_DIGEST "8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c"
@@ -42,6 +42,7 @@ typedef double sailnet_real;
 #define SAILNET_REAL(literal) literal
 #define sailnet_guidance sailnet_guidance_f64
 #define sailnet_start sailnet_start_f64
+#define sailnet_measured sailnet_measured_f64
 #define sailnet_steer sailnet_steer_f64
 /* Bound on the cone angle [rad], Eq. (3). */
 #define SAILNET_PHI_MAX 1.0471975511965976
@@ -50,6 +51,7 @@ typedef float sailnet_real;
 #define SAILNET_REAL(literal) literal##f
 #define sailnet_guidance sailnet_guidance_f32
 #define sailnet_start sailnet_start_f32
+#define sailnet_measured sailnet_measured_f32
 #define sailnet_steer sailnet_steer_f32
 /* Bound on the cone angle [rad], Eq. (3); rounded down, so that no command exceeds the real bound. */
 #define SAILNET_PHI_MAX 1.0471974611282349f
@@ -82,7 +84,8 @@ typedef float sailnet_real;
    force and of how far periods differ from what was expected [TU]; the largest difference, relative to SAILNET_BETA,
    by which one period counts; the cos^2 of the cone angle below which a period says nothing; the largest tangential
    force, as a share of that along the normal; and the rate at which the sail turns [rad/TU], with the turn within a
-   period [rad^2] above which that period says nothing. */
+   period [rad^2] above which that period says nothing; a measured attitude may change by its root.
+   And the largest offset of what is measured from what was commanded [rad] that counts as one. */
 #define SAILNET_MEMORY SAILNET_REAL(6.5)
 #define SAILNET_SURPRISE_MEMORY SAILNET_REAL(1.6)
 #define SAILNET_LARGEST_SURPRISE SAILNET_REAL(0.5)
@@ -90,6 +93,7 @@ typedef float sailnet_real;
 #define SAILNET_LARGEST_TANGENTIAL SAILNET_REAL(0.25)
 #define SAILNET_SLEW_RATE SAILNET_REAL(568.177397447756)
 #define SAILNET_SLEW_BLUR SAILNET_REAL(0.03)
+#define SAILNET_LARGEST_OFFSET SAILNET_REAL(0.15)
 
 /* The reserve: the part of beta that sailnet_steer does not plan with. Of the tangential force; of what is slow in
    the surprises, as a standard deviation; of what is white in them, times the root of the periods left; its bound;
@@ -137,7 +141,10 @@ typedef struct {
    holds, commands stay bounded and the estimate of beta within its range. */
 typedef struct {
     sailnet_state state;         /* one period ago */
-    sailnet_real cone_angle;     /* commanded then [rad] */
+    sailnet_real cone_angle;     /* wanted then [rad]: commanded, but for the offset */
+    sailnet_real attitude;       /* the mean cone angle since [rad]: as measured, or else as commanded */
+    sailnet_real measured;       /* the last that was measured [rad] */
+    sailnet_real offset;         /* by how much what is measured exceeds what was commanded [rad] */
     sailnet_real held;           /* for how long [TU]; 0: the next period teaches nothing */
     sailnet_real time_of_flight; /* predicted then [TU] */
     sailnet_real beta;           /* the estimate */
@@ -181,6 +188,14 @@ sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, s
 
 /* Forget everything: a flight begins. */
 void sailnet_start(sailnet_memory *memory);
+
+/*
+ * Optional, just before sailnet_steer: the mean cone angle [rad] of the sail over the period that ends, as measured.
+ * Without it, or with a NaN or an infinity, the sail counts as having had the one it was told, and learning waits for
+ * SAILNET_SLEW_RATE. With it a sail that lags is not taken for one of another force, and to one that is askew by up to
+ * SAILNET_LARGEST_OFFSET the cone angle is commanded that makes it right.
+ */
+void sailnet_measured(sailnet_memory *memory, sailnet_real cone_angle);
 
 /*
  * Once a guidance period of `period` [TU], at most SAILNET_LARGEST_PERIOD: learn from how the sail answered to the

@@ -56,6 +56,8 @@ typedef uint32_t sailnet_bits;
 
 /* Whether the bound on the cone angle lets a sail be edge-on, which tells nothing of beta. */
 #define SAILNET_MAY_BE_EDGE_ON 0
+/* A measured attitude counts for no more [rad]. */
+#define SAILNET_LARGEST_ATTITUDE R(1.3452829208967654)
 /* The tube's last knot. */
 #define SAILNET_LAST_KNOT R(10.0)
 /* Of each of r, u, v: the trained box, the widened box, and what is at the target. */
@@ -107,9 +109,11 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 #define SAILNET_OF_TIME_TO_GO 6
 #define SAILNET_OF_SHARE 7
 #define SAILNET_OF_TANGENTIAL 8
+#define SAILNET_OF_ATTITUDE 9
+#define SAILNET_OF_OFFSET 10
 /* Three of each of r, u, v, and then one of each input. */
-#define SAILNET_OF_STATE 9
-#define SAILNET_OF_INPUTS 18
+#define SAILNET_OF_STATE 11
+#define SAILNET_OF_INPUTS 20
 static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_BETA_MIN, SAILNET_BETA_MAX},
     {-SAILNET_PHI_MAX, SAILNET_PHI_MAX},
@@ -120,6 +124,8 @@ static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_ARRIVAL_THRESHOLD, R(1e9)},
     {R(-1.0), R(1.0)},
     {-SAILNET_LARGEST_TANGENTIAL, SAILNET_LARGEST_TANGENTIAL},
+    {-SAILNET_LARGEST_ATTITUDE, SAILNET_LARGEST_ATTITUDE},
+    {-SAILNET_LARGEST_OFFSET, SAILNET_LARGEST_OFFSET},
     SAILNET_STATE_LIMITS,
     SAILNET_INPUT_LIMITS,
 };
@@ -1134,7 +1140,7 @@ static const sailnet_real sailnet_stages[4][2] = {{R(0.0), R(0.16666666666666666
                                                   {R(0.5), R(0.3333333333333333)},
                                                   {R(1.0), R(0.16666666666666666)}};
 
-/* What the last command did, by what is known of the sail: changes of r, u and v, and the direction of the force. */
+/* What the last period did, by what is known: changes of r, u and v, and the direction of the force. */
 typedef struct {
     sailnet_state by;
     sailnet_real cosine;
@@ -1145,7 +1151,7 @@ typedef struct {
 SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
 {
     const sailnet_state *const before = &memory->state;
-    sailnet_cosine_sine(memory->cone_angle, &change->cosine, &change->sine);
+    sailnet_cosine_sine(memory->attitude, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
     /* Along the normal beta cos^2, along the surface beta tangential cos sin. */
@@ -1169,11 +1175,11 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     }
 }
 
-/* The weight of a period in the mean of all at first, and later of those not forgotten. */
-SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory)
+/* The weight of a period in the mean of all at first, later of those not forgotten after a time. */
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
 {
     const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-    const sailnet_real recent = memory->held * (R(1.0) / SAILNET_SURPRISE_MEMORY);
+    const sailnet_real recent = memory->held * (R(1.0) / time);
     return recent > all ? recent : all;
 }
 
@@ -1190,7 +1196,7 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
     const sailnet_real sine = change->sine;
     const sailnet_real cosine2 = cosine * cosine;
     const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
-    /* It was not held, or the sail turned, or was not seen before: that says nothing. */
+    /* Not held, or turned, or not seen before: that says nothing. */
     int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
     telling &= (cosine2 >= SAILNET_LEAST_COSINE2) ? 1 : 0;
@@ -1202,13 +1208,11 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
     const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
     const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
-        const sailnet_real weight = sailnet_weight(memory);
-        const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-        const sailnet_real of_beta = held * (R(1.0) / SAILNET_MEMORY);
+        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
-        memory->beta += (of_beta > all ? of_beta : all) * counted;
+        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
         /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
         memory->tangential -= R(2.0) * weight * sine * cosine * aside;
         memory->variance += weight * (relative * relative - memory->variance);
@@ -1222,7 +1226,7 @@ SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_
 {
     const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
     /* What white noise leaves in a mean of few products. */
-    const sailnet_real weight = sailnet_weight(memory);
+    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
     const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
     const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
     const sailnet_real rest = memory->variance - slow;
@@ -1292,7 +1296,30 @@ void sailnet_start(sailnet_memory *memory)
     }
 }
 
-/* The state to steer by: that which is shown, or where the sail must be without one; null if neither is known. */
+/* The command by which a cone angle comes true. */
+SAILNET_PART sailnet_real sailnet_told(const sailnet_memory *memory, sailnet_real cone_angle)
+{
+    const sailnet_real told = cone_angle - memory->offset;
+    return sailnet_limited(&told, SAILNET_OF_CONE_ANGLE);
+}
+
+void sailnet_measured(sailnet_memory *memory, sailnet_real cone_angle)
+{
+    if ((memory != NULL) && (sailnet_is_finite(cone_angle) != 0)) {
+        const sailnet_real turn = cone_angle - memory->measured;
+        const sailnet_real askew = cone_angle - sailnet_told(memory, memory->cone_angle);
+        /* Farther off it lags. */
+        if (askew * askew <= SAILNET_LARGEST_OFFSET * SAILNET_LARGEST_OFFSET) {
+            memory->offset += sailnet_weight(memory, SAILNET_SURPRISE_MEMORY) * (askew - memory->offset);
+        }
+        memory->measured = cone_angle;
+        memory->attitude = cone_angle;
+        /* A mean tells the force if the sail hardly turned. */
+        memory->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : memory->held;
+    }
+}
+
+/* The state to steer by: the one shown, or where the sail must be; null if neither is known. */
 SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
                                                 sailnet_change *change)
 {
@@ -1326,6 +1353,8 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
     sailnet_real hold = R(0.0);
     /* The memory may have held any bits. */
     memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);
+    memory->attitude = sailnet_limited(&memory->attitude, SAILNET_OF_ATTITUDE);
+    memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser, which takes a comparison with a NaN for undecided. */
@@ -1355,6 +1384,8 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         }
         memory->state = *known;
         memory->cone_angle = command->cone_angle;
+        command->cone_angle = sailnet_told(memory, command->cone_angle);
+        memory->attitude = command->cone_angle + memory->offset;
         memory->held = hold;
         memory->time_of_flight = command->time_of_flight;
         if (memory->periods < UINT32_MAX) {

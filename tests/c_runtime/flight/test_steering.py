@@ -30,7 +30,7 @@ PERIODS = (0.005, 0.005, 0.005, 0.01, 0.1)
 ODD_PERIODS = (LARGEST_PERIOD, 1.0001 * LARGEST_PERIOD, 432.0, 1e30, np.nan, -1.0, 0.0, np.inf)
 ALL = np.arange(1)
 
-Steer = Callable[[Array, float, NDArray[np.intp]], Steered]
+Steer = Callable[[Array, float, NDArray[np.intp], Array | None], Steered]
 
 every_precision = pytest.mark.parametrize("precision", ["float32", "float64"])
 
@@ -49,18 +49,28 @@ def some_starts(rng: np.random.Generator, count: int) -> Array:
 
 
 def steered_oddly(steer: Steer, precision: Precision, steps: int) -> Counter[str]:
-    """Sails that depart from anywhere and arrive, with sails of any strength, outages and odd periods."""
+    """Sails that start anywhere and arrive, of any strength, askew or slow; outages, odd periods."""
     rng = np.random.default_rng(11)
     count = 60
     states = some_starts(rng, count).astype(precision).astype(float)
     seen: Counter[str] = Counter()
+    askew = rng.uniform(-0.2, 0.2, count)
+    before = np.zeros(count)
     for step in range(steps):
         sails = np.flatnonzero(rng.random(count) < 0.9)
         period = float(rng.choice(PERIODS if rng.random() < 0.97 else ODD_PERIODS))
         given = np.where(rng.random((len(sails), 1)) < 0.02, np.nan, states[sails])
         if step // 40 % 5 == 4:
             given[::4] = np.nan  # for longer than the sail is steered without a state
-        told = steer(given, period, sails)
+        # Measured in two of three stretches, in one of them with gaps; some lag half of every turn behind.
+        attitudes = None
+        if step // 20 % 3:
+            attitudes = (before + askew)[sails].astype(precision).astype(float)
+            attitudes[rng.random(len(sails)) < (step // 20 % 3 - 1) * 0.3] = np.nan
+        told = steer(given, period, sails, attitudes)
+        before[sails] = told.cone_angle - np.where(
+            sails % 4 == 0, 0.5 * (told.cone_angle - before[sails]), 0.0
+        )
         seen.update(GuidanceStatus(status).name for status in told.status)
         seen["stopped"] += int((told.arrived & (told.hold == 0.0) & (told.time_of_flight > period)).sum())
         beta = MISSION.sail.beta * rng.uniform(0.7, 1.3, len(sails))
@@ -69,7 +79,13 @@ def steered_oddly(steer: Steer, precision: Precision, steps: int) -> Counter[str
         after = hold_command(plant, told.cone_angle, beta, told.hold)[[0, 2, 3]].T
         # Those that ended or left, and a few others, begin elsewhere: to their memories, a leap.
         left = (told.status == GuidanceStatus.OUTSIDE_DOMAIN) & (rng.random(len(sails)) < 0.05)
-        anew = told.arrived | left | (after[:, 0] < 0.2) | (rng.random(len(sails)) < 0.01)
+        anew = (
+            told.arrived
+            | left
+            | (after[:, 0] < 0.2)
+            | (abs(after).max(axis=1) > 1e3)
+            | (rng.random(len(sails)) < 0.01)
+        )
         after = np.where(anew[:, None], some_starts(rng, len(sails)), after)
         states[sails] = after.astype(precision).astype(float)
     return seen
@@ -79,13 +95,14 @@ def steered_oddly(steer: Steer, precision: Precision, steps: int) -> Counter[str
 def test_each_step_of_the_c_is_the_references(exported: Exported, precision: Precision) -> None:
     guidance = flown_c(exported, precision)
     lockstep = Lockstep(guidance, 60)
-    kept = turned = 0
+    kept = turned = corrected = 0
 
-    def steer(states: Array, period: float, sails: NDArray[np.intp]) -> Steered:
-        nonlocal kept, turned
+    def steer(states: Array, period: float, sails: NDArray[np.intp], attitudes: Array | None) -> Steered:
+        nonlocal kept, turned, corrected
         before = lockstep.memory().rows(sails)
-        told = lockstep.steer(states, period, sails)
+        told = lockstep.steer(states, period, sails, attitudes)
         after = lockstep.memory().rows(sails)
+        corrected += int((abs(told.cone_angle - after.cone_angle) > 0.01).sum())
         kept += int((after.stake > 0.0).sum())
         turned += int(((before.stake > 0.0) & (after.stake < 0.0) & (after.regret == 0.0)).sum())
         return told
@@ -95,7 +112,7 @@ def test_each_step_of_the_c_is_the_references(exported: Exported, precision: Pre
     low, high = guidance.beta_range
     statuses = [status.name for status in GuidanceStatus if low < high or status != GuidanceStatus.AT_LIMIT]
     assert all(seen[name] > 3 for name in (*statuses, "stopped")), seen
-    assert min(kept, turned) > 10, (kept, turned)
+    assert min(kept, turned, corrected // 100) > 10, (kept, turned, corrected)
 
 
 def test_the_c_steers_as_the_reference_from_departure_on(exported: Exported) -> None:
@@ -104,14 +121,14 @@ def test_the_c_steers_as_the_reference_from_departure_on(exported: Exported) -> 
     steering, reference = guidance.steering(60), ReferenceSteering(guidance, 60)
     moved = 0
 
-    def steer(states: Array, period: float, sails: NDArray[np.intp]) -> Steered:
+    def steer(states: Array, period: float, sails: NDArray[np.intp], attitudes: Array | None) -> Steered:
         nonlocal moved
-        told, expected = (either.steer(states, period, sails) for either in (steering, reference))
+        told, expected = (either.steer(states, period, sails, attitudes) for either in (steering, reference))
         np.testing.assert_array_equal(told.status, expected.status)
         np.testing.assert_allclose(told.beta, expected.beta, rtol=0, atol=1e-9)
         for name in ("cone_angle", "time_of_flight", "hold", "lambda_v"):
             values = getattr(told, name), getattr(expected, name)
-            np.testing.assert_allclose(*values, rtol=1e-5, atol=1e-6, err_msg=name)
+            np.testing.assert_allclose(*values, rtol=1e-5, atol=1e-5, err_msg=name)
         moved += int((np.abs(told.beta - MISSION.sail.beta) > 1e-6).sum())
         return told
 
@@ -192,7 +209,8 @@ def test_any_bits_leave_steering_bounded(
     for _ in range(3):
         state = [data.draw(bits(precision)) for _ in range(3)]
         period = data.draw(bits(precision))
-        steered = guidance.steer(memories, [state], period, ALL)
+        measured = data.draw(st.one_of(st.none(), bits(precision).map(lambda angle: [angle])))
+        steered = guidance.steer(memories, [state], period, ALL, measured)
         timed = 0.0 < period <= LARGEST_PERIOD
         assert low <= steered.beta[0] <= high
         assert abs(steered.cone_angle[0]) <= round_down(MISSION.problem.phi_max, precision)
@@ -207,6 +225,7 @@ def test_any_bits_leave_steering_bounded(
         if steered.status[0] == GuidanceStatus.INVALID_INPUT:
             assert steered.cone_angle[0] == 0.0
         left = memories.view(memory_type(precision))[0, 0]
+        assert abs(left["offset"]) <= np.array(RULES.largest_offset, precision)
         assert abs(left["tangential"]) <= np.array(RULES.largest_tangential, precision)
         assert max(abs(left["variance"]), abs(left["slow"])) <= 1.3
 
@@ -219,7 +238,9 @@ def test_any_numbers_leave_the_reference_bounded(approach_exported: Exported, da
     low, high = guidance.beta_range
     for _ in range(3):
         state, period = [data.draw(bits("float64")) for _ in range(3)], data.draw(bits("float64"))
-        steered = reference.steer([state], period, ALL)
+        measured = data.draw(st.one_of(st.none(), bits("float64").map(lambda angle: [angle])))
+        steered = reference.steer([state], period, ALL, measured)
+        assert abs(steered.cone_angle[0]) <= MISSION.problem.phi_max
         timed = 0.0 < period <= LARGEST_PERIOD
         assert low <= steered.beta[0] <= high
         assert 0.0 <= steered.hold[0] <= (max(period, MISSION.flight.arrival_threshold) if timed else 0.0)
