@@ -712,6 +712,20 @@ static void test_what_was_not_measured_changes_nothing(void)
     sailnet_measured(NULL, R(0.5));
 }
 
+static void test_an_attitude_beyond_any_counts_as_the_largest(void)
+{
+    const sailnet_state state = far_from_the_target(SAILNET_BETA);
+    const sailnet_real angles[] = {R(1.5), LARGEST};
+    for (int i = 0; i < 4; i++) {
+        const sailnet_real sign = i % 2 == 0 ? R(1.0) : R(-1.0);
+        sailnet_memory memory = departed(&state, R(0.005));
+        sailnet_command command;
+        sailnet_measured(&memory, sign * angles[i / 2]);
+        (void)sailnet_steer(&memory, &state, R(-1.0), &command);
+        CHECK(memory.attitude == sign * SAILNET_LARGEST_ATTITUDE);
+    }
+}
+
 static void test_null_pointers_of_steering(void)
 {
     const sailnet_state state = middle_of_domain();
@@ -853,6 +867,7 @@ int main(void)
     test_a_measured_attitude_is_what_a_period_is_learnt_from();
     test_a_measured_attitude_says_whether_the_sail_turned();
     test_what_was_not_measured_changes_nothing();
+    test_an_attitude_beyond_any_counts_as_the_largest();
     test_null_pointers_of_steering();
     test_periods_do_not_wrap_around();
     test_a_period_that_is_too_long_is_refused();

@@ -157,6 +157,23 @@ MUTANTS = {
     "learnt while turning": Mutant(
         "test", "sailnet_learn", "(turned <= SAILNET_SLEW_BLUR * held)", "(turned <= R(9.0))", "failed: "
     ),
+    "learnt while the sail was seen to turn": Mutant(
+        "test", "sailnet_measured", "(turn * turn <= SAILNET_SLEW_BLUR)", "(turn * turn <= R(9.0))", "slewing"
+    ),
+    "a lag taken for an offset": Mutant(
+        "test",
+        "sailnet_measured",
+        "(askew * askew <= SAILNET_LARGEST_OFFSET * SAILNET_LARGEST_OFFSET)",
+        "(askew * askew <= R(9.0))",
+        "memory.offset",
+    ),
+    "an attitude of any size": Mutant(
+        "test",
+        "sailnet_steer",
+        "memory->attitude = sailnet_limited(&memory->attitude, SAILNET_OF_ATTITUDE);",
+        "",
+        "SAILNET_LARGEST_ATTITUDE",
+    ),
     "learnt across an outage": Mutant(
         "test", "sailnet_learn", "(memory->unseen == R(0.0))", "(memory->unseen >= R(0.0))", "failed: "
     ),
