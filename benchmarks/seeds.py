@@ -1,6 +1,7 @@
 """``python -m benchmarks.seeds``: how far the results depend on the seed of the training.
 
-Trains the wide networks from other seeds than the mission's, exports and flies them, prints the spread.
+Trains the wide networks from other seeds than the mission's, exports them, flies the campaign `law` with
+each, and writes what every seed gives, and the worst row of all, into texts, between marks.
 """
 
 import argparse
@@ -11,12 +12,11 @@ from pathlib import Path
 from typing import Any
 
 from export.write import export
-from sailnet.artefacts.files import write_whole
-from sailnet.campaign.acceptance import CAMPAIGN
+from sailnet.artefacts.files import fill_block, write_whole
+from sailnet.artefacts.provenance import software
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import score_record, scores_of
-from sailnet.campaign.tables import percent
 from sailnet.dataset import open_dataset
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
@@ -24,10 +24,12 @@ from sailnet.workers.executors import Workers, workers
 from training.parallel import train_networks
 from training.targets import TARGETS
 
+CAMPAIGN = "law"
 
-def measure(
-    dataset: Path, folder: Path, seed: int, flights: int, flight_seed: int, pool: Workers
-) -> dict[str, Any]:
+MARK = "seeds"
+
+
+def measure(dataset: Path, folder: Path, seed: int, flights: int, pool: Workers) -> dict[str, Any]:
     """Train from one seed (or take up what an earlier call finished), export, fly."""
     with open_dataset(dataset) as data:
         mission = data.mission.with_training(seed=seed)
@@ -36,38 +38,52 @@ def measure(
     )
     export(folder, folder / "export", mission, progress=False)
     guidance = load_guidance(mission, "c", "float64", folder / "export")
-    plan = load_plan(CAMPAIGN).changed(flights, flight_seed)
+    plan = load_plan(CAMPAIGN).changed(flights, None)
     results = fly_plan(mission, guidance, plan, folder / f"{CAMPAIGN}.h5", workers=pool, overwrite=True)
     return {
         "seed": seed,
         "test_mse": {network.name: network.provenance["test_mse"] for network in networks},
-        "acceptance": [score_record(score) for score in scores_of(results)],
+        CAMPAIGN: [score_record(score) for score in scores_of(results)],
     }
 
 
 def table(records: list[dict[str, Any]]) -> list[str]:
-    """A line a seed."""
+    """What the networks of every seed do: a line a series, the numbers of the seeds side by side."""
+    seeds = ", ".join(str(record["seed"]) for record in records)
+    errors = "; ".join(
+        ", ".join(f"{value:.1e}" for value in record["test_mse"].values()) for record in records
+    )
     lines = [
-        "| seed | test MSE tau, alpha_pre, lambda_v | nominal: mean above own optimum, 99 %, first approach "
-        "| arrived, within 1e-4 | bias | bias and noise | drift | Case 1, 2: largest error |",
-        "|---|---|---|---|---|---|---|---|",
+        f"Seeds {seeds}, {records[0][CAMPAIGN][0]['flights']:,} flights a series. "
+        f"Test MSE of tau, alpha_pre, lambda_v: {errors}.",
+        "",
+        "| series | do not arrive | not home at the first approach | mean above own optimum [%] "
+        "| reversals, 99 % |",
+        "|---|---|---|---|---|",
     ]
-    for record in records:
-        nominal, bias, noisy, drift = record["acceptance"][:4]
-        above = nominal["time_above_own_optimum"]
-        close = 100 * nominal["within"]["0.0001"] / nominal["flights"]
-        worst = [
-            max(score["error_quantiles"]["1"] for score in record["acceptance"] if score["series"] == name)
-            for name in ("Case 1", "Case 2")
+    for scores in zip(*(record[CAMPAIGN] for record in records), strict=True):
+        cells = [
+            [str(score["flights"] - score["arrived"]) for score in scores],
+            [str(score["flights"] - score["first_approach"]) for score in scores],
+            [f"{100.0 * score['time_above_own_optimum']['mean']:.3g}" for score in scores],
+            [f"{score['reversals']['0.99']:.0f}" for score in scores],
         ]
-        lines.append(
-            f"| {record['seed']} | {', '.join(f'{value:.1e}' for value in record['test_mse'].values())} "
-            f"| {percent(above['mean'])}, {percent(above['0.99'])}, {nominal['first_approach']} "
-            f"| {nominal['arrived']} of {nominal['flights']}, {close:.2f} % "
-            f"| {bias['arrived']} | {noisy['arrived']} | {drift['arrived']} "
-            f"| {worst[0]:.1e}, {worst[1]:.1e} |"
-        )
+        lines.append(f"| {scores[0]['series']} | {' | '.join(', '.join(cell) for cell in cells)} |")
     return lines
+
+
+def headline(records: list[dict[str, Any]]) -> str:
+    """The worst row of all seeds: that of the most flights that are not home at the first approach."""
+    rows = [(record["seed"], score) for record in records for score in record[CAMPAIGN]]
+    seed, worst = max(rows, key=lambda row: row[1]["flights"] - row[1]["first_approach"])
+    above = max(100.0 * score["time_above_own_optimum"]["mean"] for _, score in rows)
+    arrived = min(score["arrived"] / score["flights"] for _, score in rows)
+    return (
+        f"The worst row of {len(records)} other trainings (seeds {records[0]['seed']} to "
+        f"{records[-1]['seed']}; campaign `{CAMPAIGN}`, {worst['flights']:,} flights a series): "
+        f"{100 * arrived:.2f} % arrive, {100 * worst['first_approach'] / worst['flights']:.2f} % at the "
+        f"first approach ({worst['series']}, seed {seed}), mean at most {above:.2f} % above the own optimum."
+    )
 
 
 def main() -> int:
@@ -81,8 +97,9 @@ def main() -> int:
     parser.add_argument("dataset", type=Path, help="the wide data set")
     parser.add_argument("folder", type=Path, help="for the networks of each seed, and spread.json")
     parser.add_argument("--seeds", type=int, nargs="+", default=[11, 12, 13, 14, 15], help="(%(default)s)")
-    parser.add_argument("--flights", type=int, default=10_000, help="of each campaign (%(default)s)")
-    parser.add_argument("--flight-seed", type=int, default=2, help="of starts and disturbances (%(default)s)")
+    parser.add_argument("--flights", type=int, default=10_000, help="of a series (%(default)s)")
+    parser.add_argument("--text", type=Path, help=f"file with marks <!-- {MARK} --> for the table")
+    parser.add_argument("--headline", type=Path, help="file with such marks for the worst row")
     options = parser.parse_args()
     try:
         with workers(os.cpu_count() or 1) as pool:
@@ -92,17 +109,22 @@ def main() -> int:
                     options.folder / f"seed{seed}",
                     seed,
                     options.flights,
-                    options.flight_seed,
                     pool,
                 )
                 for seed in options.seeds
             ]
         text = json.dumps(records, indent=1)
         write_whole(options.folder / "spread.json", lambda beside: beside.write_text(text, encoding="utf-8"))
+        made = software()
+        lines = [*table(records), "", f"{made['machine']}, {made['date']}, revision {made['revision']}."]
+        if options.text:
+            fill_block(options.text, MARK, "\n".join(lines))
+        if options.headline:
+            fill_block(options.headline, MARK, headline(records))
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
-    print("\n".join(table(records)))
+    print("\n".join([*lines, "", headline(records)]))
     return 0
 
 
