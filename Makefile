@@ -35,7 +35,7 @@ IN_BOTH := law everything
 fly_campaign = $(VENV)/bin/sailnet evaluate --overwrite --mission $(MISSION) --workers 2 \
     $(addprefix --flights ,$(CAMPAIGN_FLIGHTS)) --campaign
 
-.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns bench benchmarks report ship quick test test-tools tools peers mutation checks lint clean
+.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns others bench benchmarks report ship quick test test-tools tools peers mutation checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -107,6 +107,18 @@ campaigns: $(plain)/exported | $(READY)
 	done
 	$(fly_campaign) law --networks $(plain) --output $(BUILD)/campaigns/plain-law
 	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.score_tables $(BUILD)/campaigns sailnet/campaign/RESULTS.md)
+
+# The campaign `law` by other guidances, fewer flights, and the table of them beside the networks'.
+others: | $(READY)
+	for guidance in look-ahead look-ahead-without-reserve; do \
+	    $(VENV)/bin/sailnet evaluate --overwrite --mission $(MISSION) --workers 2 --flights 1000 \
+	        --campaign law --guidance $$guidance --output $(BUILD)/campaigns || exit 1; \
+	done
+	for guidance in expert expert-without-reserve; do \
+	    $(VENV)/bin/sailnet evaluate --overwrite --mission $(MISSION) --workers 2 --flights 200 \
+	        --campaign law --guidance $$guidance --output $(BUILD)/campaigns || exit 1; \
+	done
+	$(PYTHON) -m sailnet.campaign.upper_bound $(BUILD)/campaigns sailnet/campaign/RESULTS.md
 
 bench: $(run)/bench.json
 $(run)/bench.json: $(exported)/exported $(wildcard c_runtime/verification/bench/*) | $(READY)

@@ -212,8 +212,8 @@ PLAIN_LAW = "plain-law"
 """Where, beside the others, campaigns lie that were flown by ``sailnet.guidance.rules.PLAIN``."""
 
 
-def by_expert(name: str, guidance: str) -> str:
-    """What the results of a campaign are called that the expert flew, in one of its ways."""
+def guided_by(name: str, guidance: str) -> str:
+    """What the results of a campaign are called that another guidance than the networks flew."""
     return f"{name}-{guidance}"
 
 

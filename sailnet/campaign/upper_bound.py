@@ -1,7 +1,7 @@
-"""``python -m sailnet.campaign.upper_bound``: what the networks fly beside what the expert would.
+"""``python -m sailnet.campaign.upper_bound``: what the networks fly, beside what others would.
 
 The same flights, from the same starts with the same random numbers, guided by the expert itself: what is left
-to gain for any guidance that knows no more than the networks do.
+to gain for any guidance that knows no more than the networks do; or by the networks with another law.
 """
 
 import sys
@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.campaign.plan import Series, by_expert, ready_campaigns
+from sailnet.campaign.plan import Series, guided_by, ready_campaigns
 from sailnet.campaign.results import Results, open_results
 from sailnet.campaign.scores import Score, score_of
 from sailnet.campaign.tables import (
@@ -28,13 +28,13 @@ from sailnet.campaign.tables import (
 )
 from sailnet.campaign.text_command import fill_from_folder
 from sailnet.errors import CampaignError
-from sailnet.guidance.rules import EXPERT_RULES
+from sailnet.guidance.rules import EXPERT_RULES, LOOK_AHEAD_RULES
 
 MARK = "upper bound"
 
 
 def upper_bounds(folder: Path, campaigns: Iterable[str]) -> list[Table]:
-    """A table for each campaign that networks and expert have flown, in float64.
+    """A table for each campaign that the networks and others have flown, in float64.
 
     Args:
         folder: where campaigns were flown to.
@@ -46,7 +46,8 @@ def upper_bounds(folder: Path, campaigns: Iterable[str]) -> list[Table]:
     tables = []
     for name in campaigns:
         paths = {"networks": folder / f"{name}.h5"}
-        paths |= {expert: folder / f"{by_expert(name, expert)}.h5" for expert in EXPERT_RULES}
+        others = (*EXPERT_RULES, *LOOK_AHEAD_RULES)
+        paths |= {other: folder / f"{guided_by(name, other)}.h5" for other in others}
         flown = {guided: open_results(path) for guided, path in paths.items() if path.exists()}
         if "networks" in flown and len(flown) > 1:
             tables.append(side_by_side(flown))
@@ -66,7 +67,7 @@ def side_by_side(flown: dict[str, Results]) -> Table:
     for other in others:
         if other.plan.seed != first.plan.seed or other.mission.digest() != first.mission.digest():
             raise CampaignError(
-                f"campaign {first.plan.name!r} was flown with another seed or mission by the expert"
+                f"campaign {first.plan.name!r} was flown with another seed or mission by another guidance"
             )
     columns = [SERIES, PERIOD, FLIGHTS, MEAN, HOME, REVERSALS, LATE, ARRIVE]
     rows: list[list[str]] = []
@@ -107,7 +108,7 @@ def _score(results: Results, rows: NDArray[np.intp], name: str, period: float) -
 def _blocks(folder: Path) -> str:
     tables = upper_bounds(folder, ready_campaigns())
     if not tables:
-        raise CampaignError(f"no campaign in {folder} was flown by both: see --guidance expert")
+        raise CampaignError(f"no campaign in {folder} was flown by both: see --guidance")
     return "\n\n".join("\n".join([f"*{table.title}*", "", *table.markdown()]) for table in tables)
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from sailnet.errors import SailnetError
-from sailnet.guidance.rules import EXPERT_RULES
+from sailnet.guidance.rules import EXPERT_RULES, LOOK_AHEAD_RULES
 from sailnet.mission.disturbances import Disturbance, catalogue, disturbance_from
 from sailnet.mission.mission import Mission
 from sailnet.physics.optics import OPTICS
@@ -63,10 +63,11 @@ def backend_parser(*more: str) -> argparse.ArgumentParser:
     parser.add_argument("--networks", type=Path, metavar="DIR", help="exported networks (default: shipped)")
     parser.add_argument(
         "--guidance",
-        choices=(NETWORKS, *EXPERT_RULES),
+        choices=(NETWORKS, *EXPERT_RULES, *LOOK_AHEAD_RULES),
         default=NETWORKS,
         help="what flies: the networks; or the expert, solved anew every day, with the networks' rules of "
-        "steering or without their reserve: what guidance could get at all (default: %(default)s)",
+        "steering or without their reserve: what guidance could get at all; or the networks by a law that "
+        "looks periods ahead for its side (default: %(default)s)",
     )
     return parser
 
@@ -83,7 +84,7 @@ def guidance_of(options: argparse.Namespace, mission: Mission, *, many: bool = F
         GuidanceError: it is missing, damaged or of another mission.
         SailnetError: options of networks that the expert does not take.
     """
-    if options.guidance != NETWORKS:
+    if options.guidance in EXPERT_RULES:
         from sailnet.guidance.by_expert.pilot import ExpertGuidance
 
         if options.networks is not None or (options.backend, options.precision) != ("c", "float64"):
@@ -91,7 +92,14 @@ def guidance_of(options: argparse.Namespace, mission: Mission, *, many: bool = F
         return ExpertGuidance(mission, options.guidance, indexed=many)
     from sailnet.guidance.backends import load_guidance
 
-    return load_guidance(mission, options.backend, options.precision, options.networks, layout=options.layout)
+    networks = load_guidance(
+        mission, options.backend, options.precision, options.networks, layout=options.layout
+    )
+    if options.guidance in LOOK_AHEAD_RULES:
+        from sailnet.guidance.looking_ahead import LookingAhead
+
+        return LookingAhead(networks, options.guidance)
+    return networks
 
 
 def loop_parser() -> argparse.ArgumentParser:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from pathlib import Path
 
-from sailnet.campaign.plan import Plan, by_expert, load_plan, single_precision
+from sailnet.campaign.plan import Plan, guided_by, load_plan, single_precision
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import score_record, scores_of
 from sailnet.campaign.tables import Table, score_tables, side_by_side
@@ -39,7 +39,7 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     plan = plan.changed(options.flights, options.seed)
     need_pictures()
     if options.guidance != NETWORKS:
-        return _flown(options, mission, plan, by_expert(plan.name, options.guidance), options.precision)[0]
+        return _flown(options, mission, plan, guided_by(plan.name, options.guidance), options.precision)[0]
     if options.precision != BOTH:
         return _flown(options, mission, plan, plan.name, options.precision)[0]
     result, double = _flown(options, mission, plan, plan.name, "float64")

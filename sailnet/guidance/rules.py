@@ -81,6 +81,14 @@ EXPERT_RULES = {
 """Those of the expert in the networks' place: the same; or all of the estimate, and every turn at once."""
 
 
+LOOK_AHEAD_RULES = {
+    "look-ahead": replace(RULES, largest_patience=0.0),
+    "look-ahead-without-reserve": replace(
+        RULES, reserve_tangential=0.0, largest_reserve=0.0, largest_patience=0.0
+    ),
+}
+"""Those of the networks where the side is chosen by looking periods ahead: with the same reserve, or none."""
+
 PLAIN = SteeringRules(
     memory=1.0,
     surprise_memory=1.0,

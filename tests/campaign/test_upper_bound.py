@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from sailnet.campaign.batches import EXPERT_BATCH, Job
-from sailnet.campaign.plan import Plan, by_expert, parse_plan
+from sailnet.campaign.plan import Plan, guided_by, parse_plan
 from sailnet.campaign.results import Results
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import scores_of
@@ -37,7 +37,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made = tmp_path_factory.mktemp("flown")
     fly_plan(MISSION, NETWORKS, plan_of(), made / "both.h5")
     fewer = plan_of(flights=2, series=[plan_of().model_dump(mode="json")["series"][1]])
-    fly_plan(MISSION, NETWORKS, fewer, made / f"{by_expert('both', 'expert')}.h5")
+    fly_plan(MISSION, NETWORKS, fewer, made / f"{guided_by('both', 'expert')}.h5")
     return made
 
 

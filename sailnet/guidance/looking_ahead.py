@@ -1,0 +1,93 @@
+"""Guidance that looks periods ahead: another way to choose a side, beside the law that keeps its own.
+
+Of the networks' command and its mirror image the one is taken after which the sail is sooner there: each is
+held for a period, the networks' own commands follow for some more, and the networks say how long it takes
+from there. It needs no memory of a side and no lambda_v, and asks the networks some twenty times a command.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sailnet.errors import GuidanceError
+from sailnet.guidance.interface import Commands, Guidance, Steering
+from sailnet.guidance.rules import LOOK_AHEAD_RULES
+from sailnet.guidance.steering import ReferenceSteering
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+from sailnet.physics.dynamics import runge_kutta_step
+
+HORIZON = 10
+"""Guidance periods that are looked ahead."""
+
+
+@dataclass(frozen=True)
+class LookingAhead:
+    """The same networks, steered in Python by looking ahead.
+
+    Attributes:
+        guidance: gives the commands.
+        name: of the rules of steering, a key of :data:`sailnet.guidance.rules.LOOK_AHEAD_RULES`.
+
+    Raises:
+        GuidanceError: there are no such rules.
+    """
+
+    guidance: Guidance
+    name: str = "look-ahead"
+
+    def __post_init__(self) -> None:
+        if self.name not in LOOK_AHEAD_RULES:
+            raise GuidanceError(f"no law {self.name!r}: known are {' and '.join(LOOK_AHEAD_RULES)}")
+
+    @property
+    def mission(self) -> Mission:
+        """The guidance's."""
+        return self.guidance.mission
+
+    @property
+    def networks_digest(self) -> str:
+        """The guidance's, and what steers: results of one are not those of the other."""
+        return f"{self.guidance.networks_digest} {self.name}"
+
+    @property
+    def beta_range(self) -> tuple[float, float]:
+        """The guidance's."""
+        return self.guidance.beta_range
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
+        """The guidance's; see ``sailnet.guidance.interface.Guidance``."""
+        return self.guidance.command(states, beta)
+
+    def steering(self, count: int) -> Steering:
+        """Steering of ``count`` sails; see ``sailnet.guidance.interface.Guidance``."""
+        return LookAheadSteering(self, count, LOOK_AHEAD_RULES[self.name])
+
+
+class LookAheadSteering(ReferenceSteering):
+    """Estimates, reserve and stop rule of the networks' steering, with a side by looking ahead."""
+
+    def _command(self, states: Array, beta: Array, hold: Array, sails: NDArray[np.intp]) -> Commands:
+        command = self._guidance.command(states, beta)
+        # Where both are the same, or nothing is known, there is nothing to choose.
+        differ = np.flatnonzero(np.isfinite(states).all(axis=1) & (command.cone_angle != 0.0) & (hold > 0.0))
+        if not len(differ):
+            return command
+        sides = [
+            self._time_after(side * command.cone_angle[differ], states[differ], beta[differ], hold[differ])
+            for side in (1.0, -1.0)
+        ]
+        angle = command.cone_angle.copy()
+        angle[differ] = np.where(sides[1] < sides[0], -angle[differ], angle[differ])
+        return replace(command, cone_angle=angle)
+
+    def _time_after(self, angle: Array, states: Array, beta: Array, hold: Array) -> Array:
+        """(n,) time of flight that is left after the horizon, where this angle is held first [TU]."""
+        polar = np.zeros((4, len(states)))
+        polar[[0, 2, 3]] = states.T
+        for _ in range(HORIZON):
+            polar = runge_kutta_step(polar, angle, beta, hold)
+            ahead = self._guidance.command(polar[[0, 2, 3]].T, beta)
+            angle = ahead.cone_angle
+        return np.asarray(ahead.time_of_flight)
