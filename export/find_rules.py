@@ -105,7 +105,7 @@ class Trials:
         disturbance = series.disturbances(mission, seed)
         flights = fly(mission, guidance, starts, disturbance=disturbance)
         if series.name not in self._optima:
-            self._optima[series.name] = optimal_times_of(mission, flights, disturbance.optics)
+            self._optima[series.name] = optimal_times_of(mission, flights, mission.optics_flown(disturbance))
         return _row(mission, flights, self._optima[series.name])
 
 

@@ -173,7 +173,9 @@ class Job:
         period = self.plan.periods_of(series, self.mission)[0]
         given = rules(self.mission, disturbance, period, self.guidance.beta_range)
         errors = constant_errors(given, range(first, first + len(assumed.time_of_flight)))
-        return own_optimal_times(self.mission.problem, assumed, errors, disturbance.optics)
+        return own_optimal_times(
+            self.mission.problem, assumed, errors, self.mission.optics_flown(disturbance)
+        )
 
 
 def own_column(series: int) -> str:

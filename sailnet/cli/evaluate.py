@@ -84,7 +84,8 @@ def run(options: argparse.Namespace) -> Result:
         )
     excess = None
     if not options.without_optima:
-        excess = excess_of(mission, flights, optimal_times_of(mission, flights, disturbance.optics))
+        optics = mission.optics_flown(disturbance)
+        excess = excess_of(mission, flights, optimal_times_of(mission, flights, optics))
     arrived = Share.where(flights.arrived)
     quantiles = component_quantiles(flights, (0.5, 0.9, 0.95, 0.99, 1.0))
     return {

@@ -70,7 +70,8 @@ def run(options: argparse.Namespace) -> Result:
     if optimum is not None:
         costates, times = optimum.arrival_costates[None], np.array([optimum.time_of_flight])
         beta = mission.problem.beta * (1.0 + flight.beta_error)
-        sails, _ = own_optima(mission.problem, flight.starts, costates, times, beta, disturbance.optics)
+        optics = mission.optics_flown(disturbance)
+        sails, _ = own_optima(mission.problem, flight.starts, costates, times, beta, optics)
         own = float(sails.time_of_flight[0]) if sails.found[0] else None
     result: Result = {
         "arrived": bool(flight.arrived[0]),

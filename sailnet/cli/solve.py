@@ -3,7 +3,6 @@
 import argparse
 import math
 import sys
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from sailnet.cli.arguments import Commands, add_command, state_of, state_parser
@@ -46,8 +45,7 @@ def _override_parser() -> argparse.ArgumentParser:
     group.add_argument(
         "--optics",
         choices=tuple(OPTICS),
-        default="ideal",
-        help="coefficients of the sail (default: %(default)s); if not ideal, --smoothing is 0",
+        help="coefficients of the sail; if not ideal, --smoothing is 0",
     )
     return parser
 
@@ -57,24 +55,24 @@ def run(options: argparse.Namespace) -> Result:
     from sailnet.expert.fastest import solve
     from sailnet.expert.nominal import solve_nominal
 
-    optics = OPTICS[options.optics]
-    exact = options.smoothing is None and options.optics != "ideal"
-    mission = load_mission(options.mission).with_overrides(
+    given = load_mission(options.mission)
+    chosen = given if options.optics is None else given.with_optics(OPTICS[options.optics])
+    mission = chosen.with_overrides(
         beta=options.beta,
         max_cone_angle=options.phi_max,
-        smoothing=0.0 if exact else options.smoothing,
+        smoothing=options.smoothing,
         target_radius=options.target_radius,
     )
-    given = [x is not None for x in (options.r, options.u, options.v)]
-    if any(given) and not all(given):
+    known = [x is not None for x in (options.r, options.u, options.v)]
+    if any(known) and not all(known):
         raise SailnetError("give all of R U V, or none of them to start from the mission's departure orbit")
-    state = state_of(options) if all(given) else None
-    problem = replace(mission.problem, optics=optics)
+    state = state_of(options) if all(known) else None
+    problem = mission.problem
     for remark in tested_range.beyond(problem):
         print(f"note: {remark}", file=sys.stderr)
     if state:
         return _facts(solve(problem, state))
-    nominal = solve_nominal(mission, optics)
+    nominal = solve_nominal(mission)
     return {
         "state": nominal.smoothed.state.tolist(),
         **_facts(nominal.smoothed),

@@ -16,7 +16,6 @@ from sailnet.expert.continuation import follow
 from sailnet.expert.fastest import RESIDUAL_GOAL, Extremal, extremal_of, solve
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
-from sailnet.physics.optics import OPTICS, Optics
 from sailnet.physics.transfer import Transfer
 
 
@@ -38,17 +37,16 @@ class Nominal:
     homotopy: Array
 
 
-def solve_nominal(mission: Mission, optics: Optics = OPTICS["ideal"]) -> Nominal:
+def solve_nominal(mission: Mission) -> Nominal:
     """Indirect shooting from the departure orbit with a homotopy in phi_max, then in delta.
 
     Args:
         mission: the problem and the departure orbit.
-        optics: of the sail; other than ideal they need a mission without smoothing.
 
     Raises:
         SolveError: neither the homotopy nor the expert found one of the three solutions.
     """
-    problem = replace(mission.problem, optics=optics)
+    problem = mission.problem
 
     def tightened(share: float) -> Transfer:
         bound = problem.phi_max if share == 1.0 else math.pi / 2 + share * (problem.phi_max - math.pi / 2)

@@ -81,7 +81,7 @@ def rules(
             "reversal": REVERSAL,
             "beta_range": beta_range,
             "beta": mission.sail.beta,
-            "optics": optics_of(disturbance.optics.force),
+            "optics": optics_of(mission.optics_flown(disturbance).force),
         },
     )
 

@@ -99,14 +99,17 @@ class Disturbance:
         "1", "share of periods of which guidance is told the mean cone angle flown; 1: all, 0: none"
     )
     attitude_noise: float = _quantity("rad", "sigma of the error of a measured cone angle")
-    optics: Optics = field(
-        default=OPTICS["ideal"],
-        metadata={"unit": "", "meaning": f"optical coefficients: {' or '.join(OPTICS)}"},
+    optics: Optics | None = field(
+        default=None,
+        metadata={
+            "unit": "",
+            "meaning": f"optical coefficients, where not the mission's: {' or '.join(OPTICS)}",
+        },
     )
     seed: int = _quantity("", "of every random number", 0)
 
     def __post_init__(self) -> None:
-        if not isinstance(self.optics, Optics):
+        if self.optics is not None and not isinstance(self.optics, Optics):
             raise SailnetError(f"optics must be one of {', '.join(OPTICS)}, not {self.optics!r}")
         if isinstance(self.seed, bool) or not isinstance(self.seed, int) or not 0 <= self.seed < 2**64:
             raise SailnetError(f"seed must be a whole number from 0 to 2^64 - 1, not {self.seed!r}")
@@ -186,7 +189,7 @@ def disturbance_from(table: Mapping[str, object], otherwise: Disturbance | None 
     if unknown := sorted(set(table) - known):
         raise SailnetError(f"no disturbance {', '.join(unknown)}; known are {', '.join(sorted(known))}")
     given: dict[str, Any] = dict(table)
-    if "optics" in given:
+    if given.get("optics") is not None:
         given["optics"] = optics_from(given["optics"])
     values = {} if otherwise is None else {name: getattr(otherwise, name) for name in known}
     return Disturbance(**(values | given))

@@ -7,6 +7,7 @@ what is wrong is reported by key, value and what is allowed.
 import hashlib
 import json
 import math
+from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -18,6 +19,7 @@ from sailnet.mission.explanation import explain
 from sailnet.mission.recipes import Recipes, Training
 from sailnet.mission.sections import FlightRules, Orbits, Region, Sail, Section
 from sailnet.mission.toml_files import read_table, shipped_names
+from sailnet.physics.optics import OPTICS, Optics
 from sailnet.physics.transfer import Transfer
 
 FOLDER = "mission/missions"
@@ -54,7 +56,12 @@ class Mission(Section):
             phi_max=math.radians(self.sail.max_cone_angle),
             delta=self.sail.smoothing,
             target_radius=self.transfer.target_radius,
+            optics=self.sail.optics,
         )
+
+    def optics_flown(self, disturbance: Disturbance) -> Optics:
+        """Of the real sail: the mission's, unless a disturbance says another."""
+        return self.sail.optics if disturbance.optics is None else disturbance.optics
 
     @property
     def departure_state(self) -> tuple[float, float, float]:
@@ -80,6 +87,14 @@ class Mission(Section):
         if target_radius is not None:
             content["transfer"]["target_radius"] = target_radius
         return parse_mission(content, f"{self.name} with other values")
+
+    def with_optics(self, optics: Optics) -> "Mission":
+        """The mission of a sail with these coefficients; of one that is not ideal, with the exact law."""
+        content = self.model_dump(by_alias=True, mode="json")
+        content["sail"]["optics"] = asdict(optics)
+        if optics.force != OPTICS["ideal"].force:
+            content["sail"]["smoothing"] = 0.0
+        return parse_mission(content, f"{self.name} with other optics")
 
     def with_training(self, **changes: int) -> "Mission":
         """The mission with other values in all its training recipes."""

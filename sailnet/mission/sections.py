@@ -4,9 +4,20 @@ import math
 from typing import Annotated
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, field_validator
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    SerializerFunctionWrapHandler,
+    field_validator,
+    model_serializer,
+    model_validator,
+)
 
+from sailnet.errors import SailnetError
 from sailnet.physics.arrays import Array
+from sailnet.physics.optics import OPTICS, Optics, optics_from
 from sailnet.physics.units import HOUR, TU
 
 Positive = Annotated[float, Field(gt=0.0)]
@@ -21,12 +32,42 @@ class Section(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, strict=True)
 
 
+def _read_optics(given: object) -> Optics:
+    try:
+        return optics_from(given)
+    except SailnetError as error:
+        raise ValueError(str(error)) from error
+
+
 class Sail(Section):
-    """The sail: characteristic acceleration and attitude constraint; 90 degrees mean no constraint."""
+    """The sail: characteristic acceleration and attitude constraint; 90 degrees mean no constraint.
+
+    Its optics are a name of ``sailnet.physics.optics.OPTICS`` or a table of coefficients; ideal by default.
+    """
 
     beta: Annotated[float, Field(gt=0.0, lt=1.0)]
     max_cone_angle: Annotated[float, Field(gt=0.0, le=90.0)]
     smoothing: Annotated[float, Field(ge=0.0, le=0.1)]
+    optics: Annotated[Optics, BeforeValidator(_read_optics)] = OPTICS["ideal"]
+
+    @model_validator(mode="after")
+    def _exact_unless_ideal(self) -> "Sail":
+        if not self.ideal and self.smoothing != 0.0:
+            raise ValueError("Eq. (12) smooths the law of an ideal sail: with other optics smoothing is 0")
+        return self
+
+    @property
+    def ideal(self) -> bool:
+        """Whether the force is along the normal alone."""
+        return self.optics.force == OPTICS["ideal"].force
+
+    @model_serializer(mode="wrap")
+    def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
+        """An ideal sail is written as before there were others: artefacts of its missions stay valid."""
+        content: dict[str, object] = handler(self)
+        if self.optics == OPTICS["ideal"]:
+            del content["optics"]
+        return content
 
 
 class Orbits(Section):

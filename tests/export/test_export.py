@@ -12,6 +12,7 @@ import pytest
 from c_runtime.shared_library import compile_libraries
 from export.__main__ import main
 from export.agreement import Sails, in_torch, sign_network
+from export.errors import ExportError
 from export.to_c import write_c
 from export.write import export
 from sailnet import load_mission
@@ -26,6 +27,7 @@ from sailnet.networks.approach import approach_coordinates
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import load_network, save_network
 from sailnet.physics.arrays import Array
+from sailnet.physics.optics import OPTICS
 from tests.conftest import Exported
 from tests.random_networks import (
     NO_TUBE,
@@ -273,6 +275,14 @@ def test_networks_of_another_mission_are_refused(
     assert main([str(tmp_path / "networks"), str(target)]) == 1
     assert "was trained for mission 'earth_mars' with other parameters" in capsys.readouterr().err
     assert snapshot(target) == snapshot(exported.folder)
+
+
+def test_a_sail_that_is_not_ideal_has_no_c_yet(tmp_path: Path) -> None:
+    mission = MISSION.with_optics(OPTICS["jpl"])
+    save_guidance(random_guidance(mission=mission), tmp_path / "networks")
+    with pytest.raises(ExportError, match="has a sail that is not ideal"):
+        export(tmp_path / "networks", tmp_path / "target", mission, progress=False)
+    assert not (tmp_path / "target").exists()
 
 
 def test_a_failure_half_way_leaves_the_old_files(

@@ -11,6 +11,8 @@ from sailnet.errors import SailnetError
 from sailnet.expert.fastest import sample, solve
 from sailnet.flight.closed_loop import Flights, fly, fly_recorded
 from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission
+from sailnet.physics.optics import OPTICS, Optics
 from tests.pilots import MISSION, Constant, Optimum
 
 
@@ -25,6 +27,28 @@ def test_flying_the_optimal_command_ends_on_the_target_orbit() -> None:
         assert flight.arrived.all()
         assert flight.terminal_error.max() < bound
         assert flight.time_of_flight[0] == pytest.approx(extremal.time_of_flight, abs=1e-9)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["jpl", "nasa"])
+def test_a_mission_s_own_optics_fly_unless_a_disturbance_says_others(name: str) -> None:
+    """The plant's force and the expert's were written apart: its optimum flies home in the one sail alone."""
+    mission = MISSION.with_optics(OPTICS[name])
+    extremal = solve(mission.problem, mission.departure_state)
+    time, columns = sample(mission.problem, extremal, 20_001)
+    period = extremal.time_of_flight / 1000.4
+
+    def flown(sail: Mission, **disturbance: Optics) -> Flights:
+        pilot = Optimum(time, columns[:, 6], period)
+        given = Disturbance(**disturbance)  # type: ignore[arg-type]
+        return fly(sail, pilot, [mission.departure_state], disturbance=given, period=period)
+
+    own = flown(mission)
+    assert own.arrived.all()
+    assert own.terminal_error.max() < 1e-5
+    np.testing.assert_array_equal(flown(MISSION, optics=OPTICS[name]).ends, own.ends)
+    np.testing.assert_array_equal(flown(mission, optics=OPTICS["ideal"]).ends, flown(MISSION).ends)
+    assert flown(MISSION).terminal_error.max() > 0.01
 
 
 def test_a_flight_stops_at_the_first_prediction_below_the_threshold() -> None:

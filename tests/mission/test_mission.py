@@ -4,6 +4,7 @@ import copy
 import json
 import math
 import tomllib
+from dataclasses import asdict
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,9 @@ from typing import Any
 import pytest
 
 from sailnet.errors import MissionError
-from sailnet.mission.mission import load_mission, parse_mission, shipped_missions
+from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.mission import Mission, load_mission, parse_mission, shipped_missions
+from sailnet.physics.optics import OPTICS
 
 TEXT = (resources.files("sailnet") / "mission" / "missions" / "earth_mars.toml").read_text("utf-8")
 
@@ -75,6 +78,12 @@ def test_earth_mars_is_the_paper_s_problem() -> None:
         ("sail.max_cone_angle", "60", "number"),
         ("sail.max_cone_angle", True, "number"),
         ("sail.smoothing", -1e-9, "greater than or equal to 0"),
+        ("sail.optics", "mylar", "one of ideal, jpl, nasa or a table"),
+        ("sail.optics", 1.0, "one of ideal, jpl, nasa or a table"),
+        ("sail.optics", {"reflectivity": 1.1}, "reflectivity must be from 0 to 1"),
+        ("sail.optics", {"shininess": 0.5}, "no shininess; known are reflectivity"),
+        ("sail.optics", {"front_emissivity": 0.0, "back_emissivity": 0.0}, "emissivities"),
+        ("sail.optics", {"reflectivity": math.nan}, "reflectivity must be from 0 to 1"),
         ("schema", 2, "1"),
         ("schema", "1", "1"),
         ("name", "Earth Mars", "pattern"),
@@ -207,3 +216,48 @@ def test_json_round_trip(name: str) -> None:
     assert again == mission
     assert again.to_json() == mission.to_json()
     assert again.digest("dataset", "training") == mission.digest("dataset", "training")
+
+
+def of_another_sail(optics: object) -> Mission:
+    content = changed("sail.smoothing", 0.0)
+    content["sail"]["optics"] = optics
+    return parse_mission(content, "the test's")
+
+
+@pytest.mark.parametrize("name", ["jpl", "nasa"])
+def test_a_sail_has_optics_by_name_or_by_its_coefficients(name: str) -> None:
+    mission = of_another_sail(name)
+    assert mission.problem.optics == OPTICS[name]
+    assert mission.problem.law is not None
+    assert (
+        of_another_sail(asdict(OPTICS[name]))
+        == mission
+        == load_mission("earth_mars").with_optics(OPTICS[name])
+    )
+    assert parse_mission(json.loads(mission.to_json()), "itself") == mission
+    others = {
+        load_mission("earth_mars").digest(),
+        *(of_another_sail(other).digest() for other in ("jpl", "nasa")),
+    }
+    assert len(others) == 3
+
+
+def test_an_ideal_sail_is_the_same_mission_whether_it_says_so_or_not() -> None:
+    """Networks that were exported before there were others stay those of the mission."""
+    silent = load_mission("earth_mars")
+    said = parse_mission(changed("sail.optics", "ideal"), "the test's")
+    assert (said.to_json(), said.digest()) == (silent.to_json(), silent.digest())
+    assert "optics" not in json.loads(silent.to_json())["sail"]
+    assert silent.with_optics(OPTICS["ideal"]) == silent
+
+
+def test_a_disturbance_says_which_sail_flies_where_it_is_not_the_mission_s() -> None:
+    mission = of_another_sail("jpl")
+    assert mission.optics_flown(Disturbance()) == OPTICS["jpl"]
+    assert mission.optics_flown(Disturbance(optics=OPTICS["ideal"])) == OPTICS["ideal"]
+    assert load_mission("earth_mars").optics_flown(Disturbance(optics=OPTICS["nasa"])) == OPTICS["nasa"]
+
+
+def test_only_the_law_of_an_ideal_sail_is_smoothed() -> None:
+    with pytest.raises(MissionError, match="with other optics smoothing is 0"):
+        parse_mission(changed("sail.optics", "jpl"), "the test's")
