@@ -20,10 +20,10 @@ TOY = {
     "starts": "16",
     "approaches": "80",
     "hidden": "[8, 8]",
-    "train_samples": "3000",
-    "curvature_samples": "1500",
-    "validation_samples": "800",
-    "epochs": "25",
+    "train_samples": "1500",
+    "curvature_samples": "800",
+    "validation_samples": "500",
+    "epochs": "8",
     "longest": "12.0",
 }
 
@@ -33,13 +33,14 @@ def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder as `make` builds it, for a small copy of the Earth-Mars mission under another name."""
     build = tmp_path_factory.mktemp("toy")
     mission = toy_mission(build, TOY)
-    python("-m", "data", build / "wide.h5", "--mission", mission, "--quiet")
+    python("-m", "data", build / "wide.h5", "--mission", mission, "--quiet", "--workers", "1")
     python("-m", "training", build / "wide.h5", build / "networks", "--quiet")
     python("-m", "export", build / "networks", build / "export", "--mission", mission)
     flown = ("--mission", mission, "--networks", build / "export", "--flights", "6", "--output", build)
     python("-m", "sailnet.cli", "evaluate", "--campaign", "acceptance", *flown)
     bench = "c_runtime.verification.bench"
-    timed = python("-m", bench, build / "export", "--networks", build / "networks", "--json")
+    soon = ("--batches", "2", "--milliseconds", "0.05", "--flags", "-std=c99 -O1")
+    timed = python("-m", bench, build / "export", "--networks", build / "networks", "--json", *soon)
     (build / "bench.json").write_text(timed.stdout)
     data = ("--dataset", build / "wide.h5", "--states", "500")
     compared = python("-m", "export.agreement", build / "networks", build / "export", *data)
