@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from c_runtime.builds import BUILDS, Build
 from c_runtime.shared_library import find_compiler
 from export.to_c import write_c
-from export.write import _graphs as graphs
 from export.write import export
 from sailnet import load_mission
 from sailnet.dataset import open_dataset
@@ -25,6 +24,7 @@ from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import load_network, save_network
 from sailnet.networks.trained_domain import AXES, KNOTS, TrainedDomain, size_and_direction
 from sailnet.physics.arrays import Array
+from tests.few_graphs import only_whole_graphs
 from tests.paths import ROOT
 from tests.random_networks import (
     NO_TUBE,
@@ -183,8 +183,7 @@ def test_a_sail_of_another_beta_is_outside(networks: GuidanceNetworks) -> None:
 def test_every_back_end_draws_the_same_line(
     samples: Array, networks: GuidanceNetworks, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # Only the graphs of the whole guidance, which take long enough to make.
-    monkeypatch.setattr("export.write._graphs", lambda *given: graphs(*given)[-2:])
+    only_whole_graphs(monkeypatch)
     save_guidance(networks, tmp_path / "networks")
     export(tmp_path / "networks", tmp_path / "out", MISSION, progress=False)
     facts = describe(networks, MISSION)

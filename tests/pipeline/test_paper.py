@@ -39,7 +39,7 @@ def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     python(
         "-m", "data", build / "box.h5", "--mission", mission, "--recipe", "box", "--quiet", "--workers", "1"
     )
-    python("-m", "training", build / "box.h5", build / "networks", "--quiet")
+    python("-m", "training", build / "box.h5", build / "networks", "--quiet", "--workers", "1")
     baseline = build / "networks" / "alpha.safetensors"
     python("-m", "export", build / "networks", build / "export", "--mission", mission, "--baseline", baseline)
     arguments = (
