@@ -113,6 +113,8 @@ def test_a_faster_extremal_takes_the_place_of_the_homotopy_s(monkeypatch: pytest
     fastest = solve_nominal(mercury).constrained
     assert fastest.time_of_flight == pytest.approx(5.106781012, abs=1e-8)
     assert followed.time_of_flight > fastest.time_of_flight + 0.05
+    rival = solve(mercury.problem, (1.0, 0.0, 1.0)).rival_time
+    assert rival == pytest.approx(followed.time_of_flight, abs=1e-8)
     assert miss(mercury.problem, followed) < 1e-6
     assert miss(mercury.problem, fastest) < 1e-6
 

@@ -92,11 +92,11 @@ def runge_kutta(states: Array, alpha: float, beta: float, step: float) -> Array:
 
 @pytest.mark.exhaustive
 def test_a_much_finer_index_finds_nothing_faster(
-    problem: Transfer, solved: Solved, monkeypatch: pytest.MonkeyPatch
+    problem: Transfer, solved_everywhere: Solved, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Its states crowd around a pinch, so that a fine index of them is soon made."""
     states = np.array([1.1048, 0.0449, 1.1196]) + np.random.default_rng(6).uniform(-0.01, 0.01, (100, 3))
-    expected = solve_states(problem, states, solved.region)
+    expected = solve_states(problem, states, solved_everywhere.region)
     for name, value in {"PRISM": 0.04, "RIM": 0.008, "BULGE": 0.6, "MOST": 10**6}.items():
         monkeypatch.setattr(sailnet.expert.index, name, value)
     # By default what surrounds the states is indexed: no index that was made before serves.
