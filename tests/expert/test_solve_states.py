@@ -29,7 +29,13 @@ def part(optima: Optima, rows: object) -> Optima:
     return Optima(*(column[rows] for column in vars(optima).values()))
 
 
-def test_every_state_of_the_generalisation_set_is_solved(problem: Transfer, solved: Solved) -> None:
+@pytest.mark.parametrize(
+    "states", ["solved", pytest.param("solved_everywhere", marks=pytest.mark.exhaustive)]
+)
+def test_every_state_of_the_generalisation_set_is_solved(
+    problem: Transfer, states: str, request: pytest.FixtureRequest
+) -> None:
+    solved: Solved = request.getfixturevalue(states)
     optima = solved.optima
     assert optima.found.all()
     np.testing.assert_array_equal(optima.state, solved.states)
@@ -142,7 +148,9 @@ def test_the_corners_of_the_region_belong_to_it(problem: Transfer, solved: Solve
     assert optima.found.all()
 
 
-def test_rivals_are_slower_and_do_exist(problem: Transfer, solved: Solved) -> None:
+@pytest.mark.exhaustive
+def test_rivals_are_slower_and_do_exist(problem: Transfer, solved_everywhere: Solved) -> None:
+    solved = solved_everywhere
     optima = solved.optima
     rows = np.flatnonzero(np.isfinite(optima.rival_time))
     assert len(rows) >= 3
