@@ -79,9 +79,12 @@ class Solved:
     optima: Optima
 
 
-@pytest.fixture(scope="session")
-def solved(mission: Mission) -> Solved:
-    """Of the generalisation set but for its fastest corner, whose index takes five times as long."""
+@pytest.fixture(scope="session", params=["most", pytest.param("everywhere", marks=pytest.mark.exhaustive)])
+def solved(mission: Mission, request: pytest.FixtureRequest) -> Solved:
+    """Of the generalisation set but for its slowest corner, whose index takes five times as long; of all."""
+    if request.param == "everywhere":
+        everywhere: Solved = request.getfixturevalue("solved_everywhere")
+        return everywhere
     low, high = mission.generalisation.corners
     return _solved(mission, low, np.minimum(high, [np.inf, np.inf, 1.1]))
 

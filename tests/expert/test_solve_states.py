@@ -29,13 +29,7 @@ def part(optima: Optima, rows: object) -> Optima:
     return Optima(*(column[rows] for column in vars(optima).values()))
 
 
-@pytest.mark.parametrize(
-    "states", ["solved", pytest.param("solved_everywhere", marks=pytest.mark.exhaustive)]
-)
-def test_every_state_of_the_generalisation_set_is_solved(
-    problem: Transfer, states: str, request: pytest.FixtureRequest
-) -> None:
-    solved: Solved = request.getfixturevalue(states)
+def test_every_state_of_the_generalisation_set_is_solved(problem: Transfer, solved: Solved) -> None:
     optima = solved.optima
     assert optima.found.all()
     np.testing.assert_array_equal(optima.state, solved.states)
