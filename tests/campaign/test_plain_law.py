@@ -14,6 +14,7 @@ from sailnet.guidance.rules import PLAIN
 from sailnet.guidance.with_rules import WithRules
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import load_mission
+from tests.few_graphs import no_graphs
 from tests.paths import ROOT
 
 MISSION = load_mission("earth_mars")
@@ -24,8 +25,11 @@ ROUGH = Disturbance(beta_bias=-0.1, beta_noise=0.1, outage_probability=0.002, ou
 
 @pytest.fixture(scope="module")
 def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """But for the graphs, which take long to make and know no law."""
     folder = tmp_path_factory.mktemp("plain")
-    assert export_main([str(SHIPPED), str(folder), "--plain-law"]) == 0
+    with pytest.MonkeyPatch.context() as patch:
+        no_graphs(patch)
+        assert export_main([str(SHIPPED), str(folder), "--plain-law"]) == 0
     return folder
 
 

@@ -28,7 +28,11 @@ def expected(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 
 def start(
-    output: Path, *options: str, variables: Mapping[str, str] = MappingProxyType({}), file_size: int = 0
+    output: Path,
+    *options: str,
+    workers: int = 1,
+    variables: Mapping[str, str] = MappingProxyType({}),
+    file_size: int = 0,
 ) -> subprocess.Popen[str]:
     """The command, with processes of its own to kill and interrupt."""
 
@@ -36,8 +40,9 @@ def start(
         if file_size:
             resource.setrlimit(resource.RLIMIT_FSIZE, (file_size, file_size))
 
+    count = ("--workers", str(workers))
     return subprocess.Popen(
-        [sys.executable, "-m", "tests.generation_run", str(output), "--workers", "2", "--quiet", *options],
+        [sys.executable, "-m", "tests.generation_run", str(output), *count, "--quiet", *options],
         cwd=ROOT,
         env=os.environ | {"PYTHONPATH": str(ROOT)} | dict(variables),
         stdout=subprocess.PIPE,
@@ -93,7 +98,7 @@ def completes(output: Path, expected: str, variables: Mapping[str, str] = Mappin
 @pytest.mark.parametrize("finished", [pytest.param(0, marks=pytest.mark.exhaustive), 9])
 def test_killed_between_shards(finished: int, tmp_path: Path, expected: str) -> None:
     output, log = tmp_path / "out" / "x.h5", tmp_path / "log"
-    run = start(output)
+    run = start(output, workers=2)
     until_shards(output, finished)
     workers = children(run)
     run.kill()
@@ -130,7 +135,7 @@ def test_killed_at_the_end(moment: str, tmp_path: Path, expected: str) -> None:
 
 def test_a_killed_worker_is_replaced(tmp_path: Path, expected: str) -> None:
     output = tmp_path / "x.h5"
-    run = start(output)
+    run = start(output, workers=2)
     until_shards(output, 3)
     os.kill(children(run)[0], signal.SIGKILL)
     assert finish(run) == (0, "")
@@ -141,7 +146,7 @@ def test_a_killed_worker_is_replaced(tmp_path: Path, expected: str) -> None:
 
 def test_ctrl_c_keeps_what_is_finished_and_says_so(tmp_path: Path, expected: str) -> None:
     output = tmp_path / "x.h5"
-    run = start(output)
+    run = start(output, workers=2)
     until_shards(output, 5)
     os.killpg(run.pid, signal.SIGINT)
     status, said = finish(run)

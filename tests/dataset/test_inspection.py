@@ -1,6 +1,7 @@
 """`sailnet info` summarises a sound data set, and finds what checksums cannot: wrong content."""
 
 import dataclasses
+import io
 import json
 import math
 from collections.abc import Callable
@@ -9,8 +10,10 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from tqdm import tqdm
 
 import sailnet.artefacts.column_files
+from data.domain import flights_block
 from sailnet.cli import main
 from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.dataset.inspection import ORIGIN, inspect_dataset
@@ -40,7 +43,8 @@ def test_the_summary_is_the_file_s(sound: Path, shard: Block, capsys: pytest.Cap
         assert summary["digest"] == data.digest
     assert (summary["trajectories"], summary["samples"]) == (12, 12 * 31)
     assert summary["mission"] == "earth_mars: Earth orbit to Mars orbit"
-    assert summary["recipe"] == summary["date"] == summary["software"]["heyoka"] == "known"
+    assert summary["recipe"] == summary["date"] == "known"
+    assert summary["software"] == dict.fromkeys(ORIGIN[2:-1], "known")
     jumps = np.isfinite(shard.trajectories["jump_time"][:12])
     assert 0 < jumps.sum() < 12
     assert summary["jump_share"] == jumps.mean()
@@ -50,6 +54,25 @@ def test_the_summary_is_the_file_s(sound: Path, shard: Block, capsys: pytest.Cap
     assert 1e-4 < summary["largest_hamiltonian"] < 0.01
     assert main(["info", str(sound)]) == 0
     assert summary["digest"] in capsys.readouterr().out
+
+
+def test_arrivals_from_either_side_are_told_apart(small: Mission, tmp_path: Path) -> None:
+    """The cone angle at arrival has the sign of -lambda_v; three of eight arrive with a negative one."""
+    costates = np.random.default_rng(3).normal(size=(200, 3))
+    gain = arrival_gain(small.problem, costates)
+    costates = costates[gain < -1e-2] / -gain[gain < -1e-2, None]
+    sides = [costates[costates[:, 2] > 0.0][:3], costates[costates[:, 2] < 0.0][:5]]
+    block = flights_block(small.problem, np.concatenate(sides), np.full(8, 0.5), 0.05)
+    write_dataset(tmp_path / "both.h5", small, iter([block]), PROVENANCE)
+    summary = inspect_dataset(tmp_path / "both.h5")
+    assert summary["negative_arrival_share"] == 3 / 8
+    assert summary["trajectories"] == 8
+
+
+def test_progress_ends_at_its_end(sound: Path) -> None:
+    with tqdm(disable=False, file=io.StringIO()) as bar:
+        inspect_dataset(sound, bar)
+        assert bar.n == bar.total > 0
 
 
 def test_the_size_of_what_is_read_at_once_leaves_no_trace(
@@ -119,7 +142,9 @@ def test_wrong_content_under_right_checksums_is_found(
     assert capsys.readouterr().err.startswith(f"error: {path}")
 
 
-def test_a_trajectory_without_samples_is_found(small: Mission, shard: Block, tmp_path: Path) -> None:
+def test_a_trajectory_without_samples_is_found(
+    small: Mission, shard: Block, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     block = next(pieces(shard, 12))
     lengths = block.lengths.copy()
     lengths[3] = 0
@@ -127,8 +152,10 @@ def test_a_trajectory_without_samples_is_found(small: Mission, shard: Block, tmp
     path = tmp_path / "x.h5"
     without = dataclasses.replace(block, samples=samples, lengths=lengths)
     write_dataset(path, small, iter([without]), PROVENANCE)
-    with pytest.raises(DatasetError, match="first_sample of row 3, 93, leaves its trajectory without"):
-        inspect_dataset(path)
+    for read_at_once in (sailnet.artefacts.column_files.VERIFY_ROWS, 4):
+        monkeypatch.setattr(sailnet.artefacts.column_files, "VERIFY_ROWS", read_at_once)
+        with pytest.raises(DatasetError, match="first_sample of row 3, 93, leaves its trajectory without"):
+            inspect_dataset(path)
 
 
 def test_a_damaged_file_and_an_unknown_origin(

@@ -53,17 +53,17 @@ def test_the_costates_are_the_gradient_of_the_time_of_flight(problem: Transfer) 
 def test_no_extremal_is_faster(problem: Transfer, solved: Solved) -> None:
     """Random extremals, drawn with no regard to the index, pass through states at some time to go."""
     low, high = solved.region
-    directions = np.random.default_rng(77).normal(size=(4000, 3)) * [1.0, 1.88, 1.88]
+    directions = np.random.default_rng(77).normal(size=(1500, 3)) * [1.0, 1.88, 1.88]
     directions = directions[arrival_gain(problem, directions) < 0.0]
     tau = np.linspace(0.0, 20.0, 401)
     paths = propagate_extremals(problem, directions, tau).states[:, :, :3]
     extremal, sample = np.nonzero(((paths > low) & (paths < high)).all(axis=2))
-    assert len(extremal) > 500
+    assert len(extremal) > 150
     optima = solve_states(problem, paths[extremal, sample], solved.region)
     assert (optima.time_of_flight <= tau[sample] + 1e-7).all()
 
 
-@pytest.mark.parametrize("degrees", [-60.0, -30.0, 0.0, 30.0, 60.0])
+@pytest.mark.parametrize("degrees", [-60.0, 0.0, 45.0])
 def test_no_detour_is_faster(problem: Transfer, solved: Solved, degrees: float) -> None:
     """Bellman: a while with any other cone angle, and the best way on from there, takes no less."""
     low, high = solved.region
@@ -92,11 +92,11 @@ def runge_kutta(states: Array, alpha: float, beta: float, step: float) -> Array:
 
 @pytest.mark.exhaustive
 def test_a_much_finer_index_finds_nothing_faster(
-    problem: Transfer, solved: Solved, monkeypatch: pytest.MonkeyPatch
+    problem: Transfer, solved_everywhere: Solved, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Its states crowd around a pinch, so that a fine index of them is soon made."""
     states = np.array([1.1048, 0.0449, 1.1196]) + np.random.default_rng(6).uniform(-0.01, 0.01, (100, 3))
-    expected = solve_states(problem, states, solved.region)
+    expected = solve_states(problem, states, solved_everywhere.region)
     for name, value in {"PRISM": 0.04, "RIM": 0.008, "BULGE": 0.6, "MOST": 10**6}.items():
         monkeypatch.setattr(sailnet.expert.index, name, value)
     # By default what surrounds the states is indexed: no index that was made before serves.
@@ -109,7 +109,10 @@ def test_half_the_prism_finds_nothing_faster_anywhere(
     problem: Transfer, solved: Solved, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Random states of the generalisation set; the slowest are left to those who have minutes."""
-    rows = np.flatnonzero(solved.optima.time_of_flight < 12.0)[:6]
+    everywhere = solved.region[1][2] > 1.15
+    rows = np.flatnonzero(solved.optima.time_of_flight < (12.0 if everywhere else 8.0))[
+        : 6 if everywhere else 3
+    ]
     monkeypatch.setattr(sailnet.expert.index, "PRISM", 0.5 * sailnet.expert.index.PRISM)
     monkeypatch.setattr(sailnet.expert.fastest, "build_index", sailnet.expert.index.build_index.__wrapped__)
     finer = solve_states(problem, solved.states[rows])

@@ -142,7 +142,9 @@ def test_the_corners_of_the_region_belong_to_it(problem: Transfer, solved: Solve
     assert optima.found.all()
 
 
-def test_rivals_are_slower_and_do_exist(problem: Transfer, solved: Solved) -> None:
+@pytest.mark.exhaustive
+def test_rivals_are_slower_and_do_exist(problem: Transfer, solved_everywhere: Solved) -> None:
+    solved = solved_everywhere
     optima = solved.optima
     rows = np.flatnonzero(np.isfinite(optima.rival_time))
     assert len(rows) >= 3

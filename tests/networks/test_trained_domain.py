@@ -24,6 +24,7 @@ from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import load_network, save_network
 from sailnet.networks.trained_domain import AXES, KNOTS, TrainedDomain, size_and_direction
 from sailnet.physics.arrays import Array
+from tests.few_graphs import only_whole_graphs
 from tests.paths import ROOT
 from tests.random_networks import (
     NO_TUBE,
@@ -180,12 +181,13 @@ def test_a_sail_of_another_beta_is_outside(networks: GuidanceNetworks) -> None:
 
 @pytest.mark.slow
 def test_every_back_end_draws_the_same_line(
-    samples: Array, networks: GuidanceNetworks, tmp_path: Path
+    samples: Array, networks: GuidanceNetworks, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    only_whole_graphs(monkeypatch)
     save_guidance(networks, tmp_path / "networks")
     export(tmp_path / "networks", tmp_path / "out", MISSION, progress=False)
     facts = describe(networks, MISSION)
-    states, beta = some_sails(samples, networks, 40_000)
+    states, beta = some_sails(samples, networks, 20_000)
     backends: list[Backend] = ["c", "onnx"]
     for backend in backends:
         for precision, rounding in ROUNDING.items():

@@ -1,15 +1,22 @@
 """The pipeline of the networks that fly, at toy size: wide data, networks, C, flights, model card."""
 
 import json
+import sys
+from contextlib import redirect_stdout
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from c_runtime.verification.bench.__main__ import main as bench
+from c_runtime.verification.bench.exported_c import NATIVE
+from export.__main__ import main as export
+from export.ship import main as ship
 from sailnet.campaign.results import open_results
 from sailnet.campaign.scores import scores_of
 from sailnet.mission.mission import load_mission
 from sailnet.networks.guidance_networks import load_guidance_networks
+from tests.few_graphs import no_graphs, only_whole_graphs
 from tests.toy_pipeline import python, toy_mission
 
 TOY = {
@@ -20,10 +27,10 @@ TOY = {
     "starts": "16",
     "approaches": "80",
     "hidden": "[8, 8]",
-    "train_samples": "3000",
-    "curvature_samples": "1500",
-    "validation_samples": "800",
-    "epochs": "25",
+    "train_samples": "1500",
+    "curvature_samples": "800",
+    "validation_samples": "500",
+    "epochs": "8",
     "longest": "12.0",
 }
 
@@ -33,14 +40,18 @@ def toy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder as `make` builds it, for a small copy of the Earth-Mars mission under another name."""
     build = tmp_path_factory.mktemp("toy")
     mission = toy_mission(build, TOY)
-    python("-m", "data", build / "wide.h5", "--mission", mission, "--quiet")
-    python("-m", "training", build / "wide.h5", build / "networks", "--quiet")
-    python("-m", "export", build / "networks", build / "export", "--mission", mission)
+    python("-m", "data", build / "wide.h5", "--mission", mission, "--quiet", "--workers", "1")
+    python("-m", "training", build / "wide.h5", build / "networks", "--quiet", "--workers", "1")
+    with pytest.MonkeyPatch.context() as patch:
+        only_whole_graphs(patch)
+        assert export([str(build / "networks"), str(build / "export"), "--mission", str(mission)]) == 0
     flown = ("--mission", mission, "--networks", build / "export", "--flights", "6", "--output", build)
     python("-m", "sailnet.cli", "evaluate", "--campaign", "acceptance", *flown)
-    bench = "c_runtime.verification.bench"
-    timed = python("-m", bench, build / "export", "--networks", build / "networks", "--json")
-    (build / "bench.json").write_text(timed.stdout)
+    soon = ("--batches", "2", "--milliseconds", "0.05", "--flags", "-std=c99 -O1")
+    with pytest.MonkeyPatch.context() as patch, (build / "bench.json").open("w") as file:
+        patch.setattr(f"{bench.__module__}.instruction_sets", lambda: {NATIVE: ("-march=native",)})
+        with redirect_stdout(file):
+            assert bench([str(build / "export"), "--networks", str(build / "networks"), "--json", *soon]) == 0
     data = ("--dataset", build / "wide.h5", "--states", "500")
     compared = python("-m", "export.agreement", build / "networks", build / "export", *data)
     (build / "agreement.json").write_text(compared.stdout)
@@ -100,7 +111,9 @@ def test_no_networks_no_acceptance(toy: Path, tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
-def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(toy: Path, tmp_path: Path) -> None:
+def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(
+    toy: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     readme, results, paper = tmp_path / "README.md", tmp_path / "RESULTS.md", tmp_path / "report.json"
     readme.write_text("before\n<!-- summary -->\nstale figures\n<!-- /summary -->\nafter\n")
     results.write_text(
@@ -111,7 +124,11 @@ def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(toy: 
     paper.write_text(json.dumps({"rows": [row], "software": facts, "seed": 2}))
     arguments = ("--mission", toy / "toy.toml", "--readme", readme)
     tables = ("--results", results, "--paper", paper)
-    python("-m", "export.ship", toy, tmp_path / "shipped", *arguments, *tables)
+    with monkeypatch.context() as patch:
+        no_graphs(patch)
+        command = ("export.ship", toy, tmp_path / "shipped", *arguments, *tables)
+        patch.setattr(sys, "argv", [str(part) for part in command])
+        assert ship() == 0
     text = readme.read_text()
     assert text.startswith("before")
     assert text.endswith("after\n")

@@ -28,7 +28,7 @@ RESULTS = ROOT / "RESULTS.md"
 @pytest.fixture(scope="module")
 def flown(tmp_path_factory: pytest.TempPathFactory) -> Results:
     folder = tmp_path_factory.mktemp("paper")
-    return fly_plan(MISSION, load_guidance(MISSION), load_plan("paper"), folder / "paper.h5")
+    return fly_plan(MISSION, load_guidance(MISSION), load_plan("paper").changed(6, None), folder / "paper.h5")
 
 
 @pytest.fixture(scope="module")

@@ -184,6 +184,7 @@ def _workers_of(scheduler: str) -> list[str]:
         return list(client.scheduler_info()["workers"])
 
 
+@pytest.mark.exhaustive
 def test_a_campaign_on_a_cluster_that_loses_a_worker_has_the_same_results(
     scheduler: str, mission: Mission, tmp_path: Path
 ) -> None:
@@ -230,15 +231,12 @@ metadata.version = version
 """
 
 
-@pytest.mark.parametrize(("preload", "said"), [(NARROW, "SIMD width is 3"), (OLD, "heyoka is 7.0.0")])
-def test_a_worker_that_would_compute_something_else_is_refused(
-    preload: str, said: str, scheduler: str, tmp_path: Path
-) -> None:
+def test_a_worker_that_would_compute_something_else_is_refused(scheduler: str, tmp_path: Path) -> None:
     script = tmp_path / "preload.py"
-    script.write_text(preload)
+    script.write_text(OLD)
     with (
         worker(scheduler, tmp_path, "--preload", str(script)),
-        pytest.raises(SailnetError, match=f"would compute other numbers: its {said}, here it is"),
+        pytest.raises(SailnetError, match=r"would compute other numbers: its heyoka is 7\.0\.0, here it is"),
         cluster(scheduler),
     ):
         pass

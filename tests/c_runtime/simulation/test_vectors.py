@@ -83,8 +83,8 @@ def states(kind: type[np.floating], beta: float) -> Reals:
     ("sizes", "approach"),
     [
         (((20, 20, 20),) * 3, True),
-        (((20, 20, 20),) * 3, False),
-        (((7,), (33, 5), (12, 12, 12, 12)), True),
+        pytest.param(((20, 20, 20),) * 3, False, marks=pytest.mark.exhaustive),
+        pytest.param(((7,), (33, 5), (12, 12, 12, 12)), True, marks=pytest.mark.exhaustive),
         (((64, 64), (31,), (1, 2, 3)), False),
     ],
     ids=["approach", "paper", "odd sizes", "odd sizes, paper"],

@@ -26,7 +26,7 @@ from sailnet.networks.network import Network
 from tests.conftest import Exported
 from tests.tools import needs_peer
 
-QUICK = ("--batches", "2", "--milliseconds", "0.05")
+QUICK = ("--batches", "2", "--milliseconds", "0.05", "--flags", "-std=c99 -O1")
 
 
 @pytest.fixture
@@ -102,10 +102,10 @@ void entry(const float tensor_state[1][3], float tensor_cone_angle[1], float ten
 
 
 def test_every_build_and_peer_is_in_the_table(
-    exported: Exported, capsys: pytest.CaptureFixture[str], tmp_path: Path
+    approach_exported: Exported, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    stand_in = _three_files(exported.networks, tmp_path / "generated")
-    found = _report(exported, capsys, "--onnx2c", stand_in)
+    stand_in = _three_files(approach_exported.networks, tmp_path / "generated")
+    found = _report(approach_exported, capsys, "--onnx2c", stand_in)
     assert {"machine", "date", "revision", "compiler", "flags"} <= found.keys()
     rows = found["rows"]
     named = [(row["what"], row["precision"]) for row in rows]
