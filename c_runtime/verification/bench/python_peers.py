@@ -5,9 +5,9 @@ from pathlib import Path
 
 import onnxruntime
 
-from c_runtime.builds import PRECISIONS
 from c_runtime.verification.bench.rounds import Candidate, in_python
 from c_runtime.verification.bench.subjects import Subjects
+from sailnet.guidance.exported_files import SUFFIXES, graph
 from sailnet.networks.guidance_networks import GuidanceNetworks
 
 ONNXRUNTIME = "onnxruntime, Python"
