@@ -26,7 +26,7 @@ run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
 exported := $(run)/export
 learned  := $(run).h5
-exporter := $(wildcard export/*.py c_runtime/builds.py \
+exporter := $(wildcard export/*.py c_runtime/builds.py sailnet/guidance/exported_files.toml \
     $(addsuffix /*.*,c_runtime/flight c_runtime/simulation c_runtime/simulation/host))
 plain    := $(BUILD)/plain-law
 
@@ -51,7 +51,7 @@ paper:
 setup: $(READY)
 
 $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance*.c) \
-    c_runtime/builds.py c_runtime/shared_library.py $(plant)
+    c_runtime/builds.py c_runtime/shared_library.py sailnet/guidance/exported_files.toml $(plant)
 	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }
 	@$(PYTHON) --version >/dev/null 2>&1 || $(PYTHON3) -m venv $(VENV) || \

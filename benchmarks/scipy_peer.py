@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -9,7 +10,6 @@ from scipy.optimize import fsolve
 
 from sailnet.physics.arrays import Array
 from sailnet.physics.transfer import Transfer
-from tests import reference
 
 TOLERANCE = 1e-12
 """Relative and absolute, as the Taylor integrator's."""
@@ -18,19 +18,23 @@ TOLERANCE = 1e-12
 def propagate(transfer: Transfer, costates: Sequence[float], tau: Array, numpy: bool = False) -> Array:
     """(m, 6) one extremal of the smoothed problem on a grid of time to go, restarted at the jump.
 
-    ``numpy`` takes the equations as one writes them first, with arrays, instead of plain floats.
+    ``numpy`` takes NumPy's numbers and functions, as one writes the equations first, instead of plain floats.
     """
-    beta, phi, delta, root8 = transfer.beta, transfer.phi_max, transfer.delta, math.sqrt(8.0)
+    beta, phi, delta = transfer.beta, transfer.phi_max, transfer.delta
     side = -math.copysign(1.0, costates[2])
+    # Both have functions of the same names.
+    library: Any = np if numpy else math
+    sqrt, atan2, cos, sin = library.sqrt, library.atan2, library.cos, library.sin
+    root2, root8 = sqrt(2.0), sqrt(8.0)
 
     def slopes(_: float, x: Array) -> list[float]:
-        r, u, v, lr, lu, lv = x.tolist()
-        chi = math.atan2(-root8 * lv, -3.0 * lu)
+        r, u, v, lr, lu, lv = x if numpy else x.tolist()
+        chi = atan2(-root8 * lv, -3.0 * lu)
         if chi * side < 0.0 and abs(chi) > math.pi / 2:  # beyond the jump: stay on the branch
             chi += 2.0 * math.pi * side
-        bar = math.atan2(math.sin(chi / 2), math.sqrt(2.0) * math.cos(chi / 2))
-        angle = (math.sqrt((bar + phi) ** 2 + delta) - math.sqrt((bar - phi) ** 2 + delta)) / 2
-        c, s = math.cos(angle), math.sin(angle)
+        bar = atan2(sin(chi / 2), root2 * cos(chi / 2))
+        angle = (sqrt((bar + phi) ** 2 + delta) - sqrt((bar - phi) ** 2 + delta)) / 2
+        c, s = cos(angle), sin(angle)
         push = beta * c * c / (r * r)
         return [
             -u,
@@ -41,12 +45,6 @@ def propagate(transfer: Transfer, costates: Sequence[float], tau: Array, numpy: 
             2 * lu * v / r - lv * u / r,
         ]
 
-    def arrays(_: float, x: Array) -> Array:
-        bar = reference.unconstrained_angle(x[4], x[5], side)
-        return reference.backward_motion(x, reference.smoothed(bar, phi, delta), beta)
-
-    motion = arrays if numpy else slopes
-
     def crossing(_: float, x: Array) -> float:
         return float(x[5])
 
@@ -56,7 +54,7 @@ def propagate(transfer: Transfer, costates: Sequence[float], tau: Array, numpy: 
         # Of the grid, so that nothing beyond what is asked for is interpolated.
         grid = tau[tau >= t]
         leg = solve_ivp(
-            motion, (t, tau[-1]), x, "DOP853", t_eval=grid, events=crossing, rtol=TOLERANCE, atol=TOLERANCE
+            slopes, (t, tau[-1]), x, "DOP853", t_eval=grid, events=crossing, rtol=TOLERANCE, atol=TOLERANCE
         )
         first = len(tau) - len(grid)
         if len(leg.t):

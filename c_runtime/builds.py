@@ -1,19 +1,24 @@
 """Every build of the exported guidance: two precisions of two layouts. The one list of them.
 
 Standard library only: the installation of the package, and make, read this before anything else is there.
+So the names of files come from a table of the library, which is not imported.
 ``python -m c_runtime.builds`` prints it for make.
 """
 
+import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-PRECISIONS = {"float32": "f32", "float64": "f64"}
+_TABLE = Path(__file__).parent.parent / "sailnet" / "guidance" / "exported_files.toml"
+_NAMES = tomllib.loads(_TABLE.read_text(encoding="utf-8"))
+
+PRECISIONS: dict[str, str] = _NAMES["suffixes"]
 """What each is called in file names and at the end of every symbol."""
 
-LAYOUTS = {"flight": "sailnet_guidance.c", "host": "sailnet_guidance_host.c"}
+LAYOUTS: dict[str, str] = {layout: names["source"] for layout, names in _NAMES["layouts"].items()}
 """The file of each: what goes on board, and the same on vectors for simulation."""
 
-HEADER = "sailnet_guidance.h"
+HEADER: str = _NAMES["header"]
 BATCH = "sailnet_batch.c"
 
 
@@ -37,7 +42,7 @@ class Build:
     @property
     def name(self) -> str:
         """``f32``, ``f64``, ``f32_host`` or ``f64_host``."""
-        return self.suffix if self.layout == "flight" else f"{self.suffix}_{self.layout}"
+        return str(_NAMES["layouts"][self.layout]["build"].format(suffix=self.suffix))
 
     @property
     def source(self) -> str:
@@ -67,7 +72,7 @@ class Build:
     @property
     def library(self) -> str:
         """Name of the shared library."""
-        return f"guidance_{self.name}.so"
+        return str(_NAMES["library"].format(build=self.name))
 
     def reads_beta(self, exported: Path) -> bool:
         """Whether the networks in a folder that was exported are in approach coordinates.

@@ -12,6 +12,7 @@ from export.to_onnx import Graph, Inputs, write_onnx
 from export.torch_networks import TorchBaseline, torch_guidance
 from sailnet.artefacts.checksums import write_checksums
 from sailnet.errors import NetworkError
+from sailnet.guidance.exported_files import graph_name
 from sailnet.guidance.facts import GuidanceFacts, describe
 from sailnet.guidance.rules import RULES, SteeringRules
 from sailnet.mission.mission import Mission
@@ -117,8 +118,8 @@ def _graphs(networks: GuidanceNetworks, facts: GuidanceFacts) -> list[Graph]:
         Graph("tau.onnx", guidance.tau, of_tau, ["tau"]),
         Graph("alpha_pre.onnx", guidance.alpha_pre, of_command, ["alpha_pre"]),
         Graph("lambda_v.onnx", guidance.lambda_v, of_command, ["lambda_v"]),
-        Graph("guidance_f32.onnx", guidance.in_float32(), whole, COMMAND),
-        Graph("guidance_f64.onnx", guidance, whole, COMMAND),
+        Graph(graph_name("float32"), guidance.in_float32(), whole, COMMAND),
+        Graph(graph_name("float64"), guidance, whole, COMMAND),
     ]
 
 

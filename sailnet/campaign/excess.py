@@ -15,6 +15,9 @@ from sailnet.physics.units import DAY, TU
 FIRST_APPROACH = 1.5
 """Times the optimum within which a flight that arrives came home at its first approach: the next is later."""
 
+DETOUR = 1.0
+"""Time above the optimum, relative, beyond which a flight that arrived made a detour."""
+
 
 @dataclass(frozen=True)
 class Excess:
@@ -51,6 +54,16 @@ def _counted(mission: Mission, flights: Flights) -> tuple[Array, NDArray[np.bool
     return np.where(floor, mission.flight.longest, whole), floor
 
 
+def above_own_optimum(mission: Mission, flights: Flights, optimal: Array) -> Array:
+    """(n,) time above the optimum, relative, of what each flight counts as; NaN where it is not known."""
+    return np.asarray(counted_times(mission, flights) / optimal - 1.0)
+
+
+def made_detour(mission: Mission, flights: Flights, optimal: Array) -> NDArray[np.bool_]:
+    """(n,) which flights arrived, but after more than twice the optimum."""
+    return np.asarray(flights.arrived & (above_own_optimum(mission, flights, optimal) > DETOUR))
+
+
 def excess_of(mission: Mission, flights: Flights, optimal: Array) -> Excess | None:
     """The excess of some flights; None if no optimum is known.
 
@@ -64,10 +77,9 @@ def excess_of(mission: Mission, flights: Flights, optimal: Array) -> Excess | No
         return None
     counted, floor = (column[known] for column in _counted(mission, flights))
     best = optimal[known]
-    above = counted - best
     return Excess(
-        relative=Spread.of(above / best),
-        days=Spread.of(above, DAY / TU),
+        relative=Spread.of(above_own_optimum(mission, flights, optimal)[known]),
+        days=Spread.of(counted - best, DAY / TU),
         first_approach=Share.where(flights.arrived[known] & (counted <= FIRST_APPROACH * best)),
         floors=int(floor.sum()),
         unknown=int((~known).sum()),

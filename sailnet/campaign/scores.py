@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.campaign.behaviour import Behaviour, behaviour_of, behaviour_record
-from sailnet.campaign.excess import Excess, counted_times, excess_of, excess_record
+from sailnet.campaign.excess import Excess, above_own_optimum, excess_of, excess_record, made_detour
 from sailnet.campaign.results import Results
 from sailnet.campaign.shares import Share, Spread
 from sailnet.flight.closed_loop import Ending, Flights
@@ -16,10 +16,6 @@ from sailnet.physics.arrays import Array
 from sailnet.physics.units import AU, AU_PER_TU
 
 QUANTILES = (0.5, 0.9, 0.99, 1.0)
-
-DETOUR = 1.0
-"""Time above the optimum, relative, beyond which a flight that arrived made a detour."""
-
 
 REQUIRED = (1e7 / AU, 1.0 / AU_PER_TU, 1.0 / AU_PER_TU)
 """What a mission would ask of r, u, v [AU, AU/TU, AU/TU]: 10,000 km and 1 m/s."""
@@ -50,7 +46,8 @@ class Score:
         gap_quantiles: of the time above the optimum, relative, over flights that arrived and whose optimum
             is known, nothing added; empty without any.
         gaps: how many these are.
-        detours: of these, flights that took over twice the optimum; None without any.
+        detours: of these, flights that made one: over twice the optimum, with what was still to go; None
+            without any.
         lost: flights that left the plant's distances from the Sun.
         too_long: flights that took longer than the mission allows.
         violations: flights with a command beyond the bound on the cone angle.
@@ -93,35 +90,50 @@ def attitude_violations(flights: Flights, bound: float) -> int:
 
 def time_above_optimum(results: Results, rows: NDArray[np.intp]) -> Array:
     """Time above the optimum of the sail that flew, relative, of those of some flights with a known one."""
-    above = _above(results, rows)
-    return np.asarray(above[np.isfinite(above)])
+    above = above_own_optimum(results.mission, results.as_flights(rows), _own_optimal_times(results, rows))
+    return above[np.isfinite(above)]
 
 
 def detours(results: Results, rows: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Which of some flights arrived after more than twice the optimum, the latest first."""
-    above = np.where(results.flights["arrived"][rows] == 1, _above(results, rows), np.nan)
-    order = np.argsort(-above, kind="stable")
-    return rows[order][above[order] > DETOUR]
+    """Which of some flights made a detour, the latest first."""
+    mission, flights, optimal = results.mission, results.as_flights(rows), _own_optimal_times(results, rows)
+    made = np.flatnonzero(made_detour(mission, flights, optimal))
+    above = above_own_optimum(mission, flights, optimal)[made]
+    return rows[made[np.argsort(-above, kind="stable")]]
 
 
-def _above(results: Results, rows: NDArray[np.intp]) -> Array:
-    counted = counted_times(results.mission, results.as_flights(rows))
-    return np.asarray(counted / results.flights["own_optimal_time"][rows] - 1.0)
+def _own_optimal_times(results: Results, rows: NDArray[np.intp]) -> Array:
+    return np.asarray(results.flights["own_optimal_time"][rows])
 
 
 def scores_of(results: Results) -> list[Score]:
     """The scores in order of series and period."""
-    mission, plan = results.mission, results.plan
-    scores = []
-    for number, series in enumerate(plan.whole):
-        for period in plan.periods_of(series, mission):
-            rows = results.rows(number, period)
-            flights, optimal = results.as_flights(rows), results.flights["own_optimal_time"][rows]
-            slews = results.flights["optimal_slew"][rows]
-            scores.append(
-                score_of(mission, flights, optimal, slews, plan.thresholds, number, series.name, period)
-            )
-    return scores
+    return [
+        score_of_rows(results, results.rows(number, period), number, period)
+        for number, series in enumerate(results.plan.whole)
+        for period in results.plan.periods_of(series, results.mission)
+    ]
+
+
+def score_of_rows(results: Results, rows: NDArray[np.intp], series: int, period: float) -> Score:
+    """The score of some flights of a series at a period.
+
+    Args:
+        results: of the campaign.
+        rows: of the flights' table.
+        series: its number.
+        period: guidance period [TU].
+    """
+    return score_of(
+        results.mission,
+        results.as_flights(rows),
+        _own_optimal_times(results, rows),
+        results.flights["optimal_slew"][rows],
+        results.plan.thresholds,
+        series,
+        results.plan.whole[series].name,
+        period,
+    )
 
 
 def score_of(
@@ -151,8 +163,8 @@ def score_of(
     sound = flights.stopped & (flights.max_cone_angle <= bound)
     slew = flights.command_slew / optimal_slews
     slew = slew[np.isfinite(slew)]
-    gap = flights.time_of_flight / optimal - 1.0
-    gap = gap[flights.arrived & np.isfinite(gap)]
+    arrived = flights.arrived & np.isfinite(optimal)
+    gap = flights.time_of_flight[arrived] / optimal[arrived] - 1.0
     return Score(
         series=series,
         name=name,
@@ -171,7 +183,7 @@ def score_of(
         component_quantiles=component_quantiles(flights),
         gap_quantiles={q: float(np.quantile(gap, q)) for q in QUANTILES if len(gap)},
         gaps=len(gap),
-        detours=Share.where(gap > DETOUR) if len(gap) else None,
+        detours=Share.where(made_detour(mission, flights, optimal)[arrived]) if arrived.any() else None,
         lost=int((flights.ending == Ending.LOST).sum()),
         too_long=int((flights.ending == Ending.TOO_LONG).sum()),
         violations=attitude_violations(flights, bound),

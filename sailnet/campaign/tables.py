@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from sailnet.campaign.excess import FIRST_APPROACH
 from sailnet.campaign.scores import Score, in_si
 from sailnet.campaign.shares import Share, Spread
-from sailnet.physics.units import HOUR, TU
+from sailnet.physics.units import DAY, HOUR, TU
 
 NOTHING = "–"
 
@@ -133,6 +133,11 @@ def _whole(value: float) -> str:
 
 def _degrees(score: Score, spread: Spread) -> str:
     return _several(score, _whole, spread.median, spread.high)
+
+
+def time_text(time: float) -> str:
+    """A time [TU] in TU and in days."""
+    return f"{time:.4f} TU, {time * TU / DAY:.1f} days"
 
 
 def kilometres_and_speeds(components: Iterable[float]) -> str:

@@ -8,12 +8,9 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
 from sailnet.campaign.plan import Series, guided_by, ready_campaigns
 from sailnet.campaign.results import Results, open_results
-from sailnet.campaign.scores import Score, score_of
+from sailnet.campaign.scores import score_of_rows
 from sailnet.campaign.tables import (
     ARRIVE,
     FLIGHTS,
@@ -80,8 +77,9 @@ def side_by_side(flown: dict[str, Results]) -> Table:
                 results.rows(place, period) for results, place in zip(flown.values(), places, strict=True)
             ]
             common = min(map(len, chosen))
-            for (guided, results), own in zip(flown.items(), chosen, strict=True):
-                cells = table_of("", columns, [_score(results, own[:common], series.name, period)]).cells[0]
+            for (guided, results), place, own in zip(flown.items(), places, chosen, strict=True):
+                score = score_of_rows(results, own[:common], place, period)
+                cells = table_of("", columns, [score]).cells[0]
                 rows.append([cells[0], guided, *cells[1:]])
     if not rows:
         raise CampaignError(
@@ -97,12 +95,6 @@ def _places(results: Results, series: Series) -> list[int]:
     wanted = series.model_copy(update=fewer)
     whole = [other.model_copy(update=fewer) for other in results.plan.whole]
     return [whole.index(wanted)] if wanted in whole else []
-
-
-def _score(results: Results, rows: NDArray[np.intp], name: str, period: float) -> Score:
-    flights, optimal = results.as_flights(rows), results.flights["own_optimal_time"][rows]
-    slews = results.flights["optimal_slew"][rows]
-    return score_of(results.mission, flights, optimal, slews, results.plan.thresholds, 0, name, period)
 
 
 def _blocks(folder: Path) -> str:

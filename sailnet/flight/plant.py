@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from sailnet.errors import SailnetError
 from sailnet.flight.plant_library import STEER, plant
+from sailnet.guidance.exported_files import SUFFIXES
 from sailnet.guidance.interface import NativeSteering, Steering
 from sailnet.guidance.rules import refuse_long_period
 from sailnet.mission.disturbances import Disturbance
@@ -141,7 +142,7 @@ class SideBySide:
         self.sails["number"] = np.arange(first, first + count, dtype=np.uint64)
         native = steering.native() if isinstance(steering, NativeSteering) else None
         address, memories, precision = native or (0, 0, "float64")
-        bits = "f64" if precision == "float64" else "f32"
+        suffix = SUFFIXES[precision]
         slots = loaded.functions.plant_queue_slots(rules.ctypes.data)
         # All these live as long as the C points to them, the steering for its memories.
         self._steered_by = steering
@@ -151,7 +152,7 @@ class SideBySide:
             "queue": np.zeros((count, slots)),
             "states": np.empty((count, 3), precision),
             "attitudes": np.empty(count, precision),
-            "commands": np.empty(count, loaded.structures[f"plant_command_{bits}"]),
+            "commands": np.empty(count, loaded.structures[f"plant_command_{suffix}"]),
             "statuses": np.empty(count, np.int32),
         }
         addresses = {name: place.ctypes.data for name, place in self._places.items()}
@@ -163,7 +164,7 @@ class SideBySide:
             steer = _called_back(steering, self._places, self._flights, self._errors)
             self._callback = STEER(steer)
             address = ctypes.cast(self._callback, ctypes.c_void_p).value or 0
-        functions = {"f32": 0, "f64": 0} | {bits: address}
+        functions = dict.fromkeys(SUFFIXES.values(), 0) | {suffix: address}
         self._steering = loaded.filled("plant_steering", {**functions, "memories": memories})
 
     @property

@@ -5,10 +5,9 @@ from importlib import resources
 from pathlib import Path
 from typing import Literal
 
-import numpy as np
-
 from sailnet.errors import GuidanceError
 from sailnet.guidance.exported_c import CGuidance
+from sailnet.guidance.exported_files import graph_name, header_and_source, library_name
 from sailnet.guidance.interface import Guidance, Layout, Precision
 from sailnet.guidance.onnx_graphs import OnnxGuidance
 from sailnet.mission.mission import Mission
@@ -36,12 +35,10 @@ def load_guidance(
         GuidanceError: a file is missing, damaged, of another mission or cannot be loaded.
     """
     where = folder if folder is not None else _shipped(mission)
-    bits = np.dtype(precision).itemsize * 8
     if backend == "c":
-        form = "" if layout == "flight" else f"_{layout}"
-        return CGuidance(mission, where / f"guidance_f{bits}{form}.so")
+        return CGuidance(mission, where / library_name(precision, layout))
     if backend == "onnx":
-        return OnnxGuidance(mission, where / f"guidance_f{bits}.onnx")
+        return OnnxGuidance(mission, where / graph_name(precision))
     raise GuidanceError(f"no back end {backend!r}: known are c and onnx")
 
 
@@ -57,9 +54,8 @@ def exported_digest(mission: Mission, folder: Path | None = None, layout: Layout
         GuidanceError: a file is missing.
     """
     where = folder if folder is not None else _shipped(mission)
-    form = "" if layout == "flight" else f"_{layout}"
     digest = hashlib.sha256()
-    for name in ("sailnet_guidance.h", f"sailnet_guidance{form}.c"):
+    for name in header_and_source(layout):
         try:
             digest.update((where / name).read_bytes())
         except OSError as error:

@@ -1,7 +1,6 @@
 """The exported C file as it would go on board, compiled into a shared library and called by ctypes."""
 
 import ctypes
-from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -9,13 +8,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.artefacts.checksums import verify_checksum
 from sailnet.errors import GuidanceError
+from sailnet.guidance.exported_files import SUFFIXES
 from sailnet.guidance.interface import Commands, Precision, Steered, as_attitudes, as_betas, as_states
 from sailnet.mission.mission import Mission
 
 API_VERSION = 5
-
-_SUFFIXES: Mapping[str, Precision] = {"f32": "float32", "f64": "float64"}
-"""At the end of every symbol of a library."""
 
 COMMAND_FIELDS = ("cone_angle", "time_of_flight", "beta", "hold", "lambda_v")
 """Members of ``sailnet_command``, in order."""
@@ -38,9 +35,14 @@ class CGuidance:
         integer, text, pointer = ctypes.c_uint32, ctypes.c_char_p, ctypes.c_void_p
         try:
             loaded = ctypes.CDLL(str(library.resolve()))
-            suffix = next((end for end in _SUFFIXES if hasattr(loaded, f"sailnet_api_version_{end}")), None)
-            if suffix is None:
+            found = [
+                (precision, suffix)
+                for precision, suffix in SUFFIXES.items()
+                if hasattr(loaded, f"sailnet_api_version_{suffix}")
+            ]
+            if not found:
                 raise GuidanceError(f"cannot load {library}: this version of sailnet did not export it")
+            precision, suffix = found[0]
             if loaded[f"sailnet_api_version_{suffix}"]() != API_VERSION:
                 raise GuidanceError(f"{library} was exported by another version of sailnet; export it again")
             functions = {
@@ -53,7 +55,7 @@ class CGuidance:
                     ("networks_digest", text),
                 )
             }
-            real = ctypes.c_double if suffix == "f64" else ctypes.c_float
+            real = ctypes.c_double if precision == "float64" else ctypes.c_float
             count = ctypes.c_uint64
             self._command = _declared(loaded, f"sailnet_guidance_batch_{suffix}", None, count, *[pointer] * 6)
             self._start = _declared(loaded, f"sailnet_start_batch_{suffix}", None, count, pointer)
@@ -72,7 +74,7 @@ class CGuidance:
         self._library = library
         self._memory_size: int = functions["memory_size"]()
         self.networks_digest: str = functions["networks_digest"]().decode()
-        self.precision: Precision = _SUFFIXES[suffix]
+        self.precision: Precision = precision
         self.beta_range: tuple[float, float] = (functions["beta_min"](), functions["beta_max"]())
 
     def __reduce__(self) -> tuple[type["CGuidance"], tuple[Mission, Path]]:

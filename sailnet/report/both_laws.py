@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sailnet.campaign.results import Results
-from sailnet.campaign.tables import Table, percent
+from sailnet.campaign.tables import Table, percent, time_text
 from sailnet.flight.closed_loop import Flights, History, fly_recorded
 from sailnet.flight.plant import REVERSAL
 from sailnet.guidance.interface import Guidance
@@ -13,7 +13,6 @@ from sailnet.guidance.rules import PLAIN
 from sailnet.guidance.with_rules import WithRules
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
-from sailnet.physics.units import DAY, TU
 from sailnet.report.charts import BAD, GREY, NETWORK, OPTIMUM, Chart, Curve
 from sailnet.report.section5 import Flown, Section5, every_period
 
@@ -68,13 +67,13 @@ def both_laws_table(both: BothLaws) -> Table:
     optimal_slew = _slews(optimum.columns[:, 6])[-1]
     optimal_time = both.law.extremal.time_of_flight
     reversals = int((np.abs(np.diff(optimum.columns[:, 6])) > REVERSAL).sum())
-    cells = [["optimum", f"{reversals}", f"{optimal_slew:,.0f}", "", _time(optimal_time), ""]]
+    cells = [["optimum", f"{reversals}", f"{optimal_slew:,.0f}", "", time_text(optimal_time), ""]]
     for name, flights in (("the law that flies", both.law.flights), ("the plain law", both.plain)):
         slew, time = float(np.degrees(flights.command_slew[0])), float(flights.time_of_flight[0])
         cells.append(
             [
                 name, f"{int(flights.reversals[0])}", f"{slew:,.0f}", f"{slew / optimal_slew:.2f}",
-                _time(time), percent(time / optimal_time - 1.0),
+                time_text(time), percent(time / optimal_time - 1.0),
             ]
         )  # fmt: skip
     heads = [
@@ -150,7 +149,3 @@ def both_laws_charts(mission: Mission, both: BothLaws) -> list[Chart]:
 def _slews(angle: Array) -> Array:
     """(n,) what a cone angle [rad] has changed by so far [deg]."""
     return np.asarray(np.degrees(np.cumsum(np.abs(np.diff(angle, prepend=angle[0])))))
-
-
-def _time(value: float) -> str:
-    return f"{value:.4f} TU, {value * TU / DAY:.1f} days"

@@ -11,11 +11,10 @@ from sailnet.campaign.behaviour import DEGREE_PER_HOUR
 from sailnet.campaign.replay import replay
 from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, detours
-from sailnet.campaign.tables import kilometres_and_speeds, plain
+from sailnet.campaign.tables import kilometres_and_speeds, plain, time_text
 from sailnet.flight.closed_loop import History
 from sailnet.guidance.interface import Guidance
 from sailnet.physics.arrays import Array
-from sailnet.physics.units import DAY, TU
 from sailnet.report.flight_charts import flight_columns, optima_of
 from sailnet.report.optimum import Optimum
 
@@ -134,9 +133,9 @@ def flight_facts(results: Results, row: int) -> Mapping[str, str]:
         "start (r, u, v)": state,
         "terminal error (r, u, v)": ", ".join(f"{error:.1e}" for error in errors),
         "that is": kilometres_and_speeds(errors),
-        "time of flight": _time(flights["time_of_flight"][row]),
+        "time of flight": time_text(flights["time_of_flight"][row]),
         "least still to go": f"{left:.2g} TU" if np.isfinite(left) else "not near the target",
-        "optimum of this sail": _time(optimal) if np.isfinite(optimal) else "not known",
+        "optimum of this sail": time_text(optimal) if np.isfinite(optimal) else "not known",
         "reversals": f"{flights['reversals'][row]:,}",
         "slew of the command": f"{np.degrees(flights['command_slew'][row]):,.0f}°",
         "rate of 99 % of its steps": f"{plain(flights['command_rate'][row] / DEGREE_PER_HOUR, 2)}°/h",
@@ -149,10 +148,6 @@ def flight_facts(results: Results, row: int) -> Mapping[str, str]:
         "constant error of β": f"{100 * flights['beta_error'][row]:+.2f} %",
         "estimated β": f"{100 * (flights['beta_estimate'][row] / results.mission.sail.beta - 1):+.2f} %",
     }
-
-
-def _time(value: float) -> str:
-    return f"{value:.4f} TU, {value * TU / DAY:.1f} days"
 
 
 def _of_periods(flights: Mapping[str, NDArray[Any]], name: str, row: int) -> str:

@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sailnet.campaign.excess import counted_times, excess_of, excess_record
+from sailnet.campaign.excess import counted_times, excess_of, excess_record, made_detour
+from sailnet.campaign.scores import score_of
 from sailnet.campaign.shares import Share
 from sailnet.campaign.time_to_go import least_time
 from sailnet.flight.closed_loop import Ending, Flights, fly
@@ -58,6 +59,16 @@ def test_home_late_or_elsewhere_is_not_home_at_the_first_approach() -> None:
     excess = excess_of(MISSION, flights, np.array([6.0, 5.9, 7.0]))
     assert excess is not None
     assert excess.first_approach == Share(1, 3)
+
+
+def test_a_detour_is_told_by_the_time_that_counts() -> None:
+    """What was still to go makes one of the second, and not to arrive is none."""
+    flights = flights_with([11.9, 11.99, 12.1, 13.0, 13.0], [0.0, 9e-4, 0.0, 2e-3, 0.0], [STOP] * 5)
+    optimal = np.array([6.0, 6.0, 6.0, 6.0, np.nan])
+    made = made_detour(MISSION, flights, optimal)
+    assert made.tolist() == [False, True, True, False, False]
+    score = score_of(MISSION, flights, optimal, np.full(5, np.nan), [], 0, "late", 0.005)
+    assert score.detours == Share(2, 3)
 
 
 def test_flights_without_an_optimum_are_said_and_not_counted() -> None:

@@ -7,12 +7,13 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from c_runtime.builds import LAYOUTS, PRECISIONS
+from c_runtime.builds import BUILDS, HEADER, LAYOUTS, PRECISIONS
 from sailnet import load_mission
 from sailnet.artefacts.checksums import write_checksums
 from sailnet.errors import GuidanceError
 from sailnet.guidance.backends import Backend, load_guidance
 from sailnet.guidance.exported_c import CGuidance
+from sailnet.guidance.exported_files import SUFFIXES, header_and_source, library_name
 from sailnet.guidance.facts import describe, round_down
 from sailnet.guidance.interface import GuidanceStatus, Layout, Precision
 from sailnet.physics.arrays import Array
@@ -214,3 +215,12 @@ def test_another_number_of_betas_is_refused(exported: Exported, backend: Backend
 def test_layouts_and_precisions_are_those_that_are_compiled() -> None:
     assert get_args(Layout) == tuple(LAYOUTS)
     assert set(get_args(Precision)) == set(PRECISIONS)
+    assert PRECISIONS == SUFFIXES == {"float32": "f32", "float64": "f64"}
+    compiled = {build.library: (HEADER, build.source) for build in BUILDS.values()}
+    assert compiled == {
+        library_name(precision, layout): header_and_source(layout)
+        for layout in get_args(Layout)
+        for precision in get_args(Precision)
+    }
+    assert compiled["guidance_f32.so"] == ("sailnet_guidance.h", "sailnet_guidance.c")
+    assert compiled["guidance_f64_host.so"] == ("sailnet_guidance.h", "sailnet_guidance_host.c")

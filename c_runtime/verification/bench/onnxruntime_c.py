@@ -6,12 +6,11 @@ from pathlib import Path
 
 import onnxruntime
 
-from c_runtime.builds import PRECISIONS
 from c_runtime.verification.bench.compiled import HERE, Library, Reals, Shape, Unit
-from c_runtime.verification.bench.python_peers import graph_file
 from c_runtime.verification.bench.rounds import Candidate
 from c_runtime.verification.bench.subjects import Subjects, agree
 from sailnet.errors import GuidanceError
+from sailnet.guidance.exported_files import SUFFIXES, graph_name
 
 ONNXRUNTIME_C = "onnxruntime, C API"
 
@@ -48,8 +47,8 @@ def onnxruntime_c(
     path = find_library()
     get_base = ctypes.CDLL(str(path))["OrtGetApiBase"]
     found = []
-    for precision in PRECISIONS:
-        graph = graph_file(exported, precision)
+    for precision in SUFFIXES:
+        graph = exported / graph_name(precision)
         units = [Unit(HERE / "candidate_onnxruntime.c")]
         library = Library(compiler, units, Shape(precision, 4, 2, 2), folder / precision)
         session = onnxruntime.InferenceSession(graph, providers=["CPUExecutionProvider"])

@@ -5,17 +5,12 @@ from pathlib import Path
 
 import onnxruntime
 
-from c_runtime.builds import PRECISIONS
 from c_runtime.verification.bench.rounds import Candidate, in_python
 from c_runtime.verification.bench.subjects import Subjects
+from sailnet.guidance.exported_files import SUFFIXES, graph_name
 from sailnet.networks.guidance_networks import GuidanceNetworks
 
 ONNXRUNTIME = "onnxruntime, Python"
-
-
-def graph_file(exported: Path, precision: str) -> Path:
-    """The merged graph of a precision."""
-    return exported / f"guidance_{PRECISIONS[precision]}.onnx"
 
 
 def onnxruntime_python(exported: Path, subjects: Subjects) -> list[Candidate]:
@@ -23,9 +18,9 @@ def onnxruntime_python(exported: Path, subjects: Subjects) -> list[Candidate]:
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     found = []
-    for precision in PRECISIONS:
+    for precision in SUFFIXES:
         session = onnxruntime.InferenceSession(
-            graph_file(exported, precision), options, providers=["CPUExecutionProvider"]
+            exported / graph_name(precision), options, providers=["CPUExecutionProvider"]
         )
         names = [entry.name for entry in session.get_inputs()]
         calls = []

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from c_runtime.verification.bench.compiled import Library
 from sailnet.errors import GuidanceError
+from sailnet.guidance.exported_files import graph_name
 from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts
 from sailnet.guidance.interface import GuidanceStatus
 from sailnet.networks.approach import approach_coordinates
@@ -55,7 +56,7 @@ def read_facts(exported: Path) -> GuidanceFacts:
     Raises:
         GuidanceError: there is no exported graph, or it does not say.
     """
-    graph = exported / "guidance_f64.onnx"
+    graph = exported / graph_name("float64")
     try:
         session = onnxruntime.InferenceSession(graph, providers=["CPUExecutionProvider"])
         stored = session.get_modelmeta().custom_metadata_map[METADATA_KEY]

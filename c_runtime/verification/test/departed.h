@@ -1,0 +1,57 @@
+/* Sails that have departed, for the tests of steering. */
+#ifndef DEPARTED_H
+#define DEPARTED_H
+
+#include "states.h"
+
+/* Of many states in the domain, where the flight is not about to end: the farthest, or where the side matters most. */
+static sailnet_state some_state(sailnet_real beta, int matters)
+{
+    sailnet_state found = middle_of_domain();
+    sailnet_real most = R(0.0);
+    for (int i = 0; i < 1000; i++) {
+        const sailnet_state state = state_in_domain();
+        sailnet_command command;
+        if (sailnet_guidance(&state, beta, &command) == SAILNET_OK && command.time_of_flight > R(0.02)) {
+            const sailnet_real much =
+                matters ? sailnet_size(command.cone_angle * command.lambda_v) : command.time_of_flight;
+            found = much > most ? state : found;
+            most = much > most ? much : most;
+        }
+    }
+    return found;
+}
+
+static sailnet_state far_from_the_target(sailnet_real beta)
+{
+    return some_state(beta, 0);
+}
+
+/* Steered once: nothing is learnt yet, and there is a last command. */
+static sailnet_memory departed(const sailnet_state *state, sailnet_real period)
+{
+    sailnet_memory memory;
+    sailnet_command command;
+    (void)memset(&memory, 0, sizeof memory); /* its padding too */
+    sailnet_start(&memory);
+    CHECK(sailnet_steer(&memory, state, period, &command) == SAILNET_OK && command.hold == period);
+    return memory;
+}
+
+/* Where the model says that a sail is next. */
+static sailnet_state predicted(const sailnet_memory *memory)
+{
+    sailnet_change change;
+    sailnet_predict(memory, &change);
+    const sailnet_state next = {memory->state.r + change.by.r, memory->state.u + change.by.u,
+                                memory->state.v + change.by.v};
+    return next;
+}
+
+/* The same but for contraction, which may differ where the law is put into steering. */
+static int is_near(sailnet_real a, sailnet_real b)
+{
+    return fabs((double)a - (double)b) <= 1e3 * (double)EPSILON * (1.0 + fabs((double)b));
+}
+
+#endif

@@ -1,0 +1,51 @@
+"""A campaign that cannot be flown is explained."""
+
+import json
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from sailnet.campaign.plan import parse_plan
+from sailnet.errors import CampaignError
+from tests.campaign.small_plan import plan_of
+
+
+def broken(change: Callable[[dict[str, Any]], object]) -> str:
+    content = json.loads(plan_of().to_json())
+    change(content)
+    with pytest.raises(CampaignError) as caught:
+        parse_plan(content, "mine")
+    return str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda c: c.update(colour="red"), "colour: unknown key"),
+        (
+            lambda c: c["series"][0].update(colour="red"),
+            "series.0.colour: unknown key; allowed here are distu",
+        ),
+        (lambda c: c["series"][0].update(disturbance={"wind": 1.0}), "no disturbance wind"),
+        (lambda c: c["series"][0].update(disturbance={"beta_bias": -2.0}), "beta_bias must be above -1"),
+        (lambda c: c["series"][0].update(disturbance={"seed": 1}), "seed is the campaign's own"),
+        (lambda c: c["series"][0].update(name="rough"), "same name"),
+        (lambda c: c["series"][1].pop("flights"), "how many flights of 'rough'"),
+        (lambda c: c["series"][0].update(periods=[0.02, 0.01]), "must increase"),
+        (lambda c: c["series"][0].update(periods=[0.02, 432.0]), "the longest is 0.5 TU, 29 days"),
+        (lambda c: c["series"][0].update(periods=[]), "series.0.periods"),
+        (lambda c: c.update(thresholds=[float("nan")]), "thresholds"),
+        (lambda c: c["series"][0].update(starts=[[-1.0, 0.0, 1.0]]), "starts"),
+        (lambda c: c.update(seed=-1), "seed = -1"),
+        (lambda c: c.pop("title"), "title: this key is missing"),
+        (lambda c: c.update(name="../x"), "name"),
+        (lambda c: c["series"].clear(), "series"),
+    ],
+)
+def test_a_campaign_that_cannot_be_is_explained(
+    change: Callable[[dict[str, Any]], object], says: str
+) -> None:
+    said = broken(change)
+    assert says in said
+    assert "campaign mine cannot be flown" in said
