@@ -517,7 +517,7 @@ def test_the_command_line_has_every_disturbance_and_goes_before_the_mission_file
     for name in NAMES:
         line += [f"--{name.replace('_', '-')}", "0.25"]
     given = disturbance_of(parser().parse_args(line), MISSION)
-    assert given == Disturbance(**dict.fromkeys(NAMES, 0.25), optics=OPTICS["ideal"], seed=9)  # type: ignore[arg-type]
+    assert given == Disturbance(**dict.fromkeys(NAMES, 0.25), optics=OPTICS["ideal"], seed=9)
     sails = MISSION.model_copy(update={"disturbance": Disturbance(delay=0.1, rate_limit=3.0, seed=2)})
     some = disturbance_of(parser().parse_args(["fly", "1", "0", "1", "--delay", "0"]), sails)
     assert some == Disturbance(rate_limit=3.0, seed=2)
