@@ -148,7 +148,19 @@ def _draw_rows(axes: Any, chart: Chart) -> None:
     axes.set_yticks(range(len(words)), [fill(word, 24) for word in words])
     axes.set(title=chart.title, xlabel=chart.y, ylim=(len(words) - 0.5, -0.5))
     if any(curve.label for curve in chart.curves):
-        axes.legend(fontsize=8, frameon=False, loc="upper left", bbox_to_anchor=(0.0, -0.14), ncols=4)
+        _legend(axes, columns=4)
+
+
+def _legend(axes: Any, columns: int) -> None:
+    """Below the axes and what is written there; a long label is broken, or it would take their place."""
+    from matplotlib.transforms import ScaledTranslation
+
+    handles, labels = axes.get_legend_handles_labels()
+    broken = [fill(label, 84 // columns) for label in labels]
+    inches = axes.get_figure().dpi_scale_trans
+    below = axes.transAxes + ScaledTranslation(0.0, -0.5, inches)
+    where = {"loc": "upper left", "bbox_to_anchor": (0.0, 0.0), "bbox_transform": below, "borderaxespad": 0.0}
+    axes.legend(handles, broken, fontsize=8, frameon=False, ncols=columns, **where)
 
 
 def row_offset(number: int, of: int) -> float:
@@ -186,7 +198,7 @@ def draw_chart(axes: Any, chart: Chart) -> None:
         axes.set_ylim(*chart.y_range)
     labels = sum(bool(curve.label) for curve in chart.curves)
     if labels > 1:
-        axes.legend(fontsize=8, frameon=False, loc="upper left", bbox_to_anchor=(0.0, -0.14), ncols=2)
+        _legend(axes, columns=2)
 
 
 def write_picture(path: Path, charts: Sequence[Chart], columns: int = 1) -> None:
