@@ -82,7 +82,7 @@ def guidance_of(options: argparse.Namespace, mission: Mission, *, many: bool = F
 
     Raises:
         GuidanceError: it is missing, damaged or of another mission.
-        SailnetError: options of networks that the expert does not take.
+        SailnetError: options of networks that the expert does not take; more than one precision.
     """
     if options.guidance in EXPERT_RULES:
         from sailnet.guidance.by_expert.pilot import ExpertGuidance
@@ -92,6 +92,8 @@ def guidance_of(options: argparse.Namespace, mission: Mission, *, many: bool = F
         return ExpertGuidance(mission, options.guidance, indexed=many)
     from sailnet.guidance.backends import load_guidance
 
+    if options.precision == BOTH:
+        raise SailnetError(f"{options.guidance} flies in one precision at a time: float64 or float32")
     networks = load_guidance(
         mission, options.backend, options.precision, options.networks, layout=options.layout
     )

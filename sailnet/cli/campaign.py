@@ -15,6 +15,7 @@ from sailnet.cli.arguments import BOTH, NETWORKS, guidance_of
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import exported_digest
 from sailnet.guidance.interface import Precision
+from sailnet.guidance.rules import EXPERT_RULES
 from sailnet.mission.disturbances import catalogue
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.report import need_pictures, report
@@ -63,7 +64,7 @@ def _flown(
     chosen = argparse.Namespace(**{**vars(options), "precision": precision})
     guidance = guidance_of(chosen, mission, many=True)
     facts: dict[str, str] = {"precision": precision}
-    if options.guidance == NETWORKS:
+    if options.guidance not in EXPERT_RULES:
         facts["backend"] = options.backend
         if options.backend == "c":
             facts["layout"] = options.layout

@@ -236,6 +236,10 @@ def test_evaluate_can_leave_the_expert_alone() -> None:
         (("fly", "1", "0", "1", "--rate-limit", "-1"), "rate_limit must be from 0"),
         (("fly", "1", "0", "1", "--delay", "nan"), "delay must be a finite number"),
         (("fly", "1", "0", "1", "--optics", "mirror"), "jpl"),
+        (
+            ("evaluate", "--campaign", "law", "--guidance", "look-ahead", "--precision", "both"),
+            "look-ahead flies in one precision at a time",
+        ),
         (("evaluate", "--flights", "0"), "flights"),
         (("evaluate", "--flights", "-3"), "flights"),
     ],
