@@ -110,13 +110,8 @@ campaigns: $(plain)/exported | $(READY)
 
 # The campaign `law` by other guidances, fewer flights, and the table of them beside the networks'.
 others: | $(READY)
-	for guidance in look-ahead look-ahead-without-reserve; do \
-	    $(VENV)/bin/sailnet evaluate --overwrite --mission $(MISSION) --workers 2 --flights 1000 \
-	        --campaign law --guidance $$guidance --output $(BUILD)/campaigns || exit 1; \
-	done
-	for guidance in expert expert-without-reserve; do \
-	    $(VENV)/bin/sailnet evaluate --overwrite --mission $(MISSION) --workers 2 --flights 200 \
-	        --campaign law --guidance $$guidance --output $(BUILD)/campaigns || exit 1; \
+	for way in look-ahead:1000 look-ahead-without-reserve:1000 expert:200 expert-without-reserve:200; do \
+	    $(fly_campaign) law --guidance $${way%:*} --flights $${way#*:} --output $(BUILD)/campaigns || exit 1; \
 	done
 	$(PYTHON) -m sailnet.campaign.upper_bound $(BUILD)/campaigns sailnet/campaign/RESULTS.md
 

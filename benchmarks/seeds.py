@@ -17,6 +17,7 @@ from sailnet.artefacts.provenance import software
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import score_record, scores_of
+from sailnet.campaign.tables import Table
 from sailnet.dataset import open_dataset
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
@@ -57,10 +58,8 @@ def table(records: list[dict[str, Any]]) -> list[str]:
         f"Seeds {seeds}, {records[0][CAMPAIGN][0]['flights']:,} flights a series. "
         f"Test MSE of tau, alpha_pre, lambda_v: {errors}.",
         "",
-        "| series | do not arrive | not home at the first approach | mean above own optimum [%] "
-        "| reversals, 99 % |",
-        "|---|---|---|---|---|",
     ]
+    rows = []
     for scores in zip(*(record[CAMPAIGN] for record in records), strict=True):
         cells = [
             [str(score["flights"] - score["arrived"]) for score in scores],
@@ -68,8 +67,10 @@ def table(records: list[dict[str, Any]]) -> list[str]:
             [f"{100.0 * score['time_above_own_optimum']['mean']:.3g}" for score in scores],
             [f"{score['reversals']['0.99']:.0f}" for score in scores],
         ]
-        lines.append(f"| {scores[0]['series']} | {' | '.join(', '.join(cell) for cell in cells)} |")
-    return lines
+        rows.append([scores[0]["series"], *map(", ".join, cells)])
+    heads = ["series", "do not arrive", "not home at the first approach"]
+    heads += ["mean above own optimum [%]", "reversals, 99 %"]
+    return [*lines, *Table("", heads, rows).markdown()]
 
 
 def headline(records: list[dict[str, Any]]) -> str:

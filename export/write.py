@@ -64,7 +64,7 @@ def export(
                 f"a baseline takes {COMMAND_INPUTS} and flies with a tau of {STATE_INPUTS}, "
                 f"not {alpha.inputs} with {networks.tau.inputs}"
             )
-    if not mission.sail.ideal:
+    if not mission.sail.optics.ideal:
         raise ExportError(
             f"mission {mission.name!r} has a sail that is not ideal: its extremals, data and networks can be "
             "made, but what steers on board predicts the force of an ideal sail, so there is no C of it yet"

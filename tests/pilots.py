@@ -1,11 +1,12 @@
 """Guidance by hand: what flies in tests where the networks are beside the point."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from sailnet.guidance.interface import Commands, GuidanceStatus, Steering
+from sailnet.guidance.interface import Commands, GuidanceStatus, Steered, Steering
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.mission.mission import load_mission
 from sailnet.physics.arrays import Array
@@ -30,6 +31,18 @@ class Pilot:
 
     def steering(self, count: int) -> Steering:
         return ReferenceSteering(self, count)
+
+
+class SteeredBy:
+    """A steering that is a function."""
+
+    def __init__(self, steer: Callable[..., Steered]) -> None:
+        self._steer = steer
+
+    def steer(
+        self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None
+    ) -> Steered:
+        return self._steer(states, period, sails, attitudes)
 
 
 @dataclass

@@ -33,7 +33,7 @@ def campaign_tables(records: Sequence[Record]) -> str:
         )
         tables = {record["flown_by"]: [Table(**table) for table in record["tables"]] for record in several}
         for table in side_by_side(tables) if len(tables) > 1 else next(iter(tables.values())):
-            blocks.append("\n".join([f"*{table.title}*", "", *table.markdown()]))
+            blocks.append(table.block())
     return "\n\n".join(blocks)
 
 

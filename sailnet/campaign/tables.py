@@ -32,6 +32,10 @@ class Table:
         """Its lines in Markdown, without the title."""
         return [f"| {' | '.join(row)} |" for row in (self.heads, ["---"] * len(self.heads), *self.cells)]
 
+    def block(self) -> str:
+        """Markdown with its title above."""
+        return "\n".join([f"*{self.title}*", "", *self.markdown()])
+
     def lines(self) -> list[str]:
         """Its lines for a terminal."""
         widths = [max(map(len, column)) for column in zip(self.heads, *self.cells, strict=True)]

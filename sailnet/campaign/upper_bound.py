@@ -101,7 +101,7 @@ def _blocks(folder: Path) -> str:
     tables = upper_bounds(folder, ready_campaigns())
     if not tables:
         raise CampaignError(f"no campaign in {folder} was flown by both: see --guidance")
-    return "\n\n".join("\n".join([f"*{table.title}*", "", *table.markdown()]) for table in tables)
+    return "\n\n".join(table.block() for table in tables)
 
 
 def main() -> int:

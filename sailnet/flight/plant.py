@@ -216,8 +216,8 @@ def _called_back(
     ) -> None:
         # The addresses are those of the arrays of the flights.
         try:
-            given = (states[:count].copy(), period, rows[:count].astype(np.intp))
-            steered = steering.steer(*given, attitudes[:count].copy()) if measured else steering.steer(*given)
+            told = attitudes[:count].copy() if measured else None
+            steered = steering.steer(states[:count].copy(), period, rows[:count].astype(np.intp), told)
             for name in commands.dtype.names or ():
                 commands[name][:count] = getattr(steered, name)
             statuses[:count] = steered.status

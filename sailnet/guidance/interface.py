@@ -151,11 +151,7 @@ def as_states(states: ArrayLike, precision: Precision) -> NDArray[np.floating]:
     Raises:
         GuidanceError: another shape, or not numbers.
     """
-    try:
-        with np.errstate(over="ignore"):
-            array = np.ascontiguousarray(states, dtype=precision)
-    except (TypeError, ValueError) as error:
-        raise GuidanceError(f"states must be numbers in an (n, 3) array: {error}") from error
+    array = _as_numbers(states, precision, "states must be numbers in an (n, 3) array")
     if array.ndim != 2 or array.shape[1] != 3:
         raise GuidanceError(f"states must be an (n, 3) array of (r, u, v), not of shape {array.shape}")
     return array
@@ -167,14 +163,19 @@ def as_attitudes(attitudes: ArrayLike, count: int, precision: Precision) -> NDAr
     Raises:
         GuidanceError: another shape, or not numbers.
     """
-    try:
-        with np.errstate(over="ignore"):
-            array = np.ascontiguousarray(attitudes, dtype=precision)
-    except (TypeError, ValueError) as error:
-        raise GuidanceError(f"attitudes must be numbers: {error}") from error
+    array = _as_numbers(attitudes, precision, "attitudes must be numbers")
     if array.shape != (count,):
         raise GuidanceError(f"{count} states need as many attitudes, not an array of shape {array.shape}")
     return array
+
+
+def _as_numbers(values: ArrayLike, precision: Precision, must: str) -> NDArray[np.floating]:
+    """A contiguous array of one precision; what it ``must`` be, and is not, is said."""
+    try:
+        with np.errstate(over="ignore"):
+            return np.ascontiguousarray(values, dtype=precision)
+    except (TypeError, ValueError) as error:
+        raise GuidanceError(f"{must}: {error}") from error
 
 
 def as_betas(

@@ -5,16 +5,16 @@ held for a period, the networks' own commands follow for some more, and the netw
 from there. It needs no memory of a side and no lambda_v, and asks the networks some twenty times a command.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from sailnet.errors import GuidanceError
-from sailnet.guidance.interface import Commands, Guidance, Steering
-from sailnet.guidance.rules import LOOK_AHEAD_RULES
+from sailnet.guidance.interface import Commands, Steering
+from sailnet.guidance.rules import LOOK_AHEAD_RULES, SteeringRules
 from sailnet.guidance.steering import ReferenceSteering
-from sailnet.mission.mission import Mission
+from sailnet.guidance.with_rules import WithRules
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import runge_kutta_step
 
@@ -23,46 +23,34 @@ HORIZON = 10
 
 
 @dataclass(frozen=True)
-class LookingAhead:
+class LookingAhead(WithRules):
     """The same networks, steered in Python by looking ahead.
 
     Attributes:
         guidance: gives the commands.
-        name: of the rules of steering, a key of :data:`sailnet.guidance.rules.LOOK_AHEAD_RULES`.
+        rules: the numbers of steering, by the name.
+        name: a key of :data:`sailnet.guidance.rules.LOOK_AHEAD_RULES`.
 
     Raises:
         GuidanceError: there are no such rules.
     """
 
-    guidance: Guidance
+    rules: SteeringRules = field(init=False)
     name: str = "look-ahead"
 
     def __post_init__(self) -> None:
         if self.name not in LOOK_AHEAD_RULES:
             raise GuidanceError(f"no law {self.name!r}: known are {' and '.join(LOOK_AHEAD_RULES)}")
-
-    @property
-    def mission(self) -> Mission:
-        """The guidance's."""
-        return self.guidance.mission
+        object.__setattr__(self, "rules", LOOK_AHEAD_RULES[self.name])
 
     @property
     def networks_digest(self) -> str:
         """The guidance's, and what steers: results of one are not those of the other."""
         return f"{self.guidance.networks_digest} {self.name}"
 
-    @property
-    def beta_range(self) -> tuple[float, float]:
-        """The guidance's."""
-        return self.guidance.beta_range
-
-    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        """The guidance's; see ``sailnet.guidance.interface.Guidance``."""
-        return self.guidance.command(states, beta)
-
     def steering(self, count: int) -> Steering:
         """Steering of ``count`` sails; see ``sailnet.guidance.interface.Guidance``."""
-        return LookAheadSteering(self, count, LOOK_AHEAD_RULES[self.name])
+        return LookAheadSteering(self, count, self.rules)
 
 
 class LookAheadSteering(ReferenceSteering):

@@ -11,27 +11,22 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Field, ValidationError
+from pydantic import Field, ValidationError
 
-from sailnet.errors import MissionError, SailnetError
+from sailnet.errors import MissionError
 from sailnet.mission.disturbances import Disturbance, disturbance_from
 from sailnet.mission.explanation import explain
 from sailnet.mission.recipes import Recipes, Training
-from sailnet.mission.sections import FlightRules, Orbits, Region, Sail, Section
+from sailnet.mission.sections import FlightRules, Orbits, Region, Sail, Section, read_by
 from sailnet.mission.toml_files import read_table, shipped_names
-from sailnet.physics.optics import OPTICS, Optics
+from sailnet.physics.optics import Optics
 from sailnet.physics.transfer import Transfer
 
 FOLDER = "mission/missions"
 
 
 def _read_disturbance(table: object) -> object:
-    if not isinstance(table, dict):
-        return table
-    try:
-        return disturbance_from(table)
-    except SailnetError as error:
-        raise ValueError(str(error)) from error
+    return disturbance_from(table) if isinstance(table, dict) else table
 
 
 class Mission(Section):
@@ -44,7 +39,7 @@ class Mission(Section):
     transfer: Orbits
     flight: FlightRules
     generalisation: Region
-    disturbance: Annotated[Disturbance, BeforeValidator(_read_disturbance)] = Disturbance()
+    disturbance: Annotated[Disturbance, read_by(_read_disturbance)] = Disturbance()
     dataset: Recipes
     training: Training
 
@@ -92,7 +87,7 @@ class Mission(Section):
         """The mission of a sail with these coefficients; of one that is not ideal, with the exact law."""
         content = self.model_dump(by_alias=True, mode="json")
         content["sail"]["optics"] = asdict(optics)
-        if optics.force != OPTICS["ideal"].force:
+        if not optics.ideal:
             content["sail"]["smoothing"] = 0.0
         return parse_mission(content, f"{self.name} with other optics")
 

@@ -1,7 +1,8 @@
 """The tables of a mission file: sail, orbits, flight, and the states that guidance is made for."""
 
 import math
-from typing import Annotated
+from collections.abc import Callable
+from typing import Annotated, Any
 
 import numpy as np
 from pydantic import (
@@ -32,11 +33,16 @@ class Section(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, strict=True)
 
 
-def _read_optics(given: object) -> Optics:
-    try:
-        return optics_from(given)
-    except SailnetError as error:
-        raise ValueError(str(error)) from error
+def read_by(read: Callable[[Any], object]) -> BeforeValidator:
+    """What a key holds is read by a function of the library, whose errors are the key's."""
+
+    def value(given: Any) -> object:
+        try:
+            return read(given)
+        except SailnetError as error:
+            raise ValueError(str(error)) from error
+
+    return BeforeValidator(value)
 
 
 class Sail(Section):
@@ -48,18 +54,13 @@ class Sail(Section):
     beta: Annotated[float, Field(gt=0.0, lt=1.0)]
     max_cone_angle: Annotated[float, Field(gt=0.0, le=90.0)]
     smoothing: Annotated[float, Field(ge=0.0, le=0.1)]
-    optics: Annotated[Optics, BeforeValidator(_read_optics)] = OPTICS["ideal"]
+    optics: Annotated[Optics, read_by(optics_from)] = OPTICS["ideal"]
 
     @model_validator(mode="after")
     def _exact_unless_ideal(self) -> "Sail":
-        if not self.ideal and self.smoothing != 0.0:
+        if not self.optics.ideal and self.smoothing != 0.0:
             raise ValueError("Eq. (12) smooths the law of an ideal sail: with other optics smoothing is 0")
         return self
-
-    @property
-    def ideal(self) -> bool:
-        """Whether the force is along the normal alone."""
-        return self.optics.force == OPTICS["ideal"].force
 
     @model_serializer(mode="wrap")
     def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:

@@ -66,6 +66,11 @@ class Optics:
         return 1.0 + mirrored, diffuse + heat
 
     @property
+    def ideal(self) -> bool:
+        """Whether the force is along the normal alone, and by cos^2: that of Eq. (1)."""
+        return self.force == OPTICS["ideal"].force
+
+    @property
     def facing_share(self) -> float:
         """Force on the sail when it faces the Sun, of that on an ideal one of the same area."""
         return sum(self._along) / 2.0

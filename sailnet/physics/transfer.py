@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from sailnet.errors import SolveError
 from sailnet.physics.arrays import Array
-from sailnet.physics.dynamics import IDEAL
 from sailnet.physics.optics import OPTICS, Optics
 from sailnet.physics.real_law import RealLaw
 
@@ -47,8 +46,7 @@ class Transfer:
     @cached_property
     def law(self) -> RealLaw | None:
         """The law of the cone angle of a sail that is not ideal; Eq. (11) serves the others."""
-        force = self.optics.force
-        return None if force == IDEAL else RealLaw.of(np.array([force]), self.phi_max)
+        return None if self.optics.ideal else RealLaw.of(np.array([self.optics.force]), self.phi_max)
 
     @property
     def target_state(self) -> tuple[float, float, float]:

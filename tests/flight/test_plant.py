@@ -10,7 +10,7 @@ from typing import Any
 import heyoka as hy
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 from scipy.stats import kstest
 
@@ -19,7 +19,7 @@ from sailnet.errors import SailnetError
 from sailnet.flight.closed_loop import Ending, Flights, fly, fly_recorded
 from sailnet.flight.plant_library import plant
 from sailnet.guidance.backends import load_guidance
-from sailnet.guidance.interface import Commands, Guidance, Precision, Steered, Steering
+from sailnet.guidance.interface import Commands, Guidance, Precision, Steering
 from sailnet.mission.disturbances import Disturbance
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import motion
@@ -27,7 +27,7 @@ from sailnet.physics.optics import OPTICS, Optics
 from tests.held_angle import hold_angle
 from tests.held_command import hold_command
 from tests.paths import ROOT
-from tests.pilots import MISSION, Constant, Pilot, Wobble
+from tests.pilots import MISSION, Constant, Pilot, SteeredBy, Wobble
 from tests.tools import every_compiler
 
 EVERYTHING = Disturbance(
@@ -232,19 +232,7 @@ class Indirect(Pilot):
         self.mission = guidance.mission
 
     def steering(self, count: int) -> Steering:
-        steering = self._guidance.steering(count)
-
-        class Wrapped:
-            def steer(
-                self,
-                states: ArrayLike,
-                period: float,
-                sails: NDArray[np.intp],
-                attitudes: ArrayLike | None = None,
-            ) -> Steered:
-                return steering.steer(states, period, sails, attitudes)
-
-        return Wrapped()
+        return SteeredBy(self._guidance.steering(count).steer)
 
 
 STARTS = [(1.0, 0.0, 1.0), (1.05, 0.15, 1.03), (1.1, 0.18, 0.93), (1.02, 0.05, 0.99)]

@@ -6,7 +6,7 @@ from math import radians
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from sailnet.campaign.printed import CASES
 from sailnet.flight.closed_loop import Flights, History, fly, fly_recorded
@@ -19,7 +19,7 @@ from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS
-from tests.pilots import MISSION, Constant, Pilot, Wobble
+from tests.pilots import MISSION, Constant, Pilot, SteeredBy, Wobble
 
 GUIDANCE = load_guidance(MISSION)
 BOUND = MISSION.problem.phi_max
@@ -34,22 +34,15 @@ class Memoryless(Pilot):
     def steering(self, count: int) -> Steering:
         guidance = self._guidance
 
-        class Now:
-            def steer(
-                self,
-                states: ArrayLike,
-                period: float,
-                sails: NDArray[np.intp],
-                attitudes: ArrayLike | None = None,
-            ) -> Steered:
-                commands = guidance.command(states)
-                tau = commands.time_of_flight
-                ends = tau <= MISSION.flight.arrival_threshold
-                status = np.where(ends, np.int32(GuidanceStatus.ARRIVED), commands.status)
-                hold, beta = np.where(ends, tau, period), np.full(len(tau), MISSION.sail.beta)
-                return Steered(commands.cone_angle, hold, tau, beta, commands.lambda_v, status)
+        def steer(states: ArrayLike, period: float, *_: object) -> Steered:
+            commands = guidance.command(states)
+            tau = commands.time_of_flight
+            ends = tau <= MISSION.flight.arrival_threshold
+            status = np.where(ends, np.int32(GuidanceStatus.ARRIVED), commands.status)
+            hold, beta = np.where(ends, tau, period), np.full(len(tau), MISSION.sail.beta)
+            return Steered(commands.cone_angle, hold, tau, beta, commands.lambda_v, status)
 
-        return Now()
+        return SteeredBy(steer)
 
 
 @pytest.mark.parametrize(("period", "reversals", "slew"), [(0.005, 35, 4293.0), (0.001, 169, 20373.0)])

@@ -31,7 +31,7 @@ from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS, Optics
 from tests.flight.test_plant import EVERYTHING, taylor_hold
 from tests.held_angle import hold_angle
-from tests.pilots import MISSION, Constant, Optimum, Wobble
+from tests.pilots import MISSION, Constant, Optimum, SteeredBy, Wobble
 
 PERIOD = 0.01
 BETA = MISSION.sail.beta
@@ -253,18 +253,11 @@ class Watched(Wobble):
         """As a Wobble's, but for that."""
         inner, told = super().steering(count), self.told
 
-        class Noting:
-            def steer(
-                self,
-                states: ArrayLike,
-                period: float,
-                sails: NDArray[np.intp],
-                attitudes: ArrayLike | None = None,
-            ) -> Steered:
-                told.append(np.full(len(sails), np.inf) if attitudes is None else np.array(attitudes))
-                return inner.steer(states, period, sails)
+        def steer(states: Array, period: float, sails: NDArray[np.intp], attitudes: Array | None) -> Steered:
+            told.append(np.full(len(sails), np.inf) if attitudes is None else np.array(attitudes))
+            return inner.steer(states, period, sails)
 
-        return Noting()
+        return SteeredBy(steer)
 
 
 def test_a_measured_attitude_is_the_mean_of_what_was_flown() -> None:
@@ -335,20 +328,13 @@ class Blind(Constant):
     def steering(self, count: int) -> Steering:
         known = super().steering(count)
 
-        class Now:
-            def steer(
-                self,
-                states: ArrayLike,
-                period: float,
-                sails: NDArray[np.intp],
-                attitudes: ArrayLike | None = None,
-            ) -> Steered:
-                told = known.steer(states, period, sails)
-                unseen = np.isnan(np.asarray(states)).any(axis=1)
-                ends = np.where(unseen, np.int32(GuidanceStatus.ARRIVED), told.status)
-                return replace(told, status=ends, hold=np.where(unseen, 0.5 * period, told.hold))
+        def steer(states: Array, period: float, sails: NDArray[np.intp], _: object) -> Steered:
+            told = known.steer(states, period, sails)
+            unseen = np.isnan(states).any(axis=1)
+            ends = np.where(unseen, np.int32(GuidanceStatus.ARRIVED), told.status)
+            return replace(told, status=ends, hold=np.where(unseen, 0.5 * period, told.hold))
 
-        return Now()
+        return SteeredBy(steer)
 
 
 def test_in_an_outage_the_guidance_may_end_the_flight() -> None:
