@@ -105,7 +105,7 @@ campaigns: $(plain)/exported | $(READY)
 	    case " $(IN_BOTH) " in *" $$name "*) precision=both;; *) precision=$(or $(PRECISION),float64);; esac; \
 	    $(fly_campaign) $$name --precision $$precision --output $(BUILD)/campaigns || exit 1; \
 	done
-	$(fly_campaign) law --networks $(plain) --output $(BUILD)/campaigns/plain-law
+	$(fly_campaign) law --networks $(plain) --output $(BUILD)/campaigns/plain-law --optima $(BUILD)/campaigns/law.h5
 	$(if $(CAMPAIGN_FLIGHTS),,$(PYTHON) -m sailnet.campaign.score_tables $(BUILD)/campaigns sailnet/campaign/RESULTS.md)
 
 # The campaign `law` by other guidances, fewer flights, and the table of them beside the networks'.

@@ -5,6 +5,10 @@ its own that no reported campaign uses. What is sought is the smallest mean, ove
 of the mean time above the optimum of the sail that flew, plus 0.1 %: of all flights, so that what misses
 its first approach counts with all it costs. Nelder and Mead's simplex, over the logarithms of the numbers.
 
+A search can afford some hundred flights of a series, which see no chance of one in a hundred; misses of
+the first approach are as rare, and dear. So what a search finds is tried again with ``--candidate``, over
+thousands of flights.
+
 Every candidate is written to the output as it is done, and is not flown again: a search that was stopped goes
 on where it was.
 """
@@ -13,7 +17,7 @@ import argparse
 import json
 import sys
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -68,10 +72,25 @@ class Trials:
         networks: what flies.
         plan: the campaign.
         output: one line of JSON a candidate; those that it holds are not flown again.
+        names: of the series that are flown; all by default.
+
+    Raises:
+        ValueError: the campaign has no such series.
     """
 
-    def __init__(self, mission: Mission, networks: GuidanceNetworks, plan: Plan, output: Path) -> None:
+    def __init__(
+        self,
+        mission: Mission,
+        networks: GuidanceNetworks,
+        plan: Plan,
+        output: Path,
+        names: Sequence[str] | None = None,
+    ) -> None:
         self._mission, self._networks, self._plan, self._output = mission, networks, plan, output
+        self._series = [one for one in plan.whole if names is None or one.name in names]
+        if unknown := set(names or ()) - {one.name for one in plan.whole}:
+            known = "; ".join(one.name for one in plan.whole)
+            raise ValueError(f"the campaign has no series {', '.join(sorted(unknown))}; it has: {known}")
         self._facts = describe(networks, mission)
         self._optima: dict[str, Array] = {}
         lines = output.read_text(encoding="utf-8").splitlines() if output.exists() else []
@@ -95,11 +114,11 @@ class Trials:
             write_c(self._networks, self._facts, folder, replace(RULES, **numbers))
             compile_libraries(folder, folder, [FLOWN])
             guidance = CGuidance(self._mission, folder / FLOWN.library)
-            series = {one.name: self._series(guidance, one) for one in self._plan.whole}
+            series = {one.name: self._flights(guidance, one) for one in self._series}
         means = np.array([row["mean"] for row in series.values()])
         return {"score": float(np.log(means + FLOOR).mean()), "rules": dict(numbers), "series": series}
 
-    def _series(self, guidance: CGuidance, series: Series) -> dict[str, float]:
+    def _flights(self, guidance: CGuidance, series: Series) -> dict[str, float]:
         mission, seed = self._mission, self._plan.seed
         starts = series.states(mission, seed, 0, series.count)
         disturbance = series.disturbances(mission, seed)
@@ -119,6 +138,18 @@ def _row(mission: Mission, flights: Flights, optimal: Array) -> dict[str, float]
         "first_approach": excess.first_approach.count / excess.first_approach.of,
         "reversals_99": float(np.quantile(flights.reversals, 0.99)),
     }
+
+
+def candidate(text: str) -> SteeringRules:
+    """The rules that fly now, but for some numbers: ``reserve_white=4,let_go=0.1``; or for none.
+
+    Raises:
+        ValueError: not numbers of ``SOUGHT``.
+    """
+    pairs = [pair.partition("=")[::2] for pair in text.split(",") if pair]
+    if unknown := sorted({name for name, _ in pairs} - set(SOUGHT)):
+        raise ValueError(f"no number {', '.join(unknown)} is sought; these are: {', '.join(SOUGHT)}")
+    return replace(RULES, **{name: float(value) for name, value in pairs})
 
 
 def search(trials: Trials, evaluations: int) -> Record:
@@ -153,7 +184,9 @@ def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         prog="python -m export.find_rules",
         description=__doc__,
-        epilog="example: python -m export.find_rules build/earth_mars/wide/networks build/rules.jsonl",
+        epilog="examples: python -m export.find_rules build/earth_mars/wide/networks build/rules.jsonl; "
+        "python -m export.find_rules build/earth_mars/wide/networks build/tried.jsonl --flights 8000 "
+        "--candidate reserve_white=2.7 --candidate reserve_white=4",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("networks", type=Path, help="folder of the weights")
@@ -162,13 +195,24 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--flights", type=int, default=400, help="of each series (%(default)s)")
     parser.add_argument("--seed", type=int, default=77, help="of starts and disturbances (%(default)s)")
     parser.add_argument("--evaluations", type=int, default=120, help="candidates (%(default)s)")
+    parser.add_argument("--series", action="append", metavar="NAME", help="of the campaign; all by default")
+    parser.add_argument(
+        "--candidate",
+        action="append",
+        metavar="NAME=VALUE,...",
+        help="fly the rules with these numbers changed, and do not search; '' for the rules as they are",
+    )
     options = parser.parse_args(arguments)
     try:
         networks = load_guidance_networks(options.networks)
         mission = load_mission(networks.mission.name)
         plan = load_plan(options.campaign).flown_by(mission).changed(options.flights, options.seed)
         options.output.parent.mkdir(parents=True, exist_ok=True)
-        best = search(Trials(mission, networks, plan, options.output), options.evaluations)
+        trials = Trials(mission, networks, plan, options.output, options.series)
+        if options.candidate is None:
+            best = search(trials, options.evaluations)
+        else:
+            best = min((trials.fly(candidate(text)) for text in options.candidate), key=_score)
     except (SailnetError, CompilerError, OSError, ValueError) as error:
         print(f"export.find_rules: {error}", file=sys.stderr)
         return 1

@@ -85,17 +85,20 @@ class Job:
         mission: plant, target and rules of flight.
         guidance: what flies.
         plan: the campaign.
+        asks: whether the expert is asked for optima, or they are known.
     """
 
     mission: Mission
     guidance: Guidance
     plan: Plan
+    asks: bool = True
 
     @cached_property
     def batches(self) -> list[Batch]:
         """The batches, by number."""
         slow = isinstance(self.guidance, ExpertGuidance)
-        return batches_of(self.plan, self.mission, EXPERT_BATCH if slow else BATCH)
+        whole = batches_of(self.plan, self.mission, EXPERT_BATCH if slow else BATCH)
+        return [batch for batch in whole if self.asks or batch.kind == "flights"]
 
     def carry_out(self, number: int) -> Columns:
         """One batch: columns of ``FLIGHTS`` (``flights/...``), ``KEPT`` and ``RECORDS``, or optima."""

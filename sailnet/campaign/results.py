@@ -25,6 +25,7 @@ def write_results(
     outcomes: Iterable[tuple[Batch, Columns]],
     provenance: Mapping[str, object],
     scratch: Path,
+    known: "Results | None" = None,
 ) -> None:
     """Write what the batches of a campaign gave, in their order, into a new file.
 
@@ -34,6 +35,7 @@ def write_results(
         outcomes: every batch and what it gave.
         provenance: whatever tells where the results come from.
         scratch: folder of the same file system for the unfinished file.
+        known: of the same flights by another guidance: the optima are its.
 
     Raises:
         CampaignError: the file cannot be written (full disk, no permission).
@@ -43,10 +45,12 @@ def write_results(
         "campaign": job.plan.to_json(),
         "networks": job.guidance.networks_digest,
     }
-    write_columns(path, LAYOUT, _assembled(job.plan, outcomes), texts, provenance, scratch)
+    write_columns(path, LAYOUT, _assembled(job.plan, outcomes, known), texts, provenance, scratch)
 
 
-def _assembled(plan: Plan, outcomes: Iterable[tuple[Batch, Columns]]) -> Iterator[Columns]:
+def _assembled(
+    plan: Plan, outcomes: Iterable[tuple[Batch, Columns]], known: "Results | None"
+) -> Iterator[Columns]:
     """Trajectories as they come, up to the plan's limit; then the flights, once their optima are known."""
     flown: list[tuple[Batch, Columns]] = []
     failures: dict[tuple[int, float], int] = {}
@@ -67,7 +71,11 @@ def _assembled(plan: Plan, outcomes: Iterable[tuple[Batch, Columns]]) -> Iterato
             **{key: values[recorded] for key, values in columns.items() if key.startswith("records/")},
         }
         rows = {key: values for key, values in columns.items() if key.startswith("flights/")}
-        rows |= {f"flights/{name}": np.full(batch.count, np.nan) for name in OPTIMUM}
+        same = slice(total, total + batch.count)
+        for name in OPTIMUM:
+            rows[f"flights/{name}"] = (
+                np.full(batch.count, np.nan) if known is None else known.flights[name][same]
+            )
         flown.append((batch, rows))
         total += batch.count
     for _, flights in flown:

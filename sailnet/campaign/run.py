@@ -34,6 +34,7 @@ def fly_plan(
     restart: bool = False,
     overwrite: bool = False,
     facts: Mapping[str, str] | None = None,
+    optima: Path | None = None,
 ) -> Results:
     """Fly a campaign into a file, or go on with one that was interrupted; read it if it is flown already.
 
@@ -48,13 +49,15 @@ def fly_plan(
         restart: fly everything anew, whatever there is.
         overwrite: replace a finished file of another mission, campaign or guidance.
         facts: about the guidance, beside its networks: back end, precision and layout.
+        optima: results of the same campaign, flown by another guidance with the same software: the optima of
+            the sails that flew are taken from there, and not solved for again.
 
     Raises:
         SailnetError: the file holds something else that is finished, or cannot be written; a flight that
-            cannot be; workers lost again and again. What was flown is kept.
+            cannot be; optima of other flights; workers lost again and again. What was flown is kept.
         KeyboardInterrupt: at Ctrl-C; likewise.
     """
-    job = Job(mission, guidance, plan.flown_by(mission))
+    job = Job(mission, guidance, plan.flown_by(mission), asks=optima is None)
     asked_for = {
         "mission": mission.to_json(),
         "campaign": job.plan.to_json(),
@@ -68,10 +71,11 @@ def fly_plan(
             return found
         if not overwrite:
             _refuse_another(output, asked_for, flown)
+    known = None if optima is None else _of_the_same_flights(optima, run)
     with claim(output, run, restart, "results") as parts, _telling(parts), asked_to_stop() as asked:
         outcomes = resumed(job.carry_out, range(len(job.batches)), parts, workers)
         origin = {"run": run, **software()}
-        write_results(output, job, _watched(job, outcomes, asked), origin, parts.folder)
+        write_results(output, job, _watched(job, outcomes, asked), origin, parts.folder, known)
     return open_results(output)
 
 
@@ -80,6 +84,18 @@ def _finished(output: Path) -> Results | None:
         return open_results(output)
     except SailnetError:  # missing, damaged, or of another version
         return None
+
+
+def _of_the_same_flights(path: Path, run: Mapping[str, str]) -> Results:
+    """Results whose flights have the same optima: all but the guidance is the same."""
+    results = open_results(path)
+    flown = results.provenance["run"]
+    solved_by = ["mission", "campaign", "plant", *environment_of(*MODULES)]
+    if different := [name for name in solved_by if flown.get(name) != run[name]]:
+        raise CampaignError(
+            f"{path} has no optima for these flights: another {', '.join(different)}; leave --optima out"
+        )
+    return results
 
 
 def _refuse_another(output: Path, asked_for: Mapping[str, str], flown: Mapping[str, str]) -> None:

@@ -44,6 +44,7 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     if options.precision != BOTH:
         return _flown(options, mission, plan, plan.name, options.precision)[0]
     result, double = _flown(options, mission, plan, plan.name, "float64")
+    options.optima = Path(str(result["results"]))
     result["float32"], single = _flown(options, mission, plan, single_precision(plan.name), "float32")
     _print_tables(options, {"float64": double, "float32": single})
     return result
@@ -82,6 +83,7 @@ def _flown(
             restart=options.restart,
             overwrite=options.overwrite,
             facts=facts,
+            optima=options.optima,
         )
     scores = scores_of(results)
     tables = score_tables(scores)

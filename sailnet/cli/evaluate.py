@@ -49,6 +49,12 @@ def add(commands: Commands) -> None:
         "--flights", type=int, metavar="N", help="how many (100, or what the campaign says for random starts)"
     )
     evaluate.add_argument(
+        "--optima",
+        type=Path,
+        metavar="FILE",
+        help="results of the same campaign by another guidance: the shortest times are taken from there",
+    )
+    evaluate.add_argument(
         "--without-optima",
         action="store_true",
         help="of random starts: do not ask the expert for the shortest times, which takes a minute",

@@ -14,7 +14,9 @@ LARGEST_PERIOD = 0.5
 class SteeringRules:
     """What ``sailnet_steer`` does the same for all missions; the flight file's header has the same names.
 
-    The reserve's numbers were found by ``python -m export.find_rules``, over simulated flights.
+    The reserve's numbers were found by ``python -m export.find_rules``, over simulated flights: most by its
+    search; ``reserve_white`` and ``largest_reserve`` among candidates flown 8,000 times each: only so many
+    show how often a reserve is too small.
 
     Attributes:
         memory: time over which the estimate of beta forgets [TU].
@@ -44,8 +46,8 @@ class SteeringRules:
     largest_offset: float = 0.15
     reserve_tangential: float = 0.51
     reserve_slow: float = 2.6
-    reserve_white: float = 2.7
-    largest_reserve: float = 0.085
+    reserve_white: float = 4.0
+    largest_reserve: float = 0.105
     let_go: float = 0.165
     reversal: float = 0.35
     largest_patience: float = 0.01

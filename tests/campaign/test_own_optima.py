@@ -7,12 +7,15 @@ import numpy as np
 import pytest
 
 from sailnet.campaign import own_optima
+from sailnet.campaign.batches import Job
 from sailnet.campaign.own_optima import assumed_optima, optimal_slews, own_optimal_times
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.run import fly_plan
+from sailnet.errors import CampaignError
 from sailnet.expert.fastest import sample, solve
 from sailnet.guidance.backends import load_guidance
 from sailnet.physics.optics import OPTICS
+from tests.campaign.small_plan import plan_of
 from tests.pilots import MISSION
 
 PROBLEM = MISSION.problem
@@ -87,3 +90,23 @@ def test_every_flight_of_a_campaign_has_the_optimum_of_its_own_sail(tmp_path: Pa
     assert (own[weak] > assumed[weak]).tolist() == [True, True, False]
     assert np.isnan(own[weak][2])
     assert np.isfinite(assumed[weak][:2]).all()
+
+
+def test_another_guidance_takes_the_optima_of_the_same_flights(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """To the last bit what it had found itself; and of nothing but the same flights."""
+    one, other = load_guidance(MISSION), load_guidance(MISSION, precision="float32")
+    plan = plan_of(flights=3)
+    first = fly_plan(MISSION, one, plan, tmp_path / "first.h5")
+    alone = fly_plan(MISSION, other, plan, tmp_path / "alone.h5")
+    assert np.isfinite(first.flights["own_optimal_time"]).any()
+    with monkeypatch.context() as expert:
+        expert.setattr(Job, "_optima", None)
+        taken = fly_plan(MISSION, other, plan, tmp_path / "taken.h5", optima=tmp_path / "first.h5")
+    assert taken.digest == alone.digest != first.digest
+    with pytest.raises(
+        CampaignError, match=r"first\.h5 has no optima for these flights: another campaign; leave"
+    ):
+        fly_plan(MISSION, other, plan_of(seed=6), tmp_path / "no.h5", optima=tmp_path / "first.h5")
+    assert not (tmp_path / "no.h5").exists()

@@ -56,6 +56,23 @@ def test_a_search_returns_the_best_it_flew_and_goes_on_where_it_was(tmp_path: Pa
     assert len(more) == 4
 
 
+def test_candidates_are_flown_over_the_series_asked_for(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    output = tmp_path / "tried.jsonl"
+    words = [str(SHIPPED), str(output), "--flights", "3", "--series", "nominal"]
+    assert main([*words, "--candidate", "", "--candidate", "reserve_white=0.1,let_go=0.3"]) == 0
+    as_it_is, changed = (json.loads(line)["rules"] for line in output.read_text().splitlines())
+    assert as_it_is == {name: getattr(RULES, name) for name in SOUGHT}
+    assert changed == {**as_it_is, "reserve_white": 0.1, "let_go": 0.3}
+    best = json.loads(capsys.readouterr().out)
+    assert list(best["series"]) == ["nominal"]
+    assert main([*words, "--candidate", "patience=1"]) == 1
+    assert "no number patience is sought; these are: memory" in capsys.readouterr().err
+    assert main([*words[:-1], "calm", "--candidate", ""]) == 1
+    assert "the campaign has no series calm; it has: nominal; bias" in capsys.readouterr().err
+
+
 def test_a_damaged_output_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     output = tmp_path / "rules.jsonl"
     output.write_text('{"score": 1')
