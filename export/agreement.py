@@ -21,6 +21,7 @@ from sailnet.dataset import open_dataset
 from sailnet.guidance.backends import Backend, load_guidance
 from sailnet.guidance.facts import describe
 from sailnet.guidance.interface import Precision
+from sailnet.mission.mission import Mission
 from sailnet.networks.approach import approach_coordinates
 from sailnet.networks.guidance_networks import GuidanceNetworks, load_guidance_networks
 from sailnet.physics.arrays import Array
@@ -53,9 +54,13 @@ class Sails:
         return Sails(*(values.astype(precision).astype(float) for values in (self.states, self.beta)))
 
 
-def sails_of_dataset(path: Path, count: int, seed: int) -> Sails:
-    """Samples drawn evenly from a data set."""
-    with open_dataset(path) as data:
+def sails_of_dataset(path: Path, mission: Mission, count: int, seed: int) -> Sails:
+    """Samples drawn evenly from a data set of a mission.
+
+    Raises:
+        DatasetError: it cannot be read, or is another mission's.
+    """
+    with open_dataset(path, mission) as data:
         data.verify()
         rows = np.sort(np.random.default_rng(seed).choice(data.samples, count))
         columns = data.read(["r", "u", "v", "beta"], 0, data.samples)
@@ -142,7 +147,9 @@ def main() -> int:
     try:
         networks = load_guidance_networks(options.networks)
         kinds = {
-            "samples of the data set": sails_of_dataset(options.dataset, options.states, options.seed),
+            "samples of the data set": sails_of_dataset(
+                options.dataset, networks.mission, options.states, options.seed
+            ),
             "uniform in the box": sails_of_box(networks, options.states, options.seed),
         }
         records = [

@@ -7,12 +7,13 @@ from sailnet.campaign.acceptance import acceptance_table
 from sailnet.campaign.results import Results
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import Network
+from sailnet.physics.optics import Optics
 
 TRIO = ("tau", "alpha_pre", "lambda_v")
 
 LIMITS = (
-    "**Limits.** Planar circular target orbit. Trained on flights of an ideal sail whose state is known: "
-    "what real optics, slow turning and errors of navigation cost is measured by the campaigns of the "
+    "**Limits.** Planar circular target orbit. Trained on flights of {sail}, whose state is known: "
+    "what other optics, slow turning and errors of navigation cost is measured by the campaigns of the "
     "package, not trained for. Trained on the fastest extremals an indirect method finds; where two are "
     "equally fast the command is not smooth, and near there a flight may take the slower way. A drift of "
     "beta of one per cent a TU is beyond the networks: many flights miss. What they stand is below."
@@ -80,6 +81,10 @@ def _domain(networks: GuidanceNetworks) -> str:
     )
 
 
+def _sail(optics: Optics) -> str:
+    return "an ideal sail" if optics.ideal else f"a sail that is not ideal (optics: {optics.description})"
+
+
 def _speed(timings: Facts) -> list[str]:
     lines = ["| a command | precision | median [ns] | minimum [ns] |", "|---|---|---|---|"]
     return lines + [
@@ -124,7 +129,7 @@ def model_card(
             "",
             _domain(networks),
             "",
-            LIMITS,
+            LIMITS.format(sail=_sail(mission.sail.optics)),
             "",
             "## Closed loop",
             "",

@@ -19,6 +19,7 @@ from sailnet.guidance.facts import GuidanceFacts, round_down
 from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.physics import units
+from sailnet.physics.optics import Optics
 
 SIMULATION = ("sailnet_batch.h", "sailnet_batch.c")
 """Files that are the same for all networks, for simulation."""
@@ -65,6 +66,7 @@ def _header(networks: GuidanceNetworks, facts: GuidanceFacts, rules: SteeringRul
             "TARGET_V": literal(v),
             "LARGEST_TIME_OF_FLIGHT": literal(facts.largest_time_of_flight),
             "READS_BETA": str(int(networks.approach)),
+            **_sail(facts.optics),
             "BETA": literal(facts.beta),
             "BETA_MIN": literal(facts.beta_min),
             "BETA_MAX": literal(facts.beta_max),
@@ -83,6 +85,11 @@ def _header(networks: GuidanceNetworks, facts: GuidanceFacts, rules: SteeringRul
             "GM_SUN": f"{units.GM_SUN:.12g}",
         },
     )
+
+
+def _sail(optics: Optics) -> dict[str, str]:
+    force = zip(("FORCE_SQUARE", "FORCE_LINEAR", "FORCE_ACROSS"), optics.force, strict=True)
+    return {"SAIL": optics.description, **{key: literal(value) for key, value in force}}
 
 
 def _hours(time: float) -> str:

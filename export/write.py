@@ -64,11 +64,6 @@ def export(
                 f"a baseline takes {COMMAND_INPUTS} and flies with a tau of {STATE_INPUTS}, "
                 f"not {alpha.inputs} with {networks.tau.inputs}"
             )
-    if not mission.sail.optics.ideal:
-        raise ExportError(
-            f"mission {mission.name!r} has a sail that is not ideal: its extremals, data and networks can be "
-            "made, but what steers on board predicts the force of an ideal sail, so there is no C of it yet"
-        )
     try:
         target.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=target, prefix=".export-") as name:
@@ -124,8 +119,11 @@ def _graphs(networks: GuidanceNetworks, facts: GuidanceFacts) -> list[Graph]:
 
 
 def _refuse_other_mission(network: Network, mission: Mission) -> None:
-    if network.mission.digest() != mission.digest():
+    trained = network.mission
+    if trained.digest() != mission.digest():
         raise ExportError(
-            f"network {network.name} was trained for mission {network.mission.name!r} with other parameters "
-            f"than mission {mission.name!r} has now: train again, or name the mission with --mission"
+            f"network {network.name} was trained for mission {trained.name!r} with other parameters "
+            f"than mission {mission.name!r} has now"
+            f"{mission.another_sail(trained.sail.optics.description)}: "
+            "train again, or name the mission with --mission"
         )

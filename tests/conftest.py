@@ -15,6 +15,7 @@ from sailnet.expert.nominal import Nominal, solve_nominal
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import Network, save_network
+from sailnet.physics.optics import OPTICS
 from sailnet.physics.transfer import Transfer
 from tests.random_networks import random_guidance, random_network, save_guidance
 from tests.reference import Array
@@ -30,6 +31,8 @@ from tests.tools import (  # noqa: F401 (hooks)
 SLOW = {
     "paper_exported",
     "approach_exported",
+    "jpl_exported",
+    "exported_of_any_sail",
     "exported",
     "solved",
     "solved_everywhere",
@@ -121,9 +124,23 @@ def approach_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory
     return _export("approach", random_guidance(approach=True), mission, tmp_path_factory)
 
 
+@pytest.fixture(scope="session")
+def jpl_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Exported:
+    """Networks in approach coordinates for a sail that is not ideal."""
+    jpl = mission.with_optics(OPTICS["jpl"])
+    return _export("jpl", random_guidance(approach=True, mission=jpl), jpl, tmp_path_factory)
+
+
 @pytest.fixture(params=["paper", "approach"])
 def exported(request: pytest.FixtureRequest) -> Exported:
     """Networks of either form in turn."""
+    either: Exported = request.getfixturevalue(f"{request.param}_exported")
+    return either
+
+
+@pytest.fixture(params=["paper", "approach", "jpl"])
+def exported_of_any_sail(request: pytest.FixtureRequest) -> Exported:
+    """Networks of either form for an ideal sail, and for one that is not."""
     either: Exported = request.getfixturevalue(f"{request.param}_exported")
     return either
 

@@ -4,13 +4,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sailnet.physics.arrays import Array
-from sailnet.physics.dynamics import runge_kutta_step
+from sailnet.physics.dynamics import IDEAL, Coefficients, runge_kutta_step
 
 LARGEST_STEP = 0.005
 """Substep [TU]: keeps a whole flight within 1e-10 of DOP853."""
 
 
-def hold_command(states: Array, alpha: ArrayLike, beta: ArrayLike, duration: ArrayLike) -> Array:
+def hold_command(
+    states: Array,
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    duration: ArrayLike,
+    coefficients: Coefficients = IDEAL,
+) -> Array:
     """Fly every sail with its cone angle held.
 
     Args:
@@ -18,11 +24,13 @@ def hold_command(states: Array, alpha: ArrayLike, beta: ArrayLike, duration: Arr
         alpha: (n,) cone angle [rad].
         beta: (n,) normalised characteristic acceleration in force.
         duration: (n,) or one time for which the command is held [TU].
+        coefficients: of the sails' optics; ideal by default.
 
     Returns:
         (4, n) states at the end, by fourth-order Runge-Kutta steps of at most ``LARGEST_STEP``.
     """
     substeps = max(1, int(np.ceil(np.max(duration) / LARGEST_STEP - 1e-9)))
     for _ in range(substeps):
-        states = runge_kutta_step(states, alpha, beta, np.asarray(duration) / substeps)
+        step = np.asarray(duration) / substeps
+        states = runge_kutta_step(states, alpha, beta, step, coefficients=coefficients)
     return states

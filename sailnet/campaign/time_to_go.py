@@ -4,7 +4,7 @@ The guidance may end a flight anywhere within the tolerance, and one that ends i
 than the optimum to the target itself. So the time that is still to go counts as flown.
 """
 
-import math
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike
 from sailnet.flight.closed_loop import Flights
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
+from sailnet.physics.pontryagin import guidance_law
+from sailnet.physics.real_law import force_curve
 from sailnet.physics.transfer import Transfer
 
 MISSED = 10.0
@@ -22,7 +24,8 @@ def least_time(transfer: Transfer, states: ArrayLike, beta: ArrayLike) -> Array:
     """(n,) a lower bound on the time to the target [TU] from states near to it.
 
     Beside the target the Sun's pull and the centrifugal force cancel, and a sail accelerates by at most
-    a = beta / r_f^2 in any direction, and by b = a max cos^2(alpha) sin(alpha) across the Sun line. With
+    a = beta / r_f^2 in any direction, which it has facing the Sun, and across the Sun line by b, the largest
+    that its optics and the bound on its cone angle allow, a cos^2(alpha) sin(alpha) of an ideal sail. With
     the deviations x, u and v from the target's r, u and v, the bound is the largest of
 
         |(u, v)| / a,   |v| / b,   and   s u / a + 2 sqrt(u^2 / (2 a^2) + s x / a),
@@ -34,14 +37,14 @@ def least_time(transfer: Transfer, states: ArrayLike, beta: ArrayLike) -> Array:
     far below: with a bound on the cone angle it cannot push back, and its way round takes some 2 TU.
 
     Args:
-        transfer: the target, and the bound on the cone angle; its ``beta`` is not used.
+        transfer: the target, the optics and the bound on the cone angle; its ``beta`` is not used.
         states: (n, 3) rows r [AU], u, v [AU/TU].
         beta: (n,) or one normalised characteristic acceleration, positive.
     """
     x, u, v = (np.asarray(states, float).reshape(-1, 3) - transfer.target_state).T
     largest = np.asarray(beta, float) / transfer.target_radius**2
-    steepest = min(transfer.phi_max, math.atan(math.sqrt(0.5)))
-    across = largest * math.cos(steepest) ** 2 * math.sin(steepest)
+    steepest = guidance_law(replace(transfer, delta=0.0), np.zeros(1), -np.ones(1))
+    across = largest * force_curve(steepest, np.array(transfer.optics.force))[0, 1]
     side = np.where(x + u * np.abs(u) / (2.0 * largest) < 0.0, -1.0, 1.0)
     under_root = u**2 / (2.0 * largest**2) + side * x / largest
     along = side * u / largest + 2.0 * np.sqrt(np.maximum(0.0, under_root))

@@ -84,6 +84,7 @@ def open_dataset(path: Path, mission: Mission | None = None) -> Iterator[Dataset
         if mission is not None and dataset.mission.digest() != mission.digest():
             raise DatasetError(
                 f"{path} was made for mission {dataset.mission.name!r} with another problem than "
-                f"mission {mission.name!r}: generate it again with this mission"
+                f"mission {mission.name!r}{mission.another_sail(dataset.mission.sail.optics.description)}: "
+                "generate it again with this mission"
             )
         yield dataset

@@ -67,8 +67,12 @@ class CGuidance:
                 f"cannot load {library}: {error}; compile it again on this machine"
             ) from error
         if functions["mission_digest"]().decode() != mission.digest():
+            sail = "ideal"  # what does not say was exported before there were others
+            if hasattr(loaded, f"sailnet_sail_{suffix}"):
+                sail = _declared(loaded, f"sailnet_sail_{suffix}", text)().decode()
             raise GuidanceError(
                 f"{library} was exported for another mission than {mission.name!r} as it is now"
+                f"{mission.another_sail(sail)}"
             )
         self.mission = mission
         self._library = library

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from sailnet import __version__
-from sailnet.errors import GuidanceError, NetworkError
+from sailnet.errors import GuidanceError, SailnetError
 from sailnet.guidance.interface import Commands, GuidanceStatus
 from sailnet.mission.mission import Mission
 from sailnet.networks.approach import APPROACH_INPUTS
@@ -17,6 +17,7 @@ from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import Network
 from sailnet.networks.trained_domain import TrainedDomain
 from sailnet.physics.arrays import Array
+from sailnet.physics.optics import OPTICS, Optics, optics_from
 
 METADATA_KEY = "sailnet_guidance"
 """The key of an ONNX file's ``metadata_props`` that holds the facts as JSON."""
@@ -43,6 +44,7 @@ class GuidanceFacts:
         target_state: (r, u, v) on the target orbit.
         state_min, state_max: box of states (r, u, v) the time-of-flight network was trained on.
         domain: the tube of trained states within it.
+        optics: of the sail that was trained for and flies; ideal where nothing was said.
     """
 
     version: str
@@ -63,6 +65,7 @@ class GuidanceFacts:
     state_min: tuple[float, float, float]
     state_max: tuple[float, float, float]
     domain: TrainedDomain
+    optics: Optics = OPTICS["ideal"]
 
     def contains(self, states: ArrayLike, beta: ArrayLike) -> NDArray[np.bool_]:
         """(n,) whether the networks were trained on such states and sails; never on what is not finite.
@@ -134,8 +137,9 @@ class GuidanceFacts:
             for name in ("target_state", "state_min", "state_max"):
                 content[name] = tuple(content[name])
             content["domain"] = TrainedDomain.parse(content["domain"])
+            content["optics"] = optics_from(content.get("optics", "ideal"))
             return cls(**content)
-        except (ValueError, KeyError, TypeError, NetworkError) as error:
+        except (ValueError, KeyError, TypeError, SailnetError) as error:
             raise GuidanceError(f"the guidance does not say what it is: {error}; export it again") from error
 
 
@@ -179,6 +183,7 @@ def describe(networks: GuidanceNetworks, mission: Mission, alpha: Network | None
         state_min=_triple(lowest),
         state_max=_triple(highest),
         domain=networks.domain,
+        optics=mission.sail.optics,
     )
 
 

@@ -75,7 +75,7 @@ class LookAheadSteering(ReferenceSteering):
         polar = np.zeros((4, len(states)))
         polar[[0, 2, 3]] = states.T
         for _ in range(HORIZON):
-            polar = runge_kutta_step(polar, angle, beta, hold)
+            polar = runge_kutta_step(polar, angle, beta, hold, coefficients=self._force)
             ahead = self._guidance.command(polar[[0, 2, 3]].T, beta)
             angle = ahead.cone_angle
         return np.asarray(ahead.time_of_flight)

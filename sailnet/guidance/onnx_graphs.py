@@ -41,6 +41,7 @@ class OnnxGuidance:
         if facts.mission_digest != mission.digest():
             raise GuidanceError(
                 f"{graph} was exported for another mission than {mission.name!r} as it is now"
+                f"{mission.another_sail(facts.optics.description)}"
             )
         self.mission = mission
         self._graph = graph

@@ -15,17 +15,19 @@ from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Steer
 from sailnet.guidance.memory import Memory
 from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
 from sailnet.physics.arrays import Array
-from sailnet.physics.dynamics import runge_kutta_step
+from sailnet.physics.dynamics import Coefficients, runge_kutta_step
+from sailnet.physics.real_law import force_curve
 
 
 class ReferenceSteering:
     """Steers by a guidance that has no memory of its own.
 
-    *What the sail does.* By how much further the velocity changed than predicted says, along the direction
-    of the force, what beta is, and across it the force along the sail's surface, as a share T of beta. With
-    r the mean distance, h the period, dv the surprise and n, t the directions,
+    *What the sail does.* By how much further the velocity changed than predicted says, along the sail's
+    normal, what beta is, and across it what force there is along the surface beside that of the mission's
+    optics, as a share T of beta. With r the mean distance, h the period, dv the surprise, n, t the directions
+    and f the force along the normal per beta / r^2, which is cos^2 alpha of an ideal sail,
 
-        d_beta = (dv . n) r^2 / (h cos^2 alpha),    d_T tan(alpha) = -(dv . t) r^2 / (h cos^2 alpha beta).
+        d_beta = (dv . n) r^2 / (h f),    d_T cos(alpha) sin(alpha) / f = -(dv . t) r^2 / (h f beta).
 
     The estimates start at the mission's beta and at 0, and move by a share of the measurement that falls as
     1/2, 1/3, 1/4, ... down to h / memory: the mean of all periods at first, with the start value as one of
@@ -56,6 +58,7 @@ class ReferenceSteering:
         self._rules = rules
         mission = guidance.mission
         self._turn_rate = mission.flight.turn_rate
+        self._force: Coefficients = mission.sail.optics.force
         self._patience = rules.patience(mission.problem.phi_max, self._turn_rate)
         self._memory = Memory.started(count, float(np.clip(mission.sail.beta, *guidance.beta_range)))
 
@@ -120,20 +123,29 @@ class ReferenceSteering:
     def _known(self, memory: Memory, shown: Array) -> tuple[Array, "_Change"]:
         """States to steer by: those shown, or where the sails must be; NaN where neither is known."""
         seen = np.asarray(np.isfinite(shown).all(axis=1))
-        change = _predicted(memory)
+        change = self._predicted(memory)
         self._learn(memory, shown, change, seen)
         memory.unseen = np.where(seen, 0.0, memory.unseen + memory.held)
         reckoned = memory.state + change.by
         lost = (memory.held <= 0.0) | (memory.unseen > self._rules.longest_reckoning)
         return np.where(seen[:, None], shown, np.where(lost[:, None], np.nan, reckoned)), change
 
+    def _predicted(self, memory: Memory) -> "_Change":
+        before = np.zeros((4, len(memory.state)))
+        before[[0, 2, 3]] = memory.state.T
+        sails = memory.attitude, memory.beta, memory.held, memory.tangential
+        by = (runge_kutta_step(before, *sails, self._force) - before)[[0, 2, 3]].T
+        force = force_curve(memory.attitude, np.array(self._force))[0]
+        return _Change(by, np.cos(memory.attitude), np.sin(memory.attitude), force)
+
     def _learn(self, memory: Memory, shown: Array, change: "_Change", seen: NDArray[np.bool_]) -> None:
         rules, beta = self._rules, self._guidance.mission.sail.beta
         cosine, sine, held = change.cosine, change.sine, memory.held
-        telling = seen & (held > 0.0) & (memory.unseen == 0.0) & (cosine**2 >= rules.least_cosine2)
+        normal = change.force[0] * cosine + change.force[1] * sine
+        telling = seen & (held > 0.0) & (memory.unseen == 0.0) & (normal >= rules.least_cosine2)
         telling &= memory.slewing**2 * self._turn_rate <= rules.slew_blur * held
         du, dv = (shown - memory.state - change.by)[:, 1:].T
-        per = (0.5 * (memory.state[:, 0] + shown[:, 0])) ** 2 / (held * cosine**2)
+        per = (0.5 * (memory.state[:, 0] + shown[:, 0])) ** 2 / (held * normal)
         along, across = (du * cosine + dv * sine) * per, (dv * cosine - du * sine) * per
         telling &= np.isfinite(along) & np.isfinite(across)
         bound = rules.largest_surprise * beta
@@ -165,7 +177,7 @@ class ReferenceSteering:
     ) -> Array:
         """(n,) the cone angle, mirrored where the sail stays on its side."""
         ratio = self._guidance.mission.problem.target_radius / memory.state[:, 0]
-        rate = 2.0 * memory.stake * ratio**2 * change.cosine**2 * np.abs(change.sine)
+        rate = 2.0 * memory.stake * ratio**2 * change.force[1] * np.sign(change.sine)
         regret = np.nan_to_num(memory.regret + memory.held * rate, nan=0.0)
         regret = np.clip(regret, 0.0, LARGEST_PERIOD)
         angle = command.cone_angle
@@ -208,22 +220,16 @@ class ReferenceSteering:
 
 @dataclass(frozen=True)
 class _Change:
-    """What the last period did: changes of (r, u, v), (n, 3), and the direction of the force."""
+    """What the last period did: changes of (r, u, v), (n, 3); the direction of the normal; and the force of
+    the mission's sail, (2, n) radial and transverse, per beta / r^2."""
 
     by: Array
     cosine: Array
     sine: Array
+    force: Array
 
 
 def _weight(memory: Memory, time: float) -> Array:
     """(n,) of a period in the mean of all at first, and later of those not forgotten over ``time`` [TU]."""
     weight: Array = np.maximum(1.0 / (memory.periods + 1.0), memory.held / time)
     return weight
-
-
-def _predicted(memory: Memory) -> _Change:
-    before = np.zeros((4, len(memory.state)))
-    before[[0, 2, 3]] = memory.state.T
-    after = runge_kutta_step(before, memory.attitude, memory.beta, memory.held, memory.tangential)
-    by = (after - before)[[0, 2, 3]].T
-    return _Change(by, np.cos(memory.attitude), np.sin(memory.attitude))

@@ -58,6 +58,15 @@ class Mission(Section):
         """Of the real sail: the mission's, unless a disturbance says another."""
         return self.sail.optics if disturbance.optics is None else disturbance.optics
 
+    def another_sail(self, optics: str) -> str:
+        """What a refusal of something made for another mission adds, if that had other optics; else nothing.
+
+        Args:
+            optics: the other's, by their description.
+        """
+        own = self.sail.optics.description
+        return "" if optics == own else f": its sail is {optics}, not {own}"
+
     @property
     def departure_state(self) -> tuple[float, float, float]:
         """(r, u, v) on the departure orbit, Eq. (20)."""

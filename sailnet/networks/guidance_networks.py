@@ -52,6 +52,7 @@ class GuidanceNetworks:
                 raise NetworkError(
                     f"networks do not belong together: {network.name} was trained for mission "
                     f"{network.mission.name!r} with other parameters than {self.tau.name}"
+                    f"{self.mission.another_sail(network.mission.sail.optics.description)}"
                 )
 
     @property

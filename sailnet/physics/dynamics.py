@@ -60,9 +60,10 @@ def motion(beta: Expression, alpha: Expression, coefficients: Coefficients = IDE
     }
 
 
-def _runge_kutta_4(state: list[Expression], step: Expression) -> list[Expression]:
+def _runge_kutta_4(state: list[Expression], step: Expression, coefficients: Coefficients) -> list[Expression]:
     names = ["r", "theta", "u", "v"]
-    slopes = motion(beta, alpha, (1.0, 0.0, tangential))
+    square, linear, across = coefficients
+    slopes = motion(beta, alpha, (square, linear, across + tangential))
 
     def slope(at: list[Expression]) -> list[Expression]:
         substitution = dict(zip([r, theta, u, v], at, strict=True))
@@ -82,17 +83,22 @@ def _runge_kutta_4(state: list[Expression], step: Expression) -> list[Expression
 
 
 @cache
-def _compiled_step() -> Any:
+def _compiled_step(coefficients: Coefficients) -> Any:
     step = hy.make_vars("step")
     return hy.cfunc(
-        _runge_kutta_4([r, theta, u, v], step),
+        _runge_kutta_4([r, theta, u, v], step, coefficients),
         vars=[r, theta, u, v, alpha, beta, step, tangential],
         compact_mode=True,
     )
 
 
 def runge_kutta_step(
-    states: Array, alpha: ArrayLike, beta: ArrayLike, step: ArrayLike, tangential: ArrayLike = 0.0
+    states: Array,
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    step: ArrayLike,
+    tangential: ArrayLike = 0.0,
+    coefficients: Coefficients = IDEAL,
 ) -> Array:
     """One fourth-order Runge-Kutta step of Eq. (1), the cone angle held.
 
@@ -101,11 +107,13 @@ def runge_kutta_step(
         alpha: (n,) or one cone angle [rad].
         beta: (n,) or one normalised characteristic acceleration.
         step: (n,) or one duration [TU].
-        tangential: (n,) or one T of :func:`thrust`, beside an ideal sail's force along the normal.
+        tangential: (n,) or one number to add to T of :func:`thrust`.
+        coefficients: numbers S, L and T of the sails' optics; ideal by default. For each three a step is
+            compiled.
 
     Returns:
         (4, n) states at the end.
     """
     inputs = np.empty((8, states.shape[1]))
     inputs[:4], inputs[4], inputs[5], inputs[6], inputs[7] = states, alpha, beta, step, tangential
-    return np.asarray(_compiled_step()(inputs))
+    return np.asarray(_compiled_step(coefficients)(inputs))

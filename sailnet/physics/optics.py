@@ -71,6 +71,12 @@ class Optics:
         return self.force == OPTICS["ideal"].force
 
     @property
+    def description(self) -> str:
+        """Its name in ``OPTICS``, or else its coefficients."""
+        names = [name for name, known in OPTICS.items() if known == self]
+        return names[0] if names else ", ".join(f"{key} {value!r}" for key, value in asdict(self).items())
+
+    @property
     def facing_share(self) -> float:
         """Force on the sail when it faces the Sun, of that on an ideal one of the same area."""
         return sum(self._along) / 2.0

@@ -22,6 +22,7 @@ from sailnet.dataset import (
 )
 from sailnet.errors import DatasetError
 from sailnet.mission.mission import Mission
+from sailnet.physics.optics import OPTICS
 from tests.paths import ROOT
 from tests.small_datasets import content, pieces
 
@@ -155,6 +156,12 @@ def test_another_mission_is_refused(small: Mission, stored: Path) -> None:
     with (
         pytest.raises(DatasetError, match="another problem than mission 'earth_mars'"),
         open_dataset(stored, other),
+    ):
+        pass
+    real = small.with_optics(OPTICS["jpl"])
+    with (
+        pytest.raises(DatasetError, match="its sail is ideal, not jpl: generate"),
+        open_dataset(stored, real),
     ):
         pass
     with open_dataset(stored, small.with_training(epochs=3)):

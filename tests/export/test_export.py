@@ -1,4 +1,6 @@
 import dataclasses
+import json
+import re
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,6 +11,7 @@ import onnx
 import onnxruntime
 import pytest
 
+from c_runtime.builds import BUILDS
 from c_runtime.shared_library import compile_libraries
 from export.__main__ import main
 from export.agreement import Sails, in_torch, sign_network
@@ -17,7 +20,7 @@ from export.to_c import write_c
 from export.write import export
 from sailnet import load_mission
 from sailnet.artefacts.checksums import verify_checksum
-from sailnet.errors import NetworkError
+from sailnet.errors import GuidanceError, NetworkError
 from sailnet.guidance.backends import Backend, load_guidance
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts, describe, round_down
@@ -27,7 +30,7 @@ from sailnet.networks.approach import approach_coordinates
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import load_network, save_network
 from sailnet.physics.arrays import Array
-from sailnet.physics.optics import OPTICS
+from sailnet.physics.optics import OPTICS, Optics
 from tests.conftest import Exported
 from tests.random_networks import (
     NO_TUBE,
@@ -277,12 +280,67 @@ def test_networks_of_another_mission_are_refused(
     assert snapshot(target) == snapshot(exported.folder)
 
 
-def test_a_sail_that_is_not_ideal_has_no_c_yet(tmp_path: Path) -> None:
-    mission = MISSION.with_optics(OPTICS["jpl"])
-    save_guidance(random_guidance(mission=mission), tmp_path / "networks")
-    with pytest.raises(ExportError, match="has a sail that is not ideal"):
-        export(tmp_path / "networks", tmp_path / "target", mission, progress=False)
+def test_an_export_says_which_sail_it_is_for(jpl_exported: Exported, approach_exported: Exported) -> None:
+    for made, name in ((jpl_exported, "jpl"), (approach_exported, "ideal")):
+        header = (made.folder / "sailnet_guidance.h").read_text()
+        assert f'#define SAILNET_SAIL "{name}"' in header
+        force = re.findall(r"#define SAILNET_FORCE_(?:SQUARE|LINEAR|ACROSS) SAILNET_REAL\((.*)\)", header)
+        assert tuple(map(float, force)) == OPTICS[name].force
+        model = onnx.load(made.folder / "guidance_f64.onnx")
+        (facts,) = [GuidanceFacts.from_json(p.value) for p in model.metadata_props if p.key == METADATA_KEY]
+        assert facts.optics == OPTICS[name]
+
+
+def test_what_says_no_sail_is_of_an_ideal_one(jpl_exported: Exported) -> None:
+    mission = jpl_exported.networks.mission
+    facts = describe(jpl_exported.networks, mission)
+    assert GuidanceFacts.from_json(facts.to_json()).optics == mission.sail.optics == OPTICS["jpl"]
+    said = json.loads(facts.to_json())
+    del said["optics"]
+    assert GuidanceFacts.from_json(json.dumps(said)).optics == OPTICS["ideal"]
+    with pytest.raises(GuidanceError, match="no shininess"):
+        GuidanceFacts.from_json(json.dumps(said | {"optics": {"shininess": 1.0}}))
+
+
+@pytest.mark.parametrize("backend", get_args(Backend))
+def test_what_is_for_another_sail_is_refused_by_its_name(
+    jpl_exported: Exported, approach_exported: Exported, backend: Backend
+) -> None:
+    jpl = jpl_exported.networks.mission
+    with pytest.raises(GuidanceError, match="its sail is jpl, not ideal"):
+        load_guidance(MISSION, backend, folder=jpl_exported.folder)
+    with pytest.raises(GuidanceError, match="its sail is ideal, not jpl"):
+        load_guidance(jpl, backend, folder=approach_exported.folder)
+    own = MISSION.with_optics(Optics(reflectivity=0.9, specularity=0.9))
+    with pytest.raises(
+        GuidanceError, match=r"its sail is jpl, not reflectivity 0\.9, specularity 0\.9, front"
+    ):
+        load_guidance(own, backend, folder=jpl_exported.folder)
+
+
+def test_a_library_that_says_no_sail_is_for_an_ideal_one(approach_exported: Exported, tmp_path: Path) -> None:
+    shutil.copytree(approach_exported.folder, tmp_path, dirs_exist_ok=True)
+    batch = tmp_path / "sailnet_batch.c"
+    silent, found = re.subn(
+        r"const char \*sailnet_sail\(void\)\n{.*?\n}\n", "", batch.read_text(), flags=re.DOTALL
+    )
+    assert found == 1
+    batch.write_text(silent)
+    compile_libraries(tmp_path, tmp_path, [BUILDS["f64"]])
+    assert load_guidance(MISSION, folder=tmp_path).mission == MISSION
+    with pytest.raises(GuidanceError, match="its sail is ideal, not jpl"):
+        load_guidance(MISSION.with_optics(OPTICS["jpl"]), folder=tmp_path)
+
+
+def test_networks_for_another_sail_are_refused_before_any_work(
+    jpl_exported: Exported, approach_exported: Exported, tmp_path: Path
+) -> None:
+    with pytest.raises(ExportError, match="its sail is jpl, not ideal: train again"):
+        export(jpl_exported.weights, tmp_path / "target", MISSION, progress=False)
     assert not (tmp_path / "target").exists()
+    jpl, ideal = jpl_exported.networks, approach_exported.networks
+    with pytest.raises(NetworkError, match="its sail is ideal, not jpl"):
+        GuidanceNetworks(jpl.tau, jpl.alpha_pre, ideal.lambda_v)
 
 
 def test_a_failure_half_way_leaves_the_old_files(

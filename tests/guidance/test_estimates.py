@@ -1,6 +1,7 @@
 """What steering learns of a sail: its beta, and the force along its surface; and when it learns nothing."""
 
-from typing import get_args
+from collections.abc import Callable
+from typing import Any, get_args
 
 import numpy as np
 import pytest
@@ -8,11 +9,14 @@ import pytest
 from sailnet.errors import GuidanceError
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.exported_c import CGuidance
-from sailnet.guidance.interface import Precision
+from sailnet.guidance.interface import Precision, Steering
 from sailnet.guidance.rules import RULES
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.dynamics import runge_kutta_step
+from sailnet.physics.optics import OPTICS, Optics
+from tests.conftest import Exported
 from tests.guidance.pilots import ONE, PERIOD, Told, departed, with_slew_rate
+from tests.held_angle import hold_angle
 from tests.held_command import hold_command
 from tests.lockstep import memory_type
 from tests.pilots import MISSION
@@ -46,6 +50,73 @@ def test_the_shipped_c_finds_the_force_along_the_surface(precision: Precision) -
     found = steering.memories.view(memory_type(precision))["tangential"].item()
     assert found == pytest.approx(0.08, rel=0.03)
     assert steered.beta[0] == pytest.approx(0.97 * BETA, rel=2e-3)
+
+
+def estimates_of(steering: Steering, memory: Callable[[], Any], sail: str, periods: int) -> Any:
+    """What is learnt of a sail of the mission's beta with these optics, flown undisturbed by the plant's C.
+
+    Its attitude is measured: however fast its commands change, it is known.
+    """
+    state, attitude = departed(), None
+    for _ in range(periods):
+        steered = steering.steer(state[[0, 2, 3]].T, 0.005, ONE, attitude)
+        attitude = steered.cone_angle
+        state = hold_angle(state, BETA, attitude, 0.005, OPTICS[sail].force)[:4]
+    return memory()
+
+
+@pytest.mark.parametrize(("angle", "sail"), [(0.9, "jpl"), (-0.6, "jpl"), (0.9, "nasa"), (0.3, "ideal")])
+def test_what_a_sail_does_by_its_mission_s_optics_is_no_surprise(angle: float, sail: str) -> None:
+    told = Told(cone_angle=angle)
+    told.mission = MISSION.with_optics(OPTICS[sail])
+    steering = ReferenceSteering(told, 1)
+    known = estimates_of(steering, lambda: steering._memory, sail, 300)
+    assert known.beta[0] == pytest.approx(BETA, rel=1e-9)
+    assert known.tangential[0] == pytest.approx(0.0, abs=1e-8)
+    assert known.variance[0] < 1e-15
+
+
+@pytest.mark.parametrize("optics", [OPTICS["ideal"], OPTICS["jpl"], Optics(0.8, 0.3, front_lambertian=0.9)])
+@pytest.mark.parametrize("angle", [0.4, -1.0])
+def test_a_period_says_what_beta_is_whatever_the_optics(optics: Optics, angle: float) -> None:
+    """A first period counts for half: the mission's beta is the other."""
+    told = Told(cone_angle=angle)
+    told.mission = MISSION.with_optics(optics)
+    steering, state = ReferenceSteering(told, 1), departed()
+    steering.steer(state[[0, 2, 3]].T, 1e-3, ONE)
+    state = hold_angle(state, 1.06 * BETA, angle, 1e-3, optics.force)[:4]
+    steered = steering.steer(state[[0, 2, 3]].T, 1e-3, ONE)
+    assert steered.beta[0] / BETA == pytest.approx(1.03, abs=2e-5)
+
+
+def test_what_a_sail_does_by_other_optics_surprises() -> None:
+    """To an ideal sail's constants JPL's are a force along the surface, and a little less of beta."""
+    steering = ReferenceSteering(Told(cone_angle=0.9), 1)
+    unknown = estimates_of(steering, lambda: steering._memory, "jpl", 600)
+    square, linear, across = OPTICS["jpl"].force
+    weaker = square + linear / np.cos(0.9)
+    assert unknown.beta[0] / BETA == pytest.approx(weaker, rel=1e-5)
+    assert unknown.beta[0] / BETA < 0.998
+    assert unknown.tangential[0] == pytest.approx(across / weaker, rel=0.03)
+
+
+@pytest.mark.parametrize("precision", get_args(Precision))
+def test_the_exported_c_knows_the_optics_of_its_mission(
+    jpl_exported: Exported, approach_exported: Exported, precision: Precision
+) -> None:
+    """In float the surprise is what rounding leaves of a change of speed in a period."""
+    found = []
+    for made in (jpl_exported, approach_exported):
+        guidance = load_guidance(made.networks.mission, "c", precision, made.folder)
+        assert isinstance(guidance, CGuidance)
+        steering = guidance.steering(1)
+        packed = memory_type(precision)
+        memory = estimates_of(steering, lambda: steering.memories.view(packed)[0], "jpl", 300)  # noqa: B023
+        found.append((abs(memory["beta"].item() / BETA - 1.0), abs(memory["tangential"].item())))
+    (beta, tangential), (_, unknown) = found
+    assert beta < (1e-9 if precision == "float64" else 2e-5)
+    assert tangential < (1e-9 if precision == "float64" else 1e-4)
+    assert unknown > 0.02
 
 
 @pytest.mark.parametrize(("slew_rate", "waits"), [(MISSION.flight.slew_rate, False), (1.0, True)])

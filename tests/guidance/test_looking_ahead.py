@@ -1,7 +1,10 @@
 """The law that looks periods ahead: it takes the side after which the networks say it is sooner there."""
 
+from dataclasses import dataclass, field
+
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 
 from sailnet.errors import GuidanceError
 from sailnet.flight.closed_loop import fly
@@ -10,8 +13,11 @@ from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.interface import Commands, GuidanceStatus
 from sailnet.guidance.looking_ahead import HORIZON, LookingAhead
 from sailnet.mission.mission import load_mission
+from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import runge_kutta_step
+from sailnet.physics.optics import OPTICS
 from tests.guidance.pilots import ONE, PERIOD, Told, departed
+from tests.held_angle import hold_angle
 
 MISSION = load_mission("earth_mars")
 NETWORKS = load_guidance(MISSION)
@@ -49,6 +55,28 @@ def test_it_asks_at_the_end_of_the_horizon() -> None:
     steered = LookingAhead(NETWORKS).steering(1).steer(states, PERIOD, ONE)
     assert steered.cone_angle[0] == (angle if left[0] <= left[1] else -angle)[0]
     assert left[0] != left[1]
+
+
+@dataclass
+class Asked(Told):
+    """Keeps the states it was asked about."""
+
+    states: list[Array] = field(default_factory=list)
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
+        self.states.append(np.array(states))
+        return super().command(states, beta)
+
+
+@pytest.mark.parametrize("optics", ["ideal", "jpl"])
+def test_it_looks_along_the_way_of_the_mission_s_sail(optics: str) -> None:
+    asked = Asked(cone_angle=0.6)
+    asked.mission = MISSION.with_optics(OPTICS[optics])
+    LookingAhead(asked).steering(1).steer(departed()[[0, 2, 3]].T, PERIOD, ONE)
+    force = OPTICS[optics].force
+    for first, side in ((1, 0.6), (1 + HORIZON, -0.6)):
+        expected = hold_angle(departed(), MISSION.sail.beta, side, PERIOD, force)[[0, 2, 3]].T
+        np.testing.assert_allclose(asked.states[first], expected, rtol=0, atol=1e-9)
 
 
 def test_nothing_is_known_without_a_state() -> None:

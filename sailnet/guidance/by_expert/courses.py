@@ -114,6 +114,6 @@ class Courses:
         return np.asarray(old & ~leg | ~self._known.optima.found[sails])
 
     def _propagated(self, known: Known, left: Array) -> Array:
-        sails = Transfers(self._transfer, known.beta)
+        sails = Transfers(self._transfer, known.beta, self._transfer.law)
         grid = np.column_stack([np.zeros(len(left)), left])
         return propagate_extremals(sails, known.optima.arrival_costates, grid).states[:, 1, 3:]

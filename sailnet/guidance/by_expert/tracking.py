@@ -91,12 +91,12 @@ def next_optima(transfer: Transfer, states: Array, beta: Array, last: Known, ela
     if len(rows):
         before, now = last.beta[rows], beta[rows]
         followed = follow(
-            lambda shares: Transfers(transfer, before + shares * (now - before)),
+            lambda shares: Transfers(transfer, before + shares * (now - before), transfer.law),
             states[rows],
             there.arrival_costates[rows],
             there.time_of_flight[rows],
         )
-        put(optima, rows, optima_of(Transfers(transfer, now), states[rows], followed.shots))
+        put(optima, rows, optima_of(Transfers(transfer, now, transfer.law), states[rows], followed.shots))
     return Known(optima, np.where(kept, last.beta, beta))
 
 
@@ -131,7 +131,8 @@ def _fastest(transfer: Transfer, state: Array, beta: Array, region: Box | None) 
     shared = solve_states(transfer, state, region if inside else None)
     if beta[0] == transfer.beta:
         return shared
-    own, _ = own_optima(transfer, state, shared.arrival_costates, shared.time_of_flight, beta, search=False)
+    known = shared.arrival_costates, shared.time_of_flight
+    own, _ = own_optima(transfer, state, *known, beta, transfer.optics, search=False)
     return own if own.found[0] else solve_states(replace(transfer, beta=float(beta[0])), state)
 
 
@@ -141,7 +142,7 @@ def _put_next(
     """Newton's method from the last extremals of some sails; what is likely of the same family is kept."""
     if not len(rows):
         return
-    sails, states, known = Transfers(transfer, beta[rows]), optima.state[rows], last.rows(rows)
+    sails, states, known = Transfers(transfer, beta[rows], transfer.law), optima.state[rows], last.rows(rows)
     promised = np.maximum(known.optima.time_of_flight - elapsed[rows], SHORTEST)
     shots = shoot(
         sails, states, known.optima.arrival_costates, promised, 0.1 * RESIDUAL_GOAL, iterations=ITERATIONS

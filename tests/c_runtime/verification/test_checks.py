@@ -53,9 +53,9 @@ def make(target: str, exported: Path, build: Path, *settings: str) -> subprocess
 
 
 @pytest.mark.parametrize("target", [pytest.param(name, marks=needs_tools_of(name)) for name in TARGETS])
-def test_nothing_is_found(exported: Exported, tmp_path: Path, target: str) -> None:
-    builds = "f64 f32_host" if exported.networks.approach else "f32"
-    run = make(target, exported.folder, tmp_path, f"BUILDS={builds}")
+def test_nothing_is_found(exported_of_any_sail: Exported, tmp_path: Path, target: str) -> None:
+    builds = "f64 f32_host" if exported_of_any_sail.networks.approach else "f32"
+    run = make(target, exported_of_any_sail.folder, tmp_path, f"BUILDS={builds}")
     assert run.returncode == 0, run.stdout + run.stderr
 
 

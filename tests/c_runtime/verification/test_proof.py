@@ -17,8 +17,8 @@ with_frama_c = needs("analyser", missing(FRAMA_C), "frama-c-base")
 
 @with_frama_c
 @pytest.mark.parametrize("build", ["f32", "f64", "f32_host"])
-def test_commands_are_bounded_and_finite(exported: Exported, build: str) -> None:
-    assert analyse(exported.folder, BUILDS[build]) == []
+def test_commands_are_bounded_and_finite(exported_of_any_sail: Exported, build: str) -> None:
+    assert analyse(exported_of_any_sail.folder, BUILDS[build]) == []
 
 
 @with_frama_c

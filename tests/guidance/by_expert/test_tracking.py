@@ -6,10 +6,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sailnet.expert.fastest import Extremal, Optima, sample, solve_states
+from sailnet.expert.fastest import Extremal, Optima, sample, solve, solve_states
 from sailnet.expert.shooting import Shots, shoot
 from sailnet.guidance.by_expert import tracking
+from sailnet.guidance.by_expert.courses import Courses
 from sailnet.guidance.by_expert.tracking import Known, next_optima, nothing_known, search_optima
+from sailnet.physics.optics import OPTICS
 from sailnet.physics.transfer import Transfer
 from tests.reference import Array
 
@@ -74,6 +76,36 @@ def test_where_newton_fails_beta_is_followed_if_it_is_far_and_kept_if_it_is_near
     monkeypatch.undo()
     expected = following(problem, known, states, problem.beta)
     np.testing.assert_array_equal(kept.optima.time_of_flight, expected.time_of_flight)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("share", [1.0, 0.96])
+def test_a_sail_that_is_not_ideal_is_followed_by_its_own_law(problem: Transfer, share: float) -> None:
+    jpl = dataclasses.replace(problem, delta=0.0, optics=OPTICS["jpl"])
+    start = solve(jpl, (1.0, 0.0, 1.0))
+    states, beta = displaced(jpl, start, 1e-4), share * jpl.beta
+    known = Known(solve_states(jpl, start.state[None]), np.array([jpl.beta]))
+    expected = solve_states(dataclasses.replace(jpl, beta=beta), states)
+    for found in (
+        following(jpl, known, states, beta),
+        search_optima(jpl, states, np.array([beta])),
+    ):
+        np.testing.assert_allclose(found.time_of_flight, expected.time_of_flight, rtol=0, atol=1e-8)
+        np.testing.assert_allclose(found.cone_angle, expected.cone_angle, rtol=0, atol=1e-6)
+        assert ideal_time(problem, states, beta) < found.time_of_flight[0] - 0.3
+    courses = Courses(jpl, 1)
+    sails, ahead = np.arange(1), np.zeros(1)
+    courses.solve(start.state[None], np.array([jpl.beta]), ahead, sails)
+    courses.pass_time(sails, np.array([LATER]))
+    angle, left, _ = courses.now(sails)
+    time, columns = sample(jpl, start, 2001)
+    assert angle[0] == pytest.approx(np.interp(LATER, time, columns[:, -1]), abs=1e-5)
+    assert left[0] == pytest.approx(time[-1] - LATER, abs=1e-8)
+
+
+def ideal_time(problem: Transfer, states: Array, beta: float) -> float:
+    """Shortest time of an ideal sail [TU]."""
+    return float(solve_states(dataclasses.replace(problem, beta=beta), states).time_of_flight[0])
 
 
 def test_an_extremal_that_takes_longer_than_promised_is_another_one(
