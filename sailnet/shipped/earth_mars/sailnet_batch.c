@@ -57,6 +57,11 @@ double sailnet_beta_max(void)
     return (double)SAILNET_BETA_MAX;
 }
 
+const char *sailnet_sail(void)
+{
+    return SAILNET_SAIL;
+}
+
 const char *sailnet_mission_digest(void)
 {
     return SAILNET_MISSION_DIGEST;

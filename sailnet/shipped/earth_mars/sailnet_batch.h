@@ -15,6 +15,7 @@
 #define sailnet_memory_size sailnet_memory_size_f64
 #define sailnet_beta_min sailnet_beta_min_f64
 #define sailnet_beta_max sailnet_beta_max_f64
+#define sailnet_sail sailnet_sail_f64
 #define sailnet_mission_digest sailnet_mission_digest_f64
 #define sailnet_networks_digest sailnet_networks_digest_f64
 #else
@@ -25,6 +26,7 @@
 #define sailnet_memory_size sailnet_memory_size_f32
 #define sailnet_beta_min sailnet_beta_min_f32
 #define sailnet_beta_max sailnet_beta_max_f32
+#define sailnet_sail sailnet_sail_f32
 #define sailnet_mission_digest sailnet_mission_digest_f32
 #define sailnet_networks_digest sailnet_networks_digest_f32
 #endif
@@ -57,6 +59,7 @@ uint32_t sailnet_api_version(void);
 uint32_t sailnet_memory_size(void);
 double sailnet_beta_min(void);
 double sailnet_beta_max(void);
+const char *sailnet_sail(void);
 const char *sailnet_mission_digest(void);
 const char *sailnet_networks_digest(void);
 

@@ -8,8 +8,8 @@
  * data set  1190cc3c2275e86699981160a9f62ef597d0e868914394ed1c136386bf7139e7 (alpha_pre)
  * data set  1190cc3c2275e86699981160a9f62ef597d0e868914394ed1c136386bf7139e7 (lambda_v)
  *
- * How to read it. First the tables: all of the networks and of the mission that is in this file. Then the logic, from
- * the smallest function to the largest:
+ * How to read it. First the tables, of the networks and of the mission; then the logic, from the smallest function to
+ * the largest:
  *
  *   1  compilers and precision
  *   2  tables: bounds, the target, the trained tube, the weights of the networks
@@ -19,14 +19,12 @@
  *   6  a state as the networks read it, and whether they were trained on it
  *   7  the guidance law, Eq. (25)
  *   8  steering: what is learnt of the sail, the side, the end of the flight
- *
- * One buffer holds all layers of a network, and one pointer reads all weights: code and stack are to be small.
  */
 #include "sailnet_guidance.h"
 
 #include <string.h>
 
-/* ================ 1. Compilers and precision ================ */
+/* ======== 1. Compilers and precision ======== */
 
 /*
  * What compilers differ in. Two of their ways to compute are refused: one deletes the guards against NaN, the other
@@ -65,7 +63,7 @@ typedef uint32_t sailnet_bits;
 #define SAILNET_PART SAILNET_INLINE
 #endif
 
-/* ================ 2. Tables ================ */
+/* ======== 2. Tables ======== */
 
 /* Whether the bound on the cone angle lets a sail be edge-on, which tells nothing of beta. */
 #define SAILNET_MAY_BE_EDGE_ON 0
@@ -459,7 +457,7 @@ R10(-2.767865534907774,3.4559107371080793,-3.5107854896416915,2.9792353429521854
 R(-3.108584462869847),
 };
 
-/* ================ 3. Clamps ================ */
+/* ======== 3. Clamps ======== */
 
 /*
  * Clamps. Every number that comes from outside, and every one whose bound an analyser could not see, passes one of
@@ -529,7 +527,7 @@ SAILNET_PART sailnet_real sailnet_limited(const sailnet_real *value, int32_t row
     return sailnet_clamped(*value, sailnet_limits[row][0], sailnet_limits[row][1]);
 }
 
-/* ================ 4. Elementary functions ================ */
+/* ======== 4. Elementary functions ======== */
 
 /*
  * Whole powers of 2, by the bits of a real. Adding the rounder, in whose neighbourhood reals lie 1 apart (in float
@@ -680,7 +678,7 @@ SAILNET_INLINE void sailnet_cosine_sine(sailnet_real angle, sailnet_real *cosine
     *sine = s;
 }
 
-/* ================ 5. One network ================ */
+/* ======== 5. One network ======== */
 
 /*
  * One of the networks. Weights are read from the first to the last: of each layer the last block of neurons comes
@@ -756,7 +754,7 @@ SAILNET_INLINE sailnet_real sailnet_network(const sailnet_real input[SAILNET_INP
     return sum;
 }
 
-/* ================ 6. A state as the networks read it ================ */
+/* ======== 6. A state as the networks read it ======== */
 
 /*
  * What the networks read of a state, and whether they were trained on such a state: the box of trained states, and
@@ -884,7 +882,7 @@ SAILNET_INLINE uint32_t sailnet_observed(const sailnet_state *state, sailnet_com
     return ((*inside & (there | in_tube)) != 0) ? (SAILNET_THERE * (uint32_t)there) : (uint32_t)SAILNET_OUTSIDE_DOMAIN;
 }
 
-/* ================ 7. The guidance law ================ */
+/* ======== 7. The guidance law ======== */
 
 /* The guidance law, Eq. (25), its guards and its status. */
 
@@ -949,19 +947,20 @@ sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, s
     return (sailnet_status)(sailnet_law(state, beta, command) & ~SAILNET_THERE);
 }
 
-/* ================ 8. Steering ================ */
+/* ======== 8. Steering ======== */
 
-/* The method of Runge and Kutta of fourth order: where in the step its stages are, and what they weigh. */
+/* Runge and Kutta's method of fourth order: where in the step its stages are, and what they weigh. */
 static const sailnet_real sailnet_stages[4][2] = {{R(0.0), R(0.16666666666666666)},
                                                   {R(0.5), R(0.3333333333333333)},
                                                   {R(0.5), R(0.3333333333333333)},
                                                   {R(1.0), R(0.16666666666666666)}};
 
-/* What the last period did, by what is known: changes of r, u and v, and the direction of the force. */
+/* What the last period did, by what is known: changes of r, u and v; the normal, and the force along it. */
 typedef struct {
     sailnet_state by;
     sailnet_real cosine;
     sailnet_real sine;
+    sailnet_real normal;
 } sailnet_change;
 
 /* One such step of Eq. (1), under a constant force. */
@@ -971,10 +970,12 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     sailnet_cosine_sine(memory->attitude, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    /* Along the normal beta cos^2, along the surface beta tangential cos sin. */
     const sailnet_real push = memory->beta * cosine;
-    const sailnet_real radial = push * (cosine * cosine + memory->tangential * sine * sine) - R(1.0);
-    const sailnet_real transverse = push * (R(1.0) - memory->tangential) * cosine * sine;
+    const sailnet_real across = SAILNET_FORCE_ACROSS + memory->tangential;
+    change->normal = (SAILNET_FORCE_SQUARE * cosine + SAILNET_FORCE_LINEAR) * cosine;
+    const sailnet_real radial = push * (change->normal + across * sine * sine) - R(1.0);
+    const sailnet_real transverse =
+        (push * (SAILNET_FORCE_SQUARE - across) * cosine + push * SAILNET_FORCE_LINEAR) * sine;
     sailnet_state rate = {R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
@@ -1011,17 +1012,16 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
     const sailnet_state *const before = &memory->state;
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real cosine2 = cosine * cosine;
     const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
     /* Not held, or turned, or not seen before: that says nothing. */
     int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
-    telling &= (cosine2 >= SAILNET_LEAST_COSINE2) ? 1 : 0;
+    telling &= (change->normal >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
     const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
     const sailnet_real surprise_v = (now->v - before->v) - change->by.v;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
-    const sailnet_real per = distance * distance / (held * cosine2);
+    const sailnet_real per = distance * distance / (held * change->normal);
     const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
     const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
@@ -1057,15 +1057,16 @@ SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_
 
 /*
  * The sign of the command. Where both are almost equally fast the networks' may change every period: the sail keeps
- * its side until that has cost more than a reversal is worth. A mirrored command loses time at the rate
- * 2 beta / r^2 cos^2(alpha) |sin(alpha) lambda_v|, which is the difference of the Hamiltonian.
+ * its side until that has cost more than a reversal is worth. The other loses time at the rate 2 |f_t lambda_v|, which
+ * is the difference of the Hamiltonian.
  */
 SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
 {
     const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
     const sailnet_real facing = ratio * change->cosine;
-    const sailnet_real regret =
-        memory->regret + R(2.0) * memory->held * memory->stake * facing * facing * sailnet_size(change->sine);
+    const sailnet_real share = (SAILNET_FORCE_SQUARE - SAILNET_FORCE_ACROSS) * change->cosine + SAILNET_FORCE_LINEAR;
+    const sailnet_real regret = memory->regret + R(2.0) * memory->held * memory->stake * facing * (ratio * share) *
+                                                     sailnet_size(change->sine);
     memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
     memory->stake = -sailnet_size(command->lambda_v);
     const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);

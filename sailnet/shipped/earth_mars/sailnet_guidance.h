@@ -34,6 +34,7 @@ extern "C" {
 #define SAILNET_API_VERSION 5
 #define SAILNET_VERSION "0.2.0"
 #define SAILNET_MISSION "earth_mars"
+#define SAILNET_SAIL "ideal"
 #define SAILNET_MISSION_DIGEST "8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c"
 #define SAILNET_NETWORKS_DIGEST "66aa4938a05edd4d0d19bfb91df6e0985b22802b64fbdb6fcdd51d8bb8e06406"
 
@@ -80,12 +81,19 @@ typedef float sailnet_real;
 #define SAILNET_BETA_MIN SAILNET_REAL(0.135136)
 #define SAILNET_BETA_MAX SAILNET_REAL(0.20270399999999997)
 
+/* The force of SAILNET_SAIL per beta / r^2, by the cone angle: along the normal SQUARE cos^2 + LINEAR cos, and along
+   the surface, away from the Sun, ACROSS cos sin. Those of an ideal sail are 1, 0 and 0. */
+#define SAILNET_FORCE_SQUARE SAILNET_REAL(1.0)
+#define SAILNET_FORCE_LINEAR SAILNET_REAL(0.0)
+#define SAILNET_FORCE_ACROSS SAILNET_REAL(0.0)
+
 /* How sailnet_steer learns what the sail does: the time over which beta is forgotten, and that of the tangential
    force and of how far periods differ from what was expected [TU]; the largest difference, relative to SAILNET_BETA,
-   by which one period counts; the cos^2 of the cone angle below which a period says nothing; the largest tangential
-   force, as a share of that along the normal; and the rate at which the sail turns [rad/TU], with the turn within a
-   period [rad^2] above which that period says nothing; a measured attitude may change by its root.
-   And the largest offset of what is measured from what was commanded [rad] that counts as one. */
+   by which one period counts; the force along the normal below which a period says nothing, which is cos^2 of the cone
+   angle of an ideal sail; the largest tangential force beside that of SAILNET_FORCE_ACROSS, as a share of beta; and the
+   rate at which the sail turns [rad/TU], with the turn within a period [rad^2] above which that period says nothing; a
+   measured attitude may change by its root. And the largest offset of what is measured from what was commanded [rad]
+   that counts as one. */
 #define SAILNET_MEMORY SAILNET_REAL(6.5)
 #define SAILNET_SURPRISE_MEMORY SAILNET_REAL(1.6)
 #define SAILNET_LARGEST_SURPRISE SAILNET_REAL(0.5)
@@ -100,8 +108,8 @@ typedef float sailnet_real;
    and the time of flight [TU] from which on it shrinks to nothing. */
 #define SAILNET_RESERVE_TANGENTIAL SAILNET_REAL(0.51)
 #define SAILNET_RESERVE_SLOW SAILNET_REAL(2.6)
-#define SAILNET_RESERVE_WHITE SAILNET_REAL(2.7)
-#define SAILNET_LARGEST_RESERVE SAILNET_REAL(0.085)
+#define SAILNET_RESERVE_WHITE SAILNET_REAL(4.0)
+#define SAILNET_LARGEST_RESERVE SAILNET_REAL(0.105)
 #define SAILNET_LET_GO SAILNET_REAL(0.165)
 
 /* Where a step of the command changes its sign and is above the first [rad], the sail turns over. Instead, it
@@ -148,7 +156,7 @@ typedef struct {
     sailnet_real held;           /* for how long [TU]; 0: the next period teaches nothing */
     sailnet_real time_of_flight; /* predicted then [TU] */
     sailnet_real beta;           /* the estimate */
-    sailnet_real tangential;     /* estimate of the force along the sail's surface, as a share of beta */
+    sailnet_real tangential;     /* estimate of the force along the surface beside SAILNET_FORCE_ACROSS */
     sailnet_real surprise;       /* by how much beta seemed to differ in the last period, relative to SAILNET_BETA */
     sailnet_real variance;       /* mean of the squares of surprises, */
     sailnet_real slow;           /* and of the products of one with the next: what of them is slow */

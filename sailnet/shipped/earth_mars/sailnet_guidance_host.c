@@ -1134,17 +1134,18 @@ SAILNET_INLINE uint32_t sailnet_law(const sailnet_state *state, sailnet_real bet
 
 /* ================================ Steering ================================ */
 
-/* The method of Runge and Kutta of fourth order: where in the step its stages are, and what they weigh. */
+/* Runge and Kutta's method of fourth order: where in the step its stages are, and what they weigh. */
 static const sailnet_real sailnet_stages[4][2] = {{R(0.0), R(0.16666666666666666)},
                                                   {R(0.5), R(0.3333333333333333)},
                                                   {R(0.5), R(0.3333333333333333)},
                                                   {R(1.0), R(0.16666666666666666)}};
 
-/* What the last period did, by what is known: changes of r, u and v, and the direction of the force. */
+/* What the last period did, by what is known: changes of r, u and v; the normal, and the force along it. */
 typedef struct {
     sailnet_state by;
     sailnet_real cosine;
     sailnet_real sine;
+    sailnet_real normal;
 } sailnet_change;
 
 /* One such step of Eq. (1), under a constant force. */
@@ -1154,10 +1155,12 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     sailnet_cosine_sine(memory->attitude, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    /* Along the normal beta cos^2, along the surface beta tangential cos sin. */
     const sailnet_real push = memory->beta * cosine;
-    const sailnet_real radial = push * (cosine * cosine + memory->tangential * sine * sine) - R(1.0);
-    const sailnet_real transverse = push * (R(1.0) - memory->tangential) * cosine * sine;
+    const sailnet_real across = SAILNET_FORCE_ACROSS + memory->tangential;
+    change->normal = (SAILNET_FORCE_SQUARE * cosine + SAILNET_FORCE_LINEAR) * cosine;
+    const sailnet_real radial = push * (change->normal + across * sine * sine) - R(1.0);
+    const sailnet_real transverse =
+        (push * (SAILNET_FORCE_SQUARE - across) * cosine + push * SAILNET_FORCE_LINEAR) * sine;
     sailnet_state rate = {R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
@@ -1194,17 +1197,16 @@ SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now
     const sailnet_state *const before = &memory->state;
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real cosine2 = cosine * cosine;
     const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
     /* Not held, or turned, or not seen before: that says nothing. */
     int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
-    telling &= (cosine2 >= SAILNET_LEAST_COSINE2) ? 1 : 0;
+    telling &= (change->normal >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
     const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
     const sailnet_real surprise_v = (now->v - before->v) - change->by.v;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
-    const sailnet_real per = distance * distance / (held * cosine2);
+    const sailnet_real per = distance * distance / (held * change->normal);
     const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
     const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
@@ -1240,15 +1242,16 @@ SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_
 
 /*
  * The sign of the command. Where both are almost equally fast the networks' may change every period: the sail keeps
- * its side until that has cost more than a reversal is worth. A mirrored command loses time at the rate
- * 2 beta / r^2 cos^2(alpha) |sin(alpha) lambda_v|, which is the difference of the Hamiltonian.
+ * its side until that has cost more than a reversal is worth. The other loses time at the rate 2 |f_t lambda_v|, which
+ * is the difference of the Hamiltonian.
  */
 SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
 {
     const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
     const sailnet_real facing = ratio * change->cosine;
-    const sailnet_real regret =
-        memory->regret + R(2.0) * memory->held * memory->stake * facing * facing * sailnet_size(change->sine);
+    const sailnet_real share = (SAILNET_FORCE_SQUARE - SAILNET_FORCE_ACROSS) * change->cosine + SAILNET_FORCE_LINEAR;
+    const sailnet_real regret = memory->regret + R(2.0) * memory->held * memory->stake * facing * (ratio * share) *
+                                                     sailnet_size(change->sine);
     memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
     memory->stake = -sailnet_size(command->lambda_v);
     const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);
