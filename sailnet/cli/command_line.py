@@ -6,11 +6,11 @@ import sys
 from collections.abc import Callable, Sequence
 
 from sailnet import __version__
-from sailnet.cli import evaluate, fly, guide, info, papers, solve
+from sailnet.cli import evaluate, fly, guide, info, optics, papers, solve
 from sailnet.cli.output import Result, readable
 from sailnet.errors import SailnetError
 
-COMMANDS = (solve, guide, fly, evaluate, info, papers)
+COMMANDS = (solve, guide, fly, evaluate, info, optics, papers)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
