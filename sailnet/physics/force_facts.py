@@ -20,7 +20,7 @@ class AtBound:
 
     Attributes:
         phi_max: the bound [rad].
-        last: the cone angle just before the bound is active [rad]: phi_max, or a smaller one that jumps to it.
+        last: the cone angle just before the bound is active [rad]: phi_max, or one that jumps to it.
         takeover: the angle of -(lambda_u, lambda_v) from the radial direction from which it is active [rad].
     """
 
