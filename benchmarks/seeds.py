@@ -27,11 +27,24 @@ from training.targets import TARGETS
 
 CAMPAIGN = "law"
 
+RESULTS = f"{CAMPAIGN}.h5"
+
 MARK = "seeds"
 
 
-def measure(dataset: Path, folder: Path, seed: int, flights: int, pool: Workers) -> dict[str, Any]:
-    """Train from one seed (or take up what an earlier call finished), export, fly."""
+def measure(
+    dataset: Path, folder: Path, seed: int, flights: int, pool: Workers, optima: Path | None
+) -> dict[str, Any]:
+    """Train from one seed (or take up what an earlier call finished), export, fly.
+
+    Args:
+        dataset: the wide data set.
+        folder: for networks, export and results.
+        seed: of the training.
+        flights: of a series.
+        pool: who flies.
+        optima: results of the same flights with the networks of another seed.
+    """
     with open_dataset(dataset) as data:
         mission = data.mission.with_training(seed=seed)
     networks = train_networks(
@@ -40,7 +53,8 @@ def measure(dataset: Path, folder: Path, seed: int, flights: int, pool: Workers)
     export(folder, folder / "export", mission, progress=False)
     guidance = load_guidance(mission, "c", "float64", folder / "export")
     plan = load_plan(CAMPAIGN).changed(flights, None)
-    results = fly_plan(mission, guidance, plan, folder / f"{CAMPAIGN}.h5", workers=pool, overwrite=True)
+    stored = folder / RESULTS
+    results = fly_plan(mission, guidance, plan, stored, workers=pool, overwrite=True, optima=optima)
     return {
         "seed": seed,
         "test_mse": {network.name: network.provenance["test_mse"] for network in networks},
@@ -104,15 +118,12 @@ def main() -> int:
     options = parser.parse_args()
     try:
         with workers(os.cpu_count() or 1) as pool:
+            folders = [options.folder / f"seed{seed}" for seed in options.seeds]
             records = [
-                measure(
-                    options.dataset,
-                    options.folder / f"seed{seed}",
-                    seed,
-                    options.flights,
-                    pool,
+                measure(options.dataset, folder, seed, options.flights, pool, optima)
+                for folder, seed, optima in zip(
+                    folders, options.seeds, [None, *[folders[0] / RESULTS] * (len(folders) - 1)], strict=True
                 )
-                for seed in options.seeds
             ]
         text = json.dumps(records, indent=1)
         write_whole(options.folder / "spread.json", lambda beside: beside.write_text(text, encoding="utf-8"))

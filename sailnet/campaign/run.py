@@ -23,6 +23,9 @@ from sailnet.workers.interruption import asked_to_stop
 MODULES = ("sailnet.guidance.backends", "sailnet.campaign.batches")
 """Whose source, and what it imports, flights depend on."""
 
+FLOWN = ("flight", "generalisation", "disturbance")
+"""Sections of a mission, beside the problem, that flights and their optima depend on."""
+
 
 def fly_plan(
     mission: Mission,
@@ -71,7 +74,7 @@ def fly_plan(
             return found
         if not overwrite:
             _refuse_another(output, asked_for, flown)
-    known = None if optima is None else _of_the_same_flights(optima, run)
+    known = None if optima is None else _of_the_same_flights(optima, mission, run)
     with claim(output, run, restart, "results") as parts, _telling(parts), asked_to_stop() as asked:
         outcomes = resumed(job.carry_out, range(len(job.batches)), parts, workers)
         origin = {"run": run, **software()}
@@ -86,12 +89,15 @@ def _finished(output: Path) -> Results | None:
         return None
 
 
-def _of_the_same_flights(path: Path, run: Mapping[str, str]) -> Results:
-    """Results whose flights have the same optima: all but the guidance is the same."""
+def _of_the_same_flights(path: Path, mission: Mission, run: Mapping[str, str]) -> Results:
+    """Results whose flights have the same optima: all is the same but the guidance, and how that was made."""
     results = open_results(path)
     flown = results.provenance["run"]
-    solved_by = ["mission", "campaign", "plant", *environment_of(*MODULES)]
-    if different := [name for name in solved_by if flown.get(name) != run[name]]:
+    solved_by = ["campaign", "plant", *environment_of(*MODULES)]
+    different = [name for name in solved_by if flown.get(name) != run[name]]
+    if results.mission.digest(*FLOWN) != mission.digest(*FLOWN):
+        different.append("mission")
+    if different:
         raise CampaignError(
             f"{path} has no optima for these flights: another {', '.join(different)}; leave --optima out"
         )

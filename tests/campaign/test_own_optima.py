@@ -15,7 +15,7 @@ from sailnet.errors import CampaignError
 from sailnet.expert.fastest import sample, solve
 from sailnet.guidance.backends import load_guidance
 from sailnet.physics.optics import OPTICS
-from tests.campaign.small_plan import plan_of
+from tests.campaign.small_plan import plan_of, short
 from tests.pilots import MISSION
 
 PROBLEM = MISSION.problem
@@ -109,4 +109,11 @@ def test_another_guidance_takes_the_optima_of_the_same_flights(
         CampaignError, match=r"first\.h5 has no optima for these flights: another campaign; leave"
     ):
         fly_plan(MISSION, other, plan_of(seed=6), tmp_path / "no.h5", optima=tmp_path / "first.h5")
+    shorter = short(50.0)
+    with pytest.raises(CampaignError, match="another mission; leave"):
+        fly_plan(shorter, load_guidance(shorter), plan, tmp_path / "no.h5", optima=tmp_path / "first.h5")
     assert not (tmp_path / "no.h5").exists()
+    # Networks of another training fly the same mission, for all that the optima know.
+    trained = MISSION.with_training(seed=8)
+    again = fly_plan(trained, other, plan, tmp_path / "trained.h5", optima=tmp_path / "first.h5")
+    np.testing.assert_array_equal(again.flights["own_optimal_time"], first.flights["own_optimal_time"])

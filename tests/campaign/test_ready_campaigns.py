@@ -97,7 +97,7 @@ def test_the_law_is_flown_in_eight_series_with_a_seed_of_its_own() -> None:
         "nominal", "bias ±15 %", "noise ±15 %, as in the paper", "wander 5 % for 1 TU", "drift −2 % a year",
         "JPL optics, networks of the ideal sail", "everything, as expected", "everything, twice",
     ]  # fmt: skip
-    assert {plan.seed} - {load_plan(name).seed for name in ready_campaigns() if name != "law"} == {4051}
+    assert plan.seed not in {load_plan(name).seed for name in ready_campaigns() if name != "law"}
     everything = load_plan("everything")
     for name in ("as expected", "twice"):
         assert disturbed(plan, f"everything, {name}") == disturbed(everything, name)
