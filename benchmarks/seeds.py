@@ -22,6 +22,7 @@ from sailnet.dataset import open_dataset
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
 from sailnet.workers.executors import Workers, workers
+from training.fit_domain import add_domain
 from training.parallel import train_networks
 from training.targets import TARGETS
 
@@ -50,6 +51,8 @@ def measure(
     networks = train_networks(
         dataset, mission, "wide", list(TARGETS["wide"]), folder, workers=os.cpu_count() or 1, resume=True
     )
+    if any(network.name == "tau" and "domain" not in network.provenance for network in networks):
+        add_domain(dataset, folder)
     export(folder, folder / "export", mission, progress=False)
     guidance = load_guidance(mission, "c", "float64", folder / "export")
     plan = load_plan(CAMPAIGN).changed(flights, None)
