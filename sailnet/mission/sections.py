@@ -19,6 +19,7 @@ from pydantic import (
 from sailnet.errors import SailnetError
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS, Optics, optics_from
+from sailnet.physics.real_law import RealLaw
 from sailnet.physics.units import HOUR, TU
 
 Positive = Annotated[float, Field(gt=0.0)]
@@ -60,6 +61,15 @@ class Sail(Section):
     def _exact_unless_ideal(self) -> "Sail":
         if not self.optics.ideal and self.smoothing != 0.0:
             raise ValueError("Eq. (12) smooths the law of an ideal sail: with other optics smoothing is 0")
+        return self
+
+    @model_validator(mode="after")
+    def _has_a_law(self) -> "Sail":
+        if not self.optics.ideal:
+            try:
+                RealLaw.of(np.array([self.optics.force]), math.radians(self.max_cone_angle))
+            except SailnetError as error:
+                raise ValueError(str(error)) from error
         return self
 
     @model_serializer(mode="wrap")

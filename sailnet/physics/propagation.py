@@ -81,7 +81,7 @@ def parameters(transfer: AnyTransfer, lambda_u: Array, lambda_v: Array) -> Array
     else:
         pars[4] = np.where(transfer.law.angle(lambda_u, lambda_v)[1], pars[3], 0.0)
         pars[5:8] = transfer.law.coefficients.T
-        pars[8], pars[9] = transfer.law.takeover, transfer.law.last
+        pars[1], pars[8], pars[9] = transfer.law.bound, transfer.law.takeover, transfer.law.last
     return pars
 
 
@@ -215,7 +215,7 @@ class Propagator:
     def _take_over(self, ta: Any, direction: int, lane: int) -> bool:
         assert self._law is not None
         branch, last = self._pars[3, lane], self._pars[9, lane]
-        jump = self.variational and last < self._pars[1, lane]
+        jump = self.variational and last != self._pars[1, lane]
         if jump:
             before = self.slopes()[:, lane]
         self._pars[4, lane] = 0.0 if self._pars[4, lane] else branch

@@ -6,7 +6,9 @@ the radial direction decides: tan theta = -f_r'(alpha) / f_t'(alpha) inside the 
 curve bends inwards: no force there is ever the best. Where a tangent of the curve meets its end, at the
 bound, the minimum jumps from one to the other.
 
-By symmetry it suffices to look at |alpha| and |lambda_v|; the two signs are opposite (Eq. 24).
+By symmetry it suffices to look at |alpha| and |lambda_v|; the two signs are opposite (Eq. 24), but at bounds
+so wide, beyond 89.6 degrees for ``jpl``, that the heat of the back pushes more than all light does: there the
+far end of the mirrored curve is the better one.
 """
 
 from dataclasses import dataclass
@@ -17,6 +19,7 @@ import heyoka as hy
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.errors import SolveError
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import Expression, alpha, thrust
 
@@ -71,35 +74,53 @@ class RealLaw:
         phi_max: bound on the cone angle [rad].
         takeover: (n,) theta from which the bound is active.
         last: (n,) the cone angle just before: the bound's, or a smaller one that jumps to it.
+        bound: (n,) the cone angle from there on: phi_max, or -phi_max where the force there is the better.
     """
 
     coefficients: Array
     phi_max: float
     takeover: Array
     last: Array
+    bound: Array
 
     @classmethod
     def of(cls, coefficients: Array, phi_max: float) -> "RealLaw":
-        """The laws of (n, 3) coefficients."""
-        last = _last_angle(coefficients, phi_max)
+        """The laws of (n, 3) coefficients.
+
+        Raises:
+            SolveError: heat pushes such a sail back as it turns, and not only at the bound.
+        """
+        square, linear, across = coefficients.T
+        mirrored = (square - across) * np.cos(phi_max) + linear < 0.0
+        last = _last_angle(coefficients, phi_max, mirrored)
         slope = force_curve(last, coefficients)[1]
-        return cls(coefficients, phi_max, np.arctan2(-slope[0], slope[1]), last)
+        takeover = np.arctan2(-slope[0], slope[1])
+        end = force_curve(np.full(len(last), phi_max), coefficients)[1]
+        outwards = np.cos(takeover) * end[0] + np.where(mirrored, -1.0, 1.0) * np.sin(takeover) * end[1]
+        if (across >= 1.0).any() or (mirrored & (outwards < 0.0)).any():
+            raise SolveError(
+                "no law for such a sail: the heat that its back radiates pushes it against the way it turns"
+            )
+        # Edge-on there is no force: either side is as good.
+        other = mirrored & (phi_max < np.pi / 2)
+        return cls(coefficients, phi_max, takeover, last, np.where(other, -phi_max, phi_max))
 
     def rows(self, chosen: Any) -> "RealLaw":
         """Some of them; the one for all stays."""
         if len(self.last) == 1:
             return self
-        return RealLaw(self.coefficients[chosen], self.phi_max, self.takeover[chosen], self.last[chosen])
+        columns = (column[chosen] for column in (self.takeover, self.last, self.bound))
+        return RealLaw(self.coefficients[chosen], self.phi_max, *columns)
 
     def angle(self, lambda_u: Array, lambda_v: Array) -> tuple[Array, NDArray[np.bool_]]:
         """(n,) optimal cone angle [rad], and (n,) whether the bound is active."""
         # Not -lambda_u: where both vanish, and no angle is better than any other, theta is 0.
         theta = np.arctan2(np.abs(lambda_v), 0.0 - lambda_u)
-        bound = theta > self.takeover
+        beyond = theta > self.takeover
         inputs = np.empty((4, len(theta)))
         inputs[0], inputs[1:] = np.minimum(theta, self.takeover), self.coefficients.T
         size = _compiled_angle()(inputs)[0]
-        return np.copysign(np.where(bound, self.phi_max, size), -lambda_v), bound
+        return np.copysign(1.0, -lambda_v) * np.where(beyond, self.bound, size), beyond
 
     def gradient(self, angle: Array, lambda_u: Array, lambda_v: Array) -> Array:
         """(2, n) derivatives of the optimal angle by lambda_u and lambda_v, inside the bound."""
@@ -107,23 +128,24 @@ class RealLaw:
         return np.asarray(-slope / (lambda_u * bend[0] + lambda_v * bend[1]))
 
 
-def _last_angle(coefficients: Array, phi_max: float) -> Array:
-    """(n,) the angle at which a tangent of the force curve meets the curve's end, or that end."""
+def _last_angle(coefficients: Array, phi_max: float, mirrored: NDArray[np.bool_]) -> Array:
+    """(n,) the angle at which a tangent of the force curve meets its end, mirrored or not, or that end."""
     # Loaded here, for real sails alone: it takes half a second, and every process would pay.
     from scipy.optimize.elementwise import find_root
 
     count = len(coefficients)
     end, slope, bend = force_curve(np.full(count, phi_max), coefficients)
+    end[1] = np.where(mirrored, -end[1], end[1])
 
     def off_tangent(angle: Array, *rows: Array) -> Array:
         force, slope, _ = force_curve(angle, np.column_stack(rows[:3]))
         return np.asarray(slope[0] * (rows[4] - force[1]) - slope[1] * (rows[3] - force[0]))
 
     last = np.full(count, phi_max)
-    inwards = np.flatnonzero(slope[0] * bend[1] - slope[1] * bend[0] < 0.0)
-    if len(inwards):
+    jumps = np.flatnonzero(mirrored | (slope[0] * bend[1] - slope[1] * bend[0] < 0.0))
+    if len(jumps):
         # At the very end both factors vanish.
-        near = np.full(len(inwards), phi_max * (1.0 - 1e-3))
-        rows = (*coefficients[inwards].T, *end[:, inwards])
-        last[inwards] = find_root(off_tangent, (np.zeros(len(inwards)), near), args=rows).x
+        near = np.full(len(jumps), phi_max * (1.0 - 1e-3))
+        rows = (*coefficients[jumps].T, *end[:, jumps])
+        last[jumps] = find_root(off_tangent, (np.zeros(len(jumps)), near), args=rows).x
     return last

@@ -2,9 +2,11 @@
 
 import io
 import json
+import re
 import subprocess
 import sys
 from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import asdict
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -14,6 +16,7 @@ import pytest
 import sailnet.expert.fastest
 import sailnet.expert.index
 from sailnet.cli.command_line import main
+from sailnet.physics.optics import OPTICS
 
 
 def _run(*arguments: str) -> subprocess.CompletedProcess[str]:
@@ -92,11 +95,66 @@ def test_beyond_the_tested_range_solve_says_so_on_stderr() -> None:
     assert json.loads(done.stdout)["residual"] <= 1e-9
 
 
-def test_solve_takes_a_sail_that_is_not_ideal() -> None:
-    """Golden: DOP853, the control minimised numerically."""
-    assert _json("solve", "1", "0", "1", "--optics", "jpl")["time_of_flight"] == pytest.approx(
-        7.4397331, abs=1e-7
-    )
+GOLDEN = {("jpl", "60"): 7.43973307, ("nasa", "60"): 7.45629601, ("jpl", "89"): 7.43517375}
+"""Optics, bound [deg] and time of flight [TU]: by DOP853 in Cartesian coordinates, the control minimised."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("optics", "degrees"), GOLDEN)
+def test_solve_takes_a_sail_that_is_not_ideal(optics: str, degrees: str) -> None:
+    result = _json("solve", "1", "0", "1", "--optics", optics, "--phi-max", degrees)
+    assert result["time_of_flight"] == pytest.approx(GOLDEN[optics, degrees], abs=1e-7)
+    assert result["residual"] <= 1e-9
+    assert result["complete"] is True
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("said", ['"nasa"', str(asdict(OPTICS["nasa"])).replace("'", "").replace(":", " =")])
+def test_solve_takes_the_optics_of_a_mission_file(said: str, tmp_path: Path) -> None:
+    path = _of_another_sail(said, tmp_path)
+    found = _json("solve", "1", "0", "1", "--mission", str(path))
+    assert found["time_of_flight"] == pytest.approx(GOLDEN["nasa", "60"], abs=1e-7)
+
+
+def _of_another_sail(optics: str, folder: Path) -> Path:
+    """A mission file, Earth to Mars but for its sail."""
+    text = (resources.files("sailnet") / "mission" / "missions" / "earth_mars.toml").read_text()
+    sail = re.sub(r"(?m)^smoothing = .*$", f"smoothing = 0.0\noptics = {optics}", text)
+    assert sail != text
+    path = folder / "another_sail.toml"
+    path.write_text(sail)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("optics", "says"),
+    [
+        ('"mylar"', "optics must be one of ideal, jpl, nasa or a table, not 'mylar'"),
+        ("{ reflectivity = 1.01 }", "reflectivity must be from 0 to 1, not 1.01"),
+        ("{ front_emissivity = 0, back_emissivity = 0 }", "one of the emissivities must be above 0"),
+        (
+            "{ reflectivity = 0, front_emissivity = 0, back_lambertian = 1 }",
+            "such a sail is not pushed away from the Sun",
+        ),
+        ("{ reflectivity = 0 }", "no law for such a sail: the heat that its back radiates"),
+    ],
+)
+def test_optics_that_cannot_be_are_refused_before_any_work(
+    optics: str, says: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = _of_another_sail(optics, tmp_path)
+
+    def work(*_: object, **__: object) -> None:
+        raise AssertionError("there is nothing to solve")
+
+    monkeypatch.setattr(sailnet.expert.fastest, "solve_states", work)
+    done = _run("solve", "1", "0", "1", "--mission", str(path))
+    assert (done.returncode, done.stdout) == (1, "")
+    assert str(path) in done.stderr
+    assert says in done.stderr
+
+
+def test_the_smoothed_law_is_an_ideal_sail_s() -> None:
     done = _run("solve", "1", "0", "1", "--optics", "jpl", "--smoothing", "1e-3")
     assert done.returncode == 1
     assert "with other optics smoothing is 0" in done.stderr
@@ -228,6 +286,7 @@ def test_evaluate_can_leave_the_expert_alone() -> None:
         (("solve", "1", "0", "1", "--smoothing", "-1e-3"), "sail.smoothing = -0.001"),
         (("solve", "1", "0", "1", "--target-radius", "inf"), "transfer.target_radius = inf"),
         (("solve", "--target-radius", "1"), "on the target orbit already"),
+        (("solve", "1", "0", "1", "--optics", "mirror"), "invalid choice: 'mirror' (choose from"),
         (("guide", "1", "0", "1", "--networks", "no/such/folder"), "no/such/folder"),
         (("fly", "1", "0", "1", "--beta-bias", "-2"), "bias"),
         (("fly", "1", "0", "1", "--period", "0"), "period"),

@@ -10,7 +10,10 @@ import sailnet.expert.real_sails
 from sailnet.expert.fastest import Optima, solve, solve_states
 from sailnet.expert.nominal import Nominal
 from sailnet.expert.real_sails import own_optima
+from sailnet.flight.starts import random_starts
+from sailnet.mission.mission import Mission
 from sailnet.physics.optics import OPTICS
+from sailnet.physics.pontryagin import evaluate_hamiltonian
 from sailnet.physics.transfer import Transfer
 from tests.reference import Array
 
@@ -97,3 +100,18 @@ def test_what_cannot_be_followed_is_solved_anew(
     assert asked == expected
     np.testing.assert_array_equal(own.time_of_flight[anew], optima.time_of_flight[[0, 0]])
     np.testing.assert_array_equal(own.complete, anew)
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", ["jpl", "nasa"])
+def test_random_states_of_the_generalisation_set_are_solved(mission: Mission, name: str) -> None:
+    real = mission.with_optics(OPTICS[name])
+    starts = random_starts(real, 1000, 16)
+    optima = solve_states(real.problem, starts, region=real.generalisation.corners)
+    assert optima.found.mean() >= 0.995
+    assert optima.complete[optima.found].all()
+    assert optima.residual[optima.found].max() <= 1e-9
+    costates, alpha = optima.costates[optima.found], optima.cone_angle[optima.found]
+    energy = evaluate_hamiltonian(real.problem, starts[optima.found], costates, alpha)
+    assert np.abs(energy).max() <= 1e-8
+    assert (optima.jumps > 0).sum() > 100

@@ -84,6 +84,7 @@ def test_earth_mars_is_the_paper_s_problem() -> None:
         ("sail.optics", {"shininess": 0.5}, "no shininess; known are reflectivity"),
         ("sail.optics", {"front_emissivity": 0.0, "back_emissivity": 0.0}, "emissivities"),
         ("sail.optics", {"reflectivity": math.nan}, "reflectivity must be from 0 to 1"),
+        ("sail.optics", {"reflectivity": 0, "front_emissivity": 0, "back_lambertian": 1}, "not pushed away"),
         ("schema", 2, "1"),
         ("schema", "1", "1"),
         ("name", "Earth Mars", "pattern"),
@@ -256,6 +257,12 @@ def test_a_disturbance_says_which_sail_flies_where_it_is_not_the_mission_s() -> 
     assert mission.optics_flown(Disturbance()) == OPTICS["jpl"]
     assert mission.optics_flown(Disturbance(optics=OPTICS["ideal"])) == OPTICS["ideal"]
     assert load_mission("earth_mars").optics_flown(Disturbance(optics=OPTICS["nasa"])) == OPTICS["nasa"]
+
+
+def test_a_sail_without_a_law_is_refused() -> None:
+    """Black, and its back radiates the heat: light pushes it against the way it turns."""
+    with pytest.raises(MissionError, match="no law for such a sail: the heat that its back radiates"):
+        of_another_sail({"reflectivity": 0.0})
 
 
 def test_only_the_law_of_an_ideal_sail_is_smoothed() -> None:

@@ -22,6 +22,10 @@ def test_both_sides_may_radiate_alike() -> None:
         ({"specularity": -0.01}, "specularity must be from 0 to 1"),
         ({"back_lambertian": float("nan")}, "back_lambertian must be"),
         ({"reflectivity": True}, "reflectivity must be"),
+        (
+            {"reflectivity": 0.0, "front_emissivity": 0.0, "back_lambertian": 1.0},
+            "not pushed away from the Sun",
+        ),
     ],
 )
 def test_what_cannot_be_is_refused(coefficients: dict[str, float], says: str) -> None:
