@@ -106,7 +106,7 @@ def _interval(beta: float, sail: Sail) -> Any:
     start, alpha, side, step = (
         ca.SX.sym(name, rows) for name, rows in zip("xasd", (3, 1, 1, 1), strict=True)
     )
-    radial, transverse = push(sail, alpha)
+    radial, transverse = push(sail, alpha, ca)
 
     def slope(x: Any) -> Any:
         r, u, v = x[0], x[1], x[2]

@@ -21,15 +21,16 @@ Sail = tuple[float, float, float, float, float, float]
 """rho, s, eps_f, eps_b, B_f, B_b: one share each, in the order of ``Optics``."""
 
 
-def momentum(sail: Sail, alpha: Any) -> tuple[Any, Any]:
+def momentum(sail: Sail, alpha: Any, library: Any = np) -> tuple[Any, Any]:
     """What the light leaves on a sail, per what falls on it at right angles: radial and transverse.
 
     Args:
         sail: its coefficients.
-        alpha: cone angles [rad]: numbers, real or complex, of any shape, or a symbol of CasADi.
+        alpha: cone angles [rad]: numbers, real or complex, of any shape, or what the library takes.
+        library: whose ``cos`` and ``sin`` are used.
     """
     rho, s, eps_front, eps_back, b_front, b_back = sail
-    normal = np.cos(alpha), np.sin(alpha)
+    normal = library.cos(alpha), library.sin(alpha)
     # Light comes along the first axis, and the area that catches it is the normal's part along it.
     caught = normal[0]
     # What is mirrored leaves with the normal part of its direction, (1, 0), turned round.
@@ -42,10 +43,10 @@ def momentum(sail: Sail, alpha: Any) -> tuple[Any, Any]:
     return radial, transverse
 
 
-def push(sail: Sail, alpha: Any) -> tuple[Any, Any]:
+def push(sail: Sail, alpha: Any, library: Any = np) -> tuple[Any, Any]:
     """The same per what the sail gets when it faces the Sun: the force per beta / r^2."""
     facing = float(momentum(sail, 0.0)[0])
-    radial, transverse = momentum(sail, alpha)
+    radial, transverse = momentum(sail, alpha, library)
     return radial / facing, transverse / facing
 
 

@@ -17,7 +17,7 @@ from tests.direct import minimise
 
 INTERVALS = (100, 200)
 
-COARSE, FINE, EXTRAPOLATED = 1e-3, 3e-4, 1e-4
+COARSE, FINE, EXTRAPOLATED = 1e-4, 3e-5, 5e-6
 """How much slower, relatively, the flights of the two meshes may be; and how far off their limit."""
 
 EARTH = (1.0, 0.0, 1.0)
