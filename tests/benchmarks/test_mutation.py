@@ -1,6 +1,7 @@
 """Mutation testing: what is mutated, what is tried again, and what the page says."""
 
 import subprocess
+import tomllib
 from dataclasses import replace
 from pathlib import Path
 
@@ -155,3 +156,14 @@ def test_a_survivor_of_other_tests_is_tried_again() -> None:
     assert not holds(outcome, "other tests")
     assert holds(replace(outcome, how="killed"), "other tests")
     assert not holds(None, "tests")
+
+
+def test_the_tests_that_have_to_notice_exist() -> None:
+    """A test that is renamed would end a run that takes an hour."""
+    table = tomllib.loads(runner.CONFIGURATION.read_text("utf-8"))
+    named = [test for package in table.values() if isinstance(package, dict) for test in package["tests"]]
+    assert len(named) > 10
+    for test in named:
+        path, _, function = test.partition("::")
+        assert (runner.ROOT / path).exists(), test
+        assert not function or f"\ndef {function}(" in (runner.ROOT / path).read_text("utf-8"), test
