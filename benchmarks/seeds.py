@@ -22,7 +22,7 @@ from sailnet.dataset import open_dataset
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
 from sailnet.workers.executors import Workers, workers
-from training.fit_domain import add_domain
+from training.fit_domain import ensure_domain
 from training.parallel import train_networks
 from training.targets import TARGETS
 
@@ -51,8 +51,7 @@ def measure(
     networks = train_networks(
         dataset, mission, "wide", list(TARGETS["wide"]), folder, workers=os.cpu_count() or 1, resume=True
     )
-    if any(network.name == "tau" and "domain" not in network.provenance for network in networks):
-        add_domain(dataset, folder)
+    ensure_domain(networks, dataset, folder)
     export(folder, folder / "export", mission, progress=False)
     guidance = load_guidance(mission, "c", "float64", folder / "export")
     plan = load_plan(CAMPAIGN).changed(flights, None)
@@ -131,13 +130,12 @@ def main() -> int:
     options = parser.parse_args()
     try:
         with workers(os.cpu_count() or 1) as pool:
-            folders = [options.folder / f"seed{seed}" for seed in options.seeds]
-            records = [
-                measure(options.dataset, folder, seed, options.flights, pool, optima)
-                for folder, seed, optima in zip(
-                    folders, options.seeds, [None, *[folders[0] / RESULTS] * (len(folders) - 1)], strict=True
-                )
-            ]
+            records: list[dict[str, Any]] = []
+            optima: Path | None = None
+            for seed in options.seeds:
+                folder = options.folder / f"seed{seed}"
+                records.append(measure(options.dataset, folder, seed, options.flights, pool, optima))
+                optima = folder / RESULTS
         text = json.dumps(records, indent=1)
         write_whole(options.folder / "spread.json", lambda beside: beside.write_text(text, encoding="utf-8"))
         made = software()

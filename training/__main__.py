@@ -9,7 +9,7 @@ from pathlib import Path
 from sailnet.dataset import open_dataset
 from sailnet.errors import NetworkError, SailnetError
 from sailnet.mission.mission import Mission, load_mission
-from training.fit_domain import add_domain
+from training.fit_domain import ensure_domain
 from training.parallel import train_networks
 from training.targets import TARGETS
 
@@ -91,9 +91,7 @@ def main() -> int:
             resume=options.resume,
             quiet=options.quiet,
         )
-        # A network that --resume found finished may have it already.
-        if any(n.name == "tau" and "domain" not in n.provenance for n in networks):
-            add_domain(options.dataset, options.output, quiet=options.quiet)
+        ensure_domain(networks, options.dataset, options.output, quiet=options.quiet)
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

@@ -7,7 +7,7 @@ linear programme, and the highest below. Held-out trajectories then tell how oft
 
 import argparse
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
@@ -149,6 +149,17 @@ def share_outside(data: Dataset, domain: TrainedDomain, trajectories: NDArray[np
         outside += int((domain.excess(states, beta, data.mission.problem.target_state) > 0.0).sum())
         samples += len(states)
     return outside / max(samples, 1)
+
+
+def ensure_domain(networks: Iterable[Network], dataset: Path, folder: Path, *, quiet: bool = False) -> None:
+    """:func:`add_domain` to trained networks whose ``tau`` has none: one that was found finished may have it.
+
+    Args:
+        networks: as they were trained.
+        dataset, folder, quiet: see :func:`add_domain`.
+    """
+    if any(network.name == "tau" and "domain" not in network.provenance for network in networks):
+        add_domain(dataset, folder, quiet=quiet)
 
 
 def add_domain(dataset: Path, folder: Path, *, quiet: bool = False) -> Network:

@@ -44,8 +44,7 @@ def run(options: argparse.Namespace) -> Result | int:
     if options.mission is not None:
         mission = load_mission(options.mission)
         optics = mission.sail.optics
-        known = [name for name, other in OPTICS.items() if other == optics]
-        sails[known[0] if known else mission.name] = optics
+        sails[optics.name or mission.name] = optics
         bounds.add(mission.sail.max_cone_angle)
     facts = facts_of(sails or OPTICS, sorted(bounds))
     records = {name: optics_record(one) for name, one in facts.items()}

@@ -71,10 +71,14 @@ class Optics:
         return self.force == OPTICS["ideal"].force
 
     @property
+    def name(self) -> str | None:
+        """In ``OPTICS``; None for coefficients that are not known by a name."""
+        return next((name for name, known in OPTICS.items() if known == self), None)
+
+    @property
     def description(self) -> str:
-        """Its name in ``OPTICS``, or else its coefficients."""
-        names = [name for name, known in OPTICS.items() if known == self]
-        return names[0] if names else ", ".join(f"{key} {value!r}" for key, value in asdict(self).items())
+        """Its name, or else its coefficients."""
+        return self.name or ", ".join(f"{key} {value!r}" for key, value in asdict(self).items())
 
     @property
     def facing_share(self) -> float:

@@ -1,13 +1,14 @@
 """What the optics of a sail amount to, by counting photons over a fine grid of cone angles."""
 
 import math
+from dataclasses import astuple
 
 import numpy as np
 import pytest
 
 from sailnet.physics.force_facts import ForceFacts
 from sailnet.physics.optics import OPTICS, Optics
-from tests.reference import Array
+from tests.photons import push
 
 SAILS = {
     **OPTICS,
@@ -17,29 +18,11 @@ SAILS = {
 BOUNDS = (60.0, 75.0, 89.0)
 
 
-def photons(optics: Optics, angle: Array) -> Array:
-    """(2, n) force, radial and transverse, over that of the sail facing the Sun, ray by ray."""
-    rho, s = optics.reflectivity, optics.specularity
-    front, back = optics.front_emissivity, optics.back_emissivity
-
-    def push(angle: Array) -> Array:
-        sunlight = np.stack([np.ones_like(angle), np.zeros_like(angle)])
-        normal = np.stack([np.cos(angle), np.sin(angle)])
-        caught = (sunlight * normal).sum(axis=0)
-        mirrored = sunlight - 2.0 * caught * normal
-        scattered, radiated = -optics.front_lambertian * normal, optics.back_lambertian * normal
-        heat = (front * scattered + back * radiated) / (front + back)
-        leaves = rho * s * mirrored + rho * (1.0 - s) * scattered + (1.0 - rho) * heat
-        return np.asarray(caught * (sunlight - leaves))
-
-    return np.asarray(push(angle) / push(np.zeros(1))[0])
-
-
 @pytest.mark.parametrize("name", SAILS)
 def test_beyond_the_largest_useful_angle_the_transverse_force_falls(name: str) -> None:
     facts = ForceFacts.of(SAILS[name], ())
     grid = np.linspace(0.0, np.pi / 2.0, 900_001)
-    transverse = photons(SAILS[name], grid)[1]
+    transverse = push(astuple(SAILS[name]), grid)[1]
     assert facts.widest_useful == pytest.approx(grid[transverse.argmax()], abs=2e-6)
     assert facts.largest_transverse == pytest.approx(transverse.max(), rel=1e-11)
 
@@ -48,7 +31,7 @@ def test_beyond_the_largest_useful_angle_the_transverse_force_falls(name: str) -
 @pytest.mark.parametrize("degrees", [0.0, 35.0, 60.0])
 def test_the_force_leans_away_from_the_sun(name: str, degrees: float) -> None:
     angle = math.radians(degrees)
-    radial, transverse = photons(SAILS[name], np.array([angle]))[:, 0]
+    radial, transverse = push(astuple(SAILS[name]), angle)
     normal, along = math.cos(angle), math.sin(angle)
     lean = math.atan2(radial * along - transverse * normal, radial * normal + transverse * along)
     assert ForceFacts.of(SAILS[name], ()).lean(angle) == pytest.approx(lean, abs=1e-14)
@@ -62,7 +45,7 @@ def test_the_law_meets_a_bound_where_the_best_angle_does(name: str, degrees: flo
     phi_max = math.radians(degrees)
     (met,) = ForceFacts.of(SAILS[name], (phi_max,)).at_bounds
     grid = np.linspace(0.0, phi_max, 40_001)
-    radial, transverse = photons(SAILS[name], grid)
+    radial, transverse = push(astuple(SAILS[name]), grid)
     inside, beyond = 0.0, math.pi
     for _ in range(40):
         theta = (inside + beyond) / 2.0
@@ -80,6 +63,6 @@ def test_the_law_meets_a_bound_where_the_best_angle_does(name: str, degrees: flo
 
 def test_a_sail_that_only_radiates_gains_nothing_by_turning() -> None:
     black = Optics(reflectivity=0.0)
-    assert photons(black, np.linspace(0.0, 1.5, 1000))[1].max() == 0.0
+    assert push(astuple(black), np.linspace(0.0, 1.5, 1000))[1].max() == 0.0
     facts = ForceFacts.of(black, (1.0,))
     assert (facts.widest_useful, facts.largest_transverse, facts.at_bounds) == (0.0, 0.0, ())
