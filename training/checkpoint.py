@@ -10,10 +10,14 @@ import torch
 from torch import Tensor
 
 from sailnet.artefacts.files import write_whole
-from sailnet.errors import NetworkError
+from sailnet.errors import NetworkError, reason
+from training.checkpoint_checks import read_members
 from training.levenberg_marquardt import Iterate
 
 SCHEMA = "sailnet-checkpoint/1"
+
+FAULTS = (OSError, ValueError, KeyError, EOFError, NotImplementedError, RuntimeError, zipfile.BadZipFile)
+"""What reading a file that is no checkpoint may raise; zipfile has several words for it."""
 
 History = list[dict[str, float]]
 
@@ -68,6 +72,14 @@ def save_checkpoint(progress: Progress, run: str, path: Path) -> None:
     write_whole(path, write)
 
 
+def run_of(path: Path) -> str | None:
+    """The run a checkpoint belongs to; None if it cannot be read."""
+    try:
+        return str(read_members(path)[0]["run"])
+    except FAULTS:
+        return None
+
+
 def load_checkpoint(path: Path, run: str, device: torch.device) -> Progress:
     """Read a checkpoint.
 
@@ -75,15 +87,12 @@ def load_checkpoint(path: Path, run: str, device: torch.device) -> Progress:
         NetworkError: missing, damaged, or of a run with other data, recipe or seed.
     """
     try:
-        with np.load(path, allow_pickle=False) as stored:
-            state = json.loads(str(stored["state"]))
-            tensors = {
-                name: torch.from_numpy(stored[name]).to(device) for name in ("parameters", "scale", "best")
-            }
+        state, arrays = read_members(path)
+        tensors = {name: torch.from_numpy(array).to(device) for name, array in arrays.items()}
         if state["schema"] != SCHEMA or state["run"] != run:
             raise NetworkError(
                 f"{path} belongs to a run with another data set, recipe, seed or device: "
-                "train without --resume to start again"
+                "say --overwrite to start again"
             )
         iterate = Iterate(
             tensors["parameters"], tensors["scale"], state["damping"], state["steps"], state["loss"]
@@ -96,7 +105,7 @@ def load_checkpoint(path: Path, run: str, device: torch.device) -> Progress:
             state["seconds"],
             state["history"],
         )
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+    except FAULTS as error:
         raise NetworkError(
-            f"cannot read checkpoint {path}: {error}; train without --resume to start again"
+            f"cannot read checkpoint {path}: {reason(error)}; say --overwrite to start again"
         ) from error

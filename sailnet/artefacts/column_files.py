@@ -17,8 +17,10 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.artefacts.column_checks import faults
 from sailnet.artefacts.files import write_whole
-from sailnet.errors import SailnetError
+from sailnet.artefacts.untrusted import table_of
+from sailnet.errors import SailnetError, reason
 
 VERIFY_ROWS = 1 << 20
 """Rows held at once while the checksums are computed."""
@@ -131,11 +133,18 @@ class ColumnFile:
             raise layout.error(
                 f"{path} has schema {schema!r}, this version reads {layout.schema!r}: {layout.remedy}"
             )
+        for fault in faults(file, layout, path.stat().st_size):
+            raise layout.error(f"{path} is no sailnet {layout.kind}: {fault}; {layout.remedy}")
         self.digest: str = self.text("sha256")
         header = (content_digest(file, layout), _text_digest(self.text("provenance")))
         if header != (self.digest, self.text("provenance_sha256")):
             raise layout.error(f"{path} is damaged: its header does not match its checksum; {layout.remedy}")
-        self.provenance: dict[str, Any] = json.loads(self.text("provenance"))
+        try:
+            self.provenance: dict[str, Any] = table_of(self.text("provenance"))
+        except ValueError as error:
+            raise layout.error(
+                f"{path} is no sailnet {layout.kind}: its provenance is no table: {error}; {layout.remedy}"
+            ) from error
         # Not the attributes of these names: the checksum covers the columns' lengths.
         self._rows = {group: len(file[group][next(iter(names))]) for group, names in layout.groups.items()}
 
@@ -195,9 +204,11 @@ def open_columns(path: Path, layout: Layout) -> Iterator[ColumnFile]:
         SailnetError: the layout's error: missing, truncated, damaged or of another schema.
     """
     try:
+        if path.exists() and not path.is_file():  # a pipe would be waited for
+            raise OSError("it is no file")
         file = h5py.File(path, "r")
     except (OSError, ValueError, RuntimeError) as error:
-        raise layout.error(f"cannot open {layout.kind} {path}: {error}") from error
+        raise layout.error(f"cannot open {layout.kind} {path}: {reason(error)}") from error
     with file:
         try:
             found = ColumnFile(path, file, layout)

@@ -36,8 +36,8 @@ def write_whole(
         beside.unlink(missing_ok=True)
 
 
-def split_at_block(path: Path, name: str) -> tuple[str, str]:
-    """What stands in a text before the mark ``<!-- name -->`` and after the mark ``<!-- /name -->``.
+def split_at_block(path: Path, name: str) -> tuple[str, str, str]:
+    """What stands in a text before ``<!-- name -->``, between that and ``<!-- /name -->``, and after it.
 
     Raises:
         SailnetError: it has no such marks.
@@ -47,7 +47,8 @@ def split_at_block(path: Path, name: str) -> tuple[str, str]:
     if text.count(opening) != 1 or closing not in text.split(opening)[1]:
         raise SailnetError(f"{path} has no place for this: put {opening} and {closing} where it belongs")
     before, rest = text.split(opening)
-    return before, rest.split(closing, 1)[1]
+    between, after = rest.split(closing, 1)
+    return before, between, after
 
 
 def fill_block(path: Path, name: str, content: str) -> None:
@@ -56,6 +57,6 @@ def fill_block(path: Path, name: str, content: str) -> None:
     Raises:
         SailnetError: it has no such marks.
     """
-    before, after = split_at_block(path, name)
+    before, _, after = split_at_block(path, name)
     filled = f"{before}<!-- {name} -->\n{content}\n<!-- /{name} -->{after}"
     write_whole(path, lambda beside: beside.write_text(filled, encoding="utf-8"))

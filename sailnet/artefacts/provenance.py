@@ -5,7 +5,7 @@ import hashlib
 import importlib.util
 import platform
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
@@ -80,12 +80,21 @@ def _imported(modules: tuple[str, ...]) -> dict[str, Path]:
             continue
         found[name] = Path(spec.origin)
         waiting.append(name.rpartition(".")[0])  # a package is imported with its modules
-        for node in ast.walk(ast.parse(found[name].read_bytes())):
+        for node in _run(ast.parse(found[name].read_bytes())):
             if isinstance(node, ast.Import):
                 waiting += [alias.name for alias in node.names]
             elif isinstance(node, ast.ImportFrom) and node.module:
                 waiting += [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
     return found
+
+
+def _run(tree: ast.AST) -> Iterator[ast.AST]:
+    """What of a source is run: all but what only type checkers read."""
+    if isinstance(tree, ast.If) and isinstance(tree.test, ast.Name) and tree.test.id == "TYPE_CHECKING":
+        return
+    yield tree
+    for node in ast.iter_child_nodes(tree):
+        yield from _run(node)
 
 
 def _digest(files: Mapping[str, Path]) -> str:

@@ -16,12 +16,12 @@ from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
-from filelock import FileLock, Timeout
 from numpy.typing import NDArray
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save_file
 
 from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.ownership import sole_owner
 from sailnet.errors import DatasetError
 
 SUFFIX = ".safetensors"
@@ -45,7 +45,7 @@ class Parts:
 
     def finished(self) -> set[int]:
         """Numbers of the parts that are there."""
-        return {int(path.stem) for path in self.folder.glob(f"*{SUFFIX}")}
+        return {int(path.stem) for path in self.folder.glob(f"*{SUFFIX}") if path.stem.isdecimal()}
 
     def store(self, number: int, columns: Columns) -> None:
         """Write the arrays of one part, whole or not at all.
@@ -76,9 +76,9 @@ class Parts:
             with safe_open(self._path(number), framework="numpy") as file:
                 facts = file.metadata()
                 columns = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
-        except (OSError, SafetensorError):
-            return None
-        expected = {"run": self.run, "number": str(number), "crc32": _checksum(columns)}
+            expected = {"run": self.run, "number": str(number), "crc32": _checksum(columns)}
+        except (OSError, SafetensorError, TypeError, ValueError, KeyError, AttributeError):
+            return None  # of types that safetensors knows and NumPy does not, too
         return columns if facts == expected else None
 
     def waiting(self, one: str, many: str) -> str:
@@ -179,18 +179,7 @@ def claim(
     folder = output.parent / f".{output.name}.parts"
     if output.is_dir():
         raise DatasetError(f"cannot write {kind} {output}: it is a folder; name a file in it")
-    lock = FileLock(folder / "lock")
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        lock.acquire(timeout=0)
-    except Timeout as error:
-        raise DatasetError(
-            f"another run is making {output}: wait for it to end, or name another file"
-        ) from error
-    except (OSError, NotImplementedError) as error:
-        raise DatasetError(f"cannot write {kind} {output}: {error}") from error
-    with lock:
-        lock.release()  # `with` took it a second time
+    with sole_owner(folder / "lock", f"{kind} {output}", DatasetError):
         if restart:
             _clear(folder)
         text = json.dumps(dict(run), indent=1, sort_keys=True)

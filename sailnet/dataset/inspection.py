@@ -40,6 +40,11 @@ def inspect_dataset(path: Path, bar: "tqdm[Any] | None" = None) -> dict[str, obj
         absent = [name for name in ORIGIN if name not in data.provenance]
         if absent:
             raise DatasetError(f"{path} does not say where it comes from: {', '.join(absent)} is missing")
+        for name in ORIGIN:
+            if not isinstance(said := data.provenance[name], str | float):
+                raise DatasetError(f"{path} does not say where it comes from: {name} is {said!r:.40}")
+        if not data.trajectories:
+            raise DatasetError(f"{path} holds no trajectory; generate it again")
         if bar is not None:
             bar.reset(len(SAMPLES) * data.samples + len(TRAJECTORIES) * data.trajectories)
         check = _Check(path, data, bar)

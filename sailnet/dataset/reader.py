@@ -1,6 +1,5 @@
 """Reading a data set: nothing is taken for a sample that its checksums do not vouch for."""
 
-import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -10,7 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.artefacts.column_files import ColumnFile, open_columns
-from sailnet.dataset.schema import LAYOUT
+from sailnet.artefacts.named_columns import Frame, NamedColumns
+from sailnet.artefacts.untrusted import table_of
+from sailnet.dataset.schema import LAYOUT, SAMPLES
 from sailnet.errors import DatasetError
 from sailnet.mission.mission import Mission, parse_mission
 from sailnet.physics.arrays import Array
@@ -29,14 +30,22 @@ class Dataset:
     """
 
     def __init__(self, path: Path, file: ColumnFile) -> None:
-        self._file = file
-        self.mission: Mission = parse_mission(json.loads(file.text("mission")), str(path))
+        self._path, self._file = path, file
+        try:
+            self.mission: Mission = parse_mission(table_of(file.text("mission")), str(path))
+        except ValueError as error:
+            raise DatasetError(f"{path} is no sailnet data set: its mission: {error}") from error
         self.provenance: dict[str, object] = file.provenance
         self.digest: str = file.digest
         self.trajectories: int = file.rows("trajectories")
         self.samples: int = file.rows("samples")
         first = self.read_trajectories(["first_sample"])["first_sample"]
         self.first_sample: NDArray[np.int64] = np.append(first, self.samples)
+        if self.first_sample[0] != 0 or np.any(np.diff(self.first_sample) < 0):
+            raise DatasetError(
+                f"{path} is no sailnet data set: trajectories/first_sample does not rise from 0 to at most "
+                f"{self.samples}, the number of samples; generate it again"
+            )
 
     @property
     def kind(self) -> str:
@@ -44,16 +53,44 @@ class Dataset:
         return str(self.provenance.get("kind", "box"))
 
     def read(self, names: Sequence[str], start: int, stop: int) -> dict[str, Array]:
-        """Read columns of ``SAMPLES`` between two rows; only :meth:`verify` checks the values.
+        """Read columns of ``SAMPLES`` between two rows; only :meth:`verify` checks the values further.
 
         Raises:
-            DatasetError: the rows cannot be read.
+            DatasetError: the rows cannot be read, or hold something that is no finite number.
         """
-        return self._file.read("samples", names, start, stop)
+        columns = self._file.read("samples", names, start, stop)
+        for name, values in columns.items():
+            if not np.isfinite(values).all():
+                row = start + int(np.argmin(np.isfinite(values)))
+                raise DatasetError(
+                    f"{self._path} is no sailnet data set: samples/{name} of row {row} is not finite; "
+                    "generate it again"
+                )
+        return columns
 
     def read_trajectories(self, names: Sequence[str]) -> dict[str, Array]:
         """Read whole columns of ``TRAJECTORIES``."""
         return self._file.read("trajectories", names, 0, self.trajectories)
+
+    def columns(self, start: int = 0, stop: int | None = None) -> NamedColumns:
+        """All columns of the samples between two rows, with their units; of all rows by default.
+
+        Raises:
+            DatasetError: the rows cannot be read.
+        """
+        read = self.read(list(SAMPLES), start, self.samples if stop is None else stop)
+        return NamedColumns({name: (unit, read[name]) for name, (unit, _) in SAMPLES.items()})
+
+    def to_frame(self, start: int = 0, stop: int | None = None) -> Frame:
+        """:meth:`columns` as a ``pandas.DataFrame``."""
+        return self.columns(start, stop).to_frame()
+
+    def __repr__(self) -> str:
+        units = ", ".join(name if unit == "1" else f"{name} [{unit}]" for name, (unit, _) in SAMPLES.items())
+        return (
+            f"data set {self.kind!r} of mission {self.mission.name!r}: {self.trajectories} optimal "
+            f"trajectories, {self.samples} samples of {units}"
+        )
 
     def verify(self, see: Callable[[str, int, NDArray[Any]], object] | None = None) -> None:
         """Read everything and compare it with the stored SHA-256 checksums.
@@ -69,7 +106,7 @@ class Dataset:
 
 
 @contextmanager
-def open_dataset(path: Path, mission: Mission | None = None) -> Iterator[Dataset]:
+def open_dataset(path: str | Path, mission: Mission | None = None) -> Iterator[Dataset]:
     """Open a data set for reading.
 
     Args:
@@ -78,9 +115,14 @@ def open_dataset(path: Path, mission: Mission | None = None) -> Iterator[Dataset
 
     Raises:
         DatasetError: missing, truncated, damaged, of another schema version or another mission.
+
+    >>> import sailnet
+    >>> with sailnet.open_dataset("build/earth_mars/wide.h5") as dataset:  # doctest: +SKIP
+    ...     print(dataset)
+    ...     frame = dataset.to_frame(0, 10_000)
     """
-    with open_columns(path, LAYOUT) as file:
-        dataset = Dataset(path, file)
+    with open_columns(Path(path), LAYOUT) as file:
+        dataset = Dataset(Path(path), file)
         if mission is not None and dataset.mission.digest() != mission.digest():
             raise DatasetError(
                 f"{path} was made for mission {dataset.mission.name!r} with another problem than "

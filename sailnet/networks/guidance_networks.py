@@ -90,8 +90,8 @@ class GuidanceNetworks:
             recorded = [self.tau.input_min.tolist(), self.tau.input_max.tolist()]
         try:
             box = np.array(recorded, float)
-            ordered = box.shape == (2, 3) and bool((box[0] < box[1]).all())
-        except (TypeError, ValueError):
+            ordered = box.shape == (2, 3) and bool((box[0] < box[1]).all() and np.isfinite(box).all())
+        except (TypeError, ValueError, OverflowError):
             ordered = False
         if not ordered:
             raise NetworkError(

@@ -17,8 +17,10 @@ from safetensors.numpy import save
 from scipy.special import expit
 
 from sailnet.artefacts.files import write_whole
-from sailnet.errors import MissionError, NetworkError
+from sailnet.artefacts.untrusted import table_of
+from sailnet.errors import MissionError, NetworkError, reason
 from sailnet.mission.mission import Mission, parse_mission
+from sailnet.networks.tensor_checks import MOST_BYTES, TEXTS, faults
 from sailnet.physics.arrays import Array
 
 SCHEMA = "sailnet-network/1"
@@ -64,7 +66,8 @@ class Network:
             raise NetworkError(f"network {self.name}: layer shapes {shapes} do not fit together")
         if widths[-1] != 1 or self.input_min.shape != (widths[0],) or self.input_max.shape != (widths[0],):
             raise NetworkError(f"network {self.name}: scaling does not fit the layers")
-        finite = all(np.isfinite(a).all() for a in (*self.weights, *self.biases))
+        scaling = (self.input_min, self.input_max, np.array([self.output_min, self.output_max]))
+        finite = all(np.isfinite(a).all() for a in (*self.weights, *self.biases, *scaling))
         if not finite or not np.all(self.input_min < self.input_max) or not self.output_min < self.output_max:
             raise NetworkError(f"network {self.name}: weights or scaling are not finite and ordered")
 
@@ -116,16 +119,8 @@ def load_network(path: Path) -> Network:
     Raises:
         NetworkError: the file is missing, damaged, of another schema, or holds impossible values.
     """
-    try:
-        with safe_open(path, framework="numpy") as stored:
-            metadata = dict(stored.metadata() or {})
-            tensors = {name: stored.get_tensor(name) for name in stored.keys()}  # noqa: SIM118
-    except (OSError, SafetensorError, UnicodeDecodeError) as error:
-        raise NetworkError(f"cannot read network {path}: {error}") from error
-    if metadata.get("schema") != SCHEMA:
-        raise NetworkError(f"{path} has schema {metadata.get('schema')!r}, this version reads {SCHEMA!r}")
-    expected = metadata.pop("sha256", None)
-    if expected != _digest(tensors, metadata):
+    tensors, metadata = _read(path)
+    if metadata.pop("sha256") != _digest(tensors, metadata):
         raise NetworkError(f"{path} is damaged: its checksum does not match; train or copy it again")
     layers = sum(name.startswith("weight") for name in tensors)
     try:
@@ -138,11 +133,36 @@ def load_network(path: Path) -> Network:
             input_max=tensors["input_max"],
             output_min=float(tensors["output_range"][0]),
             output_max=float(tensors["output_range"][1]),
-            mission=parse_mission(json.loads(metadata["mission"]), str(path)),
-            provenance=json.loads(metadata["provenance"]),
+            mission=parse_mission(table_of(metadata["mission"]), str(path)),
+            provenance=table_of(metadata["provenance"]),
         )
-    except (KeyError, IndexError, ValueError, MissionError) as error:
+    except (ValueError, MissionError) as error:
         raise NetworkError(f"{path} is not a complete network: {error}") from error
+
+
+def _read(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
+    """Tensors and metadata of a file that holds those of a network."""
+    try:
+        if path.exists() and not path.is_file():  # a pipe would be waited for
+            raise OSError("it is no file")
+        if path.stat().st_size > MOST_BYTES:
+            raise OSError(f"it is longer than {MOST_BYTES} bytes, which no network is")
+        with safe_open(path, framework="numpy") as stored:
+            metadata = dict(stored.metadata() or {})
+            if metadata.get("schema") != SCHEMA:
+                raise NetworkError(
+                    f"{path} has schema {metadata.get('schema')!r:.60}, this version reads {SCHEMA!r}"
+                )
+            if metadata.keys() != set(TEXTS):
+                raise NetworkError(
+                    f"{path} is not a complete network: its metadata is {', '.join(sorted(metadata)):.200}, "
+                    f"not {', '.join(TEXTS)}"
+                )
+            for fault in faults(stored):
+                raise NetworkError(f"{path} is not a complete network: {fault}; train or copy it again")
+            return {name: stored.get_tensor(name) for name in stored.keys()}, metadata  # noqa: SIM118
+    except (OSError, SafetensorError, UnicodeDecodeError) as error:
+        raise NetworkError(f"cannot read network {path}: {reason(error)}") from error
 
 
 def _digest(tensors: Mapping[str, Array], metadata: Mapping[str, str]) -> str:

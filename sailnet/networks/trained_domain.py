@@ -78,7 +78,7 @@ class TrainedDomain:
             lower, upper = (tuple(tuple(map(float, row)) for row in given.pop(n)) for n in ("lower", "upper"))
             scales = {name: float(value) for name, value in given.items()}
             return cls(lower=lower, upper=upper, **scales)
-        except (TypeError, ValueError, KeyError) as error:
+        except (TypeError, ValueError, KeyError, OverflowError) as error:
             raise NetworkError(f"the trained domain is damaged: {error}") from error
 
     def excess(self, states: ArrayLike, beta: ArrayLike, target: ArrayLike) -> Array:

@@ -7,26 +7,32 @@ import logging
 import os
 import re
 import signal
-import threading
+import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, ProcessPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache
-from multiprocessing import get_context, parent_process, resource_tracker
+from multiprocessing import active_children, get_context, resource_tracker
 from typing import Any, Generic, TypeVar
 
 from sailnet.artefacts.provenance import environment
 from sailnet.errors import SailnetError
+from sailnet.workers.lifeline import end_with_parent
+from sailnet.workers.presence import PATIENCE, Presence
+from sailnet.workers.stages import make_importable
 
 Result = TypeVar("Result")
 
 LOSSES = 4
 """Workers lost in a row, without a result in between, after which the work is given up."""
 
-PATIENCE = 10
-"""Seconds to wait for a scheduler to answer, and for its first worker."""
+LOOK = 2.0
+"""Seconds between two looks at who is there while a result is waited for."""
+
+WAIT = 600.0
+"""Seconds without any worker of a scheduler after which the work is given up, unless told otherwise."""
 
 
 @dataclass
@@ -47,6 +53,7 @@ class Workers:
         ahead: results under way at once.
         share_files: whether workers see the files of this process.
         lost: what a future raises when its worker is lost.
+        look: called again and again while a result is waited for, if given; may raise.
     """
 
     def __init__(
@@ -55,8 +62,9 @@ class Workers:
         ahead: int,
         share_files: bool = True,
         lost: tuple[type[Exception], ...] = (BrokenExecutor,),
+        look: Callable[[], object] | None = None,
     ) -> None:
-        self._start, self._ahead, self._lost = start, ahead, lost
+        self._start, self._ahead, self._lost, self._look = start, ahead, lost, look
         self.share_files = share_files
         self.executor = start()
 
@@ -83,7 +91,7 @@ class Workers:
                         if task.future is None:
                             task.future = self.executor.submit(function, task.number)
                     assert tasks[0].future is not None
-                    result = tasks[0].future.result()
+                    result = self._result(tasks[0].future)
                 except self._lost as error:
                     losses += 1
                     if losses == LOSSES:
@@ -105,69 +113,82 @@ class Workers:
                 if task.future is not None:
                     task.future.cancel()
 
+    def _result(self, future: Future[Result]) -> Result:
+        while self._look is not None:
+            try:
+                return future.result(LOOK)
+            except TimeoutError:
+                if future.done():
+                    break  # the function's own
+                self._look()
+        return future.result()
+
 
 @contextmanager
-def workers(count: int, scheduler: str | None = None, packages: tuple[str, ...] = ()) -> Iterator[Workers]:
+def workers(
+    count: int, scheduler: str | None = None, packages: tuple[str, ...] = (), wait: float = WAIT
+) -> Iterator[Workers]:
     """Processes of this machine, or the workers of a Dask scheduler if one is named.
 
     Args:
         count: number of processes.
         scheduler: address such as ``tcp://host:8786``.
         packages: beside ``sailnet``, whose source must be the same at the scheduler's workers.
+        wait: see :func:`cluster`.
 
     Raises:
         SailnetError: as :func:`cluster`.
     """
-    with processes(count) if scheduler is None else cluster(scheduler, packages) as found:
+    with processes(count) if scheduler is None else cluster(scheduler, packages, wait) as found:
         yield found
 
 
 @contextmanager
 def processes(count: int) -> Iterator[Workers]:
-    """``count`` processes of this machine; they end with this one, even when it is killed."""
+    """``count`` processes of this machine, which end with this one, even when it is killed.
+
+    An exception in the block ends them at once, whatever they are at. To be used by one thread, whose end
+    would be theirs.
+    """
+    before = set(active_children())
 
     def start() -> Executor:
-        # Ctrl-C is this process's business: workers end what they are at. They inherit the mask.
-        # The tracker comes first: whoever starts it has the signal unmasked on the way.
+        # Ctrl-C and the terminal's end are this process's business: workers, which inherit the mask, end with
+        # it. The tracker comes first: whoever starts it has the signal unmasked on the way.
         resource_tracker.ensure_running()
-        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGHUP})
         try:
-            pool = ProcessPoolExecutor(count, get_context("spawn"), initializer=_follow_parent)
+            pool = ProcessPoolExecutor(count, get_context("spawn"), initializer=end_with_parent)
             for _ in range(count):  # a process starts with a task for which none is idle
                 pool.submit(os.getpid)
         finally:
-            signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         return pool
 
     found = Workers(start, 2 * count)
     try:
         yield found
+    except BaseException:
+        for worker in set(active_children()) - before:
+            worker.kill()
+        raise
     finally:
         found.executor.shutdown(wait=True, cancel_futures=True)
 
 
-def _follow_parent() -> None:
-    parent = parent_process()
-    assert parent is not None
-
-    def end() -> None:
-        parent.join()
-        os._exit(1)
-
-    threading.Thread(target=end, daemon=True).start()
-
-
 @contextmanager
-def cluster(scheduler: str, packages: tuple[str, ...] = ()) -> Iterator[Workers]:
+def cluster(scheduler: str, packages: tuple[str, ...] = (), wait: float = WAIT) -> Iterator[Workers]:
     """The workers of a Dask scheduler, which must compute the very same numbers as this process.
 
     Args:
         scheduler: its address, such as ``tcp://host:8786``.
         packages: beside ``sailnet``, whose source must be the same at the workers.
+        wait: seconds without any worker, at the start or later, after which the work is given up; that they
+            are missing is said before.
 
     Raises:
-        SailnetError: Dask is not installed, the scheduler cannot be reached or has no workers, or
-            a worker has other software or another processor width.
+        SailnetError: Dask is not installed, the scheduler cannot be reached or has no workers for too long,
+            or a worker has other software or another processor width.
     """
     try:
         from distributed import Client, KilledWorker
@@ -175,25 +196,36 @@ def cluster(scheduler: str, packages: tuple[str, ...] = ()) -> Iterator[Workers]
         raise SailnetError(f"no Dask here ({error}): pip install sailnet[cluster]") from error
     if not re.fullmatch(r"\w+://.+:\d+", scheduler):
         raise SailnetError(f"{scheduler!r} is no address of a scheduler: tcp://host:8786 is one")
-    # Its log repeats, at length, what the errors here say.
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    # Their logs repeat, at length and as tracebacks, what the errors here say; each may have its own level.
+    loud = ("distributed", "tornado", "asyncio", "concurrent")
+    for name in (*loud, *logging.root.manager.loggerDict):
+        if name.partition(".")[0] in loud:
+            logging.getLogger(name).setLevel(logging.CRITICAL)
     try:
         client = Client(scheduler, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:
         raise SailnetError(f"cannot reach a Dask scheduler at {scheduler}: {error}") from error
-    with client:
+
+    def count() -> int:
         try:
-            client.wait_for_workers(1, timeout=PATIENCE)
-        except TimeoutError as error:
-            raise SailnetError(
-                f"the scheduler at {scheduler} has no workers: start some with `dask worker {scheduler}`"
-            ) from error
+            assert client.scheduler is not None
+            return len(client.sync(client.scheduler.ncores, workers=None, callback_timeout=PATIENCE))
+        except Exception as error:  # whatever a connection that breaks gives
+            raise OSError(str(error)) from error
+
+    presence = Presence(count, scheduler, wait)
+    try:
+        while not presence.look():
+            time.sleep(min(LOOK, wait))
         expected = _here(packages)
         for address, found in client.run(_here, packages, on_error="return").items():
             _compare(expected, found, f"worker {address}")
         threads = sum(client.nthreads().values())
         executor = _OnEqualTerms(client.get_executor(pure=False), _Terms(expected, packages))
-        yield Workers(lambda: executor, max(8, 2 * threads), False, (KilledWorker,))
+        yield Workers(lambda: executor, max(8, 2 * threads), False, (KilledWorker,), presence.look)
+    finally:
+        with suppress(Exception):  # of a scheduler that is gone there is nothing to take leave of
+            client.close(timeout=LOOK)
 
 
 @dataclass(frozen=True)
@@ -212,11 +244,15 @@ class _OnEqualTerms(Executor):
         self._executor, self._terms = executor, terms
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        return self._executor.submit(self._terms.call, fn, *args, **kwargs)
+        try:
+            return self._executor.submit(self._terms.call, fn, *args, **kwargs)
+        except (OSError, RuntimeError) as error:  # of a connection that is closed
+            raise CancelledError from error
 
 
 @cache
 def _here(packages: tuple[str, ...]) -> dict[str, str]:
+    make_importable()
     return environment(packages)
 
 

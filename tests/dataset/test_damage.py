@@ -37,7 +37,7 @@ def test_a_truncated_file_is_refused(stored: Path, tmp_path: Path) -> None:
             content(path)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_a_flipped_bit_is_refused_or_harmless(stored: Path, tmp_path: Path) -> None:
     raw = stored.read_bytes()
     expected = content(stored)
@@ -127,7 +127,7 @@ def test_a_missing_header_is_noticed(stored: Path, tmp_path: Path, name: str) ->
     "column", ["samples/u", "trajectories/flags", "trajectories/first_sample", "samples"]
 )
 def test_a_missing_column_is_noticed(stored: Path, tmp_path: Path, column: str) -> None:
-    with pytest.raises(DatasetError, match="damaged or no sailnet data set"):
+    with pytest.raises(DatasetError, match=f"is no sailnet data set: {column} is no "):
         content(edited(stored, tmp_path / "edited.h5", lambda file: file.__delitem__(column)))
 
 
@@ -138,9 +138,16 @@ def test_counts_do_not_hang_on_attributes_without_a_checksum(stored: Path, tmp_p
     assert content(edited(stored, tmp_path / "edited.h5", edit)) == content(stored)
 
 
-def test_a_longer_column_is_noticed(stored: Path, tmp_path: Path) -> None:
-    with pytest.raises(DatasetError, match="header does not match its checksum"):
+def test_longer_columns_are_noticed(stored: Path, tmp_path: Path) -> None:
+    with pytest.raises(DatasetError, match="samples/u has 372 rows, the columns beside it 400"):
         content(edited(stored, tmp_path / "edited.h5", lambda file: file["samples/r"].resize(400, axis=0)))
+
+    def all_longer(file: Any) -> None:
+        for name in SAMPLES:
+            file["samples"][name].resize(400, axis=0)
+
+    with pytest.raises(DatasetError, match="header does not match its checksum"):
+        content(edited(stored, tmp_path / "longer.h5", all_longer))
 
 
 def test_another_schema_version_is_refused(stored: Path, tmp_path: Path) -> None:

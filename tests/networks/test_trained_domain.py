@@ -22,7 +22,13 @@ from sailnet.guidance.facts import GuidanceFacts, describe
 from sailnet.guidance.interface import GuidanceStatus, Precision
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import load_network, save_network
-from sailnet.networks.trained_domain import AXES, KNOTS, TrainedDomain, size_and_direction
+from sailnet.networks.trained_domain import (
+    AXES,
+    KNOTS,
+    TrainedDomain,
+    momentum_and_orbit,
+    size_and_direction,
+)
 from sailnet.physics.arrays import Array
 from tests.few_graphs import only_whole_graphs
 from tests.paths import ROOT
@@ -60,7 +66,10 @@ def samples(stored: Path) -> Array:
     return np.asarray(states[part == 0])
 
 
-@pytest.fixture(scope="module", params=[False, True], ids=["paper", "approach"])
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(False, marks=pytest.mark.exhaustive, id="paper"), pytest.param(True, id="approach")],
+)
 def networks(request: pytest.FixtureRequest, domain: TrainedDomain) -> GuidanceNetworks:
     """Random networks of either form with the domain of the small data set."""
     plain = random_guidance((4, 4), (4, 4), (4, 4), approach=request.param)
@@ -100,9 +109,11 @@ def test_the_direction_is_one_of_all_sizes() -> None:
     rng = np.random.default_rng(1)
     step = rng.normal(size=(1000, 3))
     size, direction = size_and_direction(TARGET + step, BETA, TARGET)
-    x = direction[:, :3]
+    x, across = direction[:, :3], direction[:, 3:]
     np.testing.assert_allclose(np.abs(x[:, 0]) + x[:, 1] ** 2 + x[:, 2] ** 2, 1.0, rtol=1e-12)
     np.testing.assert_array_equal(np.sign(x), np.sign(step))
+    sums = [x[:, i] + sign * x[:, j] for i, j in ((0, 1), (0, 2), (1, 2)) for sign in (1.0, -1.0)]
+    np.testing.assert_allclose(across.T, sums, atol=1e-15)
     # Distances shrink with the square of the time, speeds with the time.
     shrunk = size_and_direction(TARGET + step * [1e-4, 1e-2, 1e-2], BETA, TARGET)
     np.testing.assert_allclose(shrunk[0], 1e-2 * size, rtol=1e-8)
@@ -111,6 +122,18 @@ def test_the_direction_is_one_of_all_sizes() -> None:
     slow = TARGET - np.array([0.0, 0.0, BETA / TARGET[0] ** 2])
     (one,), ((*_, last),) = size_and_direction([slow], BETA, TARGET)
     assert (one, last) == (pytest.approx(1.0), pytest.approx(1.0))
+
+
+def test_momentum_and_energy_are_those_of_the_orbit() -> None:
+    """Circles; and a parabola, whose energy is nothing, at its nearest point and on its way out."""
+    radius = np.array([0.7, 1.0, 1.5])
+    momentum, orbit = momentum_and_orbit(np.column_stack([radius, 0.0 * radius, radius**-0.5]))
+    np.testing.assert_allclose(momentum, np.sqrt(radius), rtol=1e-15)
+    np.testing.assert_allclose(orbit, np.column_stack([0.0 * radius, -0.5 / radius]), rtol=1e-14)
+    escape = np.sqrt(2.0 / radius)
+    for u, v in ((0.0, 1.0), (0.6, 0.8)):
+        _, orbit = momentum_and_orbit(np.column_stack([radius, u * escape, v * escape]))
+        np.testing.assert_allclose(orbit, np.column_stack([u * escape, 0.0 * radius]), atol=1e-15)
 
 
 def test_bounds_lie_on_all_samples_and_nowhere_without_need() -> None:

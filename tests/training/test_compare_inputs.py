@@ -68,7 +68,7 @@ def test_errors_are_scaled_and_leave_arrivals_out(mission: Mission) -> None:
     assert squared_errors(TARGETS["box"]["tau"], np.abs(alpha), test, 1.0, phi_max) == (0.0, None)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(
     ("module", "arguments", "rows"),
     [

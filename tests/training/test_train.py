@@ -1,8 +1,12 @@
 """Training runs: the split, what is stored, interruption and resumption."""
 
 import json
+import signal
 import subprocess
 import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,6 +18,8 @@ from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.errors import DatasetError, NetworkError
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.networks.network import load_network
+from tests.toy_pipeline import toy_mission
+from tests.workers.test_lifeline import gone
 from training.samples import load_samples, split_trajectories
 from training.targets import TARGETS as ALL_TARGETS
 from training.targets import command_error
@@ -177,7 +183,7 @@ def test_checkpoint_of_another_run_or_damaged_is_refused(dataset: Path, tmp_path
     checkpoint = tmp_path / "tau.checkpoint.npz"
     content = checkpoint.read_bytes()
     checkpoint.write_bytes(content[: len(content) // 2])
-    with pytest.raises(NetworkError, match="without --resume"):
+    with pytest.raises(NetworkError, match="say --overwrite"):
         train_network(dataset, _mission(), TARGETS["tau"], tmp_path, resume=True)
     assert train_network(dataset, _mission(), TARGETS["tau"], tmp_path).provenance["epochs"] == 14
 
@@ -219,7 +225,7 @@ def test_unusable_device_is_named(dataset: Path, tmp_path: Path) -> None:
         train_network(dataset, _mission(), TARGETS["tau"], tmp_path, "no_such_device")
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_command_trains_in_parallel_and_reports_bad_input(dataset: Path, tmp_path: Path) -> None:
     def run(*arguments: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
@@ -238,3 +244,79 @@ def test_command_trains_in_parallel_and_reports_bad_input(dataset: Path, tmp_pat
     assert "none.h5" in missing.stderr
     assert "Traceback" not in missing.stderr
     assert run(str(dataset), str(tmp_path), "--epochs", "0").returncode == 2
+
+    weights = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    for options, why in (((), "is there already"), (("--resume",), "is of a run with another")):
+        refused = run(str(dataset), str(tmp_path), "--network", "tau", "--epochs", "1", *options)
+        assert refused.returncode == 1
+        assert f"tau.safetensors {why}" in refused.stderr
+        assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == weights
+
+
+def endless(dataset: Path, folder: Path, beside: Path) -> list[str]:
+    """A command that trains two networks and never comes to an end."""
+    small = {"train_samples": "600", "curvature_samples": "200", "validation_samples": "100"}
+    mission = toy_mission(beside, small | {"patience": "1000000", "epochs": "1000000", "goal": "1e-300"})
+    mission.write_text(mission.read_text().replace('name = "toy"', 'name = "earth_mars"'))  # the data set's
+    names = ("--network", "tau", "--network", "lambda_v", "--workers", "2")
+    return [sys.executable, "-m", "training", str(dataset), str(folder), "--mission", str(mission), *names]
+
+
+@contextmanager
+def training(
+    dataset: Path, folder: Path, beside: Path
+) -> "Iterator[tuple[subprocess.Popen[str], list[int]]]":
+    """Two networks after some epochs, and the processes at it."""
+    with subprocess.Popen(endless(dataset, folder, beside), stderr=subprocess.PIPE, text=True) as run:
+        give_up = time.monotonic() + 600
+        while len(list(folder.glob("*.checkpoint.npz"))) < 2:
+            assert run.poll() is None
+            assert time.monotonic() < give_up
+            time.sleep(0.01)
+        listed = Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()
+        assert len(listed) > 2  # with the tracker of resources
+        yield run, [int(pid) for pid in listed]
+        run.kill()
+
+
+@pytest.mark.exhaustive
+def test_no_worker_outlives_a_killed_training(dataset: Path, tmp_path: Path) -> None:
+    """Or it would put its network in the place of a later run's."""
+    folder = tmp_path / "networks"
+    with training(dataset, folder, tmp_path) as (run, workers):
+        run.kill()
+        run.wait()
+        gone(workers, 5.0)
+        left = {path.name: path.stat().st_mtime_ns for path in folder.iterdir()}
+        assert not list(folder.glob("*.safetensors"))
+        time.sleep(1.0)
+        assert {path.name: path.stat().st_mtime_ns for path in folder.iterdir()} == left
+
+
+@pytest.mark.slow
+def test_a_second_training_is_refused_and_a_signal_ends_the_first_in_words(
+    dataset: Path, tmp_path: Path
+) -> None:
+    folder = tmp_path / "networks"
+    with training(dataset, folder, tmp_path) as (run, workers):
+        second = subprocess.run(
+            [sys.executable, "-m", "training", str(dataset), str(folder), "--overwrite"],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert second.returncode == 1
+        assert second.stderr.startswith(
+            f"error: another run is making networks in {folder} (process {run.pid} on "
+        )
+        began = time.monotonic()
+        run.terminate()
+        assert run.stderr is not None
+        said = run.stderr.read()
+        assert run.wait() == 128 + signal.SIGTERM
+        assert time.monotonic() - began < 5.0
+        way_on = f"the same command with --resume goes on with what is in {folder}"
+        assert said == f"interrupted by SIGTERM: {way_on}\n"
+        gone(workers, 5.0)
+    kept = {path.name for path in folder.iterdir() if path.suffix != ".part"}
+    assert kept == {"tau.checkpoint.npz", "lambda_v.checkpoint.npz"}

@@ -5,18 +5,21 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager
 from functools import partial
+from importlib.util import find_spec
 from itertools import count, islice
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pytest
 
 import sailnet.workers.executors
+import sailnet.workers.presence
 from data.generate import generate
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.run import fly_plan
@@ -149,6 +152,7 @@ def worker(address: str, folder: Path, *arguments: str, paths: str = str(ROOT)) 
     return dask("dask_worker", address, *common, *arguments, folder=folder, paths=paths)
 
 
+@pytest.mark.exhaustive
 def test_a_cluster_that_loses_a_worker_gives_the_same_data_set(
     scheduler: str, mission: Mission, tmp_path: Path
 ) -> None:
@@ -182,6 +186,14 @@ def _workers_of(scheduler: str) -> list[str]:
 
     with Client(scheduler, set_as_default=False) as client:
         return list(client.scheduler_info()["workers"])
+
+
+def until_there(scheduler: str) -> None:
+    """A worker at least."""
+    until = time.monotonic() + 60
+    while not _workers_of(scheduler):
+        assert time.monotonic() < until
+        time.sleep(0.1)
 
 
 @pytest.mark.exhaustive
@@ -242,6 +254,7 @@ def test_a_worker_that_would_compute_something_else_is_refused(scheduler: str, t
         pass
 
 
+@pytest.mark.exhaustive
 def test_so_is_one_that_joins_later(scheduler: str, tmp_path: Path) -> None:
     script = tmp_path / "preload.py"
     script.write_text(NARROW)
@@ -255,23 +268,86 @@ def test_so_is_one_that_joins_later(scheduler: str, tmp_path: Path) -> None:
             list(islice(results, 400))
 
 
-def test_a_worker_without_the_recipes_is_refused(scheduler: str, tmp_path: Path) -> None:
-    with (
-        worker(scheduler, tmp_path, paths=str(tmp_path)),
-        pytest.raises(SailnetError, match=r"cannot run sailnet|would compute other numbers"),
-        cluster(scheduler, ("data",)),
-    ):
-        pass
+def test_a_worker_finds_the_recipes_beside_sailnet(scheduler: str, tmp_path: Path) -> None:
+    """Wherever it was started: here neither of its folders holds them."""
+    with worker(scheduler, tmp_path, paths=str(tmp_path)), cluster(scheduler, ("data",)) as workers:
+        (found,) = cast(Any, workers).map(find_spec, ["data.recipes"])
+    assert found.origin == str(ROOT / "data" / "recipes.py")
 
 
 def test_a_cluster_that_is_not_there(scheduler: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sailnet.workers.executors, "PATIENCE", 1)
-    with pytest.raises(SailnetError, match="has no workers: start some"), cluster(scheduler):
+    with pytest.raises(SailnetError, match=r"no workers at .*: start some"), cluster(scheduler, wait=1.0):
         pass
     with pytest.raises(SailnetError, match=r"cannot reach a Dask scheduler at tcp://127\.0\.0\.1:1"):
         cluster("tcp://127.0.0.1:1").__enter__()
     with pytest.raises(SailnetError, match="'nowhere' is no address"):
         cluster("nowhere").__enter__()
+
+
+@pytest.mark.exhaustive
+def test_all_workers_are_lost_and_others_come(
+    scheduler: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sailnet.workers.presence, "PATIENCE", 1.0)
+    monkeypatch.setattr(sailnet.workers.executors, "LOOK", 0.2)
+    with ExitStack() as stack:
+        first = stack.enter_context(worker(scheduler, tmp_path))
+        until_there(scheduler)
+        workers = stack.enter_context(cluster(scheduler))
+        results = workers.map(slow, range(60))
+        assert [next(results) for _ in range(3)] == [0, 1, 2]
+        assert capsys.readouterr().err == ""
+        first.kill()
+        first.wait()
+        threading.Timer(4.0, lambda: stack.enter_context(worker(scheduler, tmp_path))).start()
+        assert list(results) == list(range(3, 60))
+    said = capsys.readouterr().err.splitlines()
+    assert said[0].startswith(f"no workers at {scheduler}: waiting up to 600 s; start some with")
+    assert said[1:] == [f"workers at {scheduler} again: going on"]
+
+
+def test_all_workers_are_lost_and_none_comes(
+    scheduler: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sailnet.workers.executors, "LOOK", 0.2)
+    with worker(scheduler, tmp_path) as only:
+        until_there(scheduler)
+        with cluster(scheduler, wait=2.0) as workers:
+            results = workers.map(slow, range(60))
+            assert next(results) == 0
+            only.kill()
+            with pytest.raises(SailnetError, match=r"no workers at .* for \d+ s: .*the same command again"):
+                list(results)
+
+
+def test_the_scheduler_is_lost(tmp_path: Path) -> None:
+    """A run of its own, which says so in a line and no more."""
+    (tmp_path / "s").mkdir()
+    facts = tmp_path / "s" / "facts.json"
+    arguments = ("--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(facts))
+    with dask("dask_scheduler", *arguments, folder=tmp_path / "s") as lost:
+        until = time.monotonic() + 60
+        while not facts.exists():
+            assert time.monotonic() < until
+            time.sleep(0.05)
+        address = json.loads(facts.read_text())["address"]
+        with worker(address, tmp_path):
+            command = [sys.executable, "-m", "tests.workers.on_a_cluster", address]
+            with subprocess.Popen(
+                command,
+                cwd=ROOT,
+                env=os.environ | {"PYTHONPATH": str(ROOT)},
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                text=True,
+            ) as run:
+                assert run.stdout is not None
+                assert run.stdout.readline() == "begun\n"
+                lost.kill()
+                _, said = run.communicate(timeout=60)
+    assert said == "error: the scheduler is gone: start it and its workers again\n"
+    assert run.returncode == 1
 
 
 def test_without_dask_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,0 +1,148 @@
+"""Commands that write something, at toy size, and what of their product has to be the same every time.
+
+Digests are of content: the date of an artefact is in none of them.
+"""
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from benchmarks.fuzz_loaders.hostile import as_toml
+from sailnet.campaign.results import open_results
+from sailnet.dataset import open_dataset
+from sailnet.guidance.backends import exported_digest
+from sailnet.guidance.facts import describe
+from sailnet.mission.mission import load_mission
+from sailnet.networks.guidance_networks import load_guidance_networks
+
+ROOT = Path(__file__).parents[2]
+
+CAMPAIGN = """schema = 1
+name = "many"
+title = "Many"
+flights = 150
+sample = 0
+optima = 0
+[[series]]
+name = "a"
+periods = [0.006, 0.007, 0.008, 0.009, 0.01, 0.011, 0.012, 0.013]
+"""
+
+
+@dataclass(frozen=True)
+class Work:
+    """One command.
+
+    Attributes:
+        name: in the table.
+        arguments: after ``python -m``, writing into a folder; the same command goes on with what it left.
+        digest: of what it wrote there; raises ``SailnetError`` where that is not whole.
+        lock: the file in that folder that tells a second writer.
+        spreads: whether it takes ``--scheduler``.
+        reads: the work whose product it needs.
+    """
+
+    name: str
+    arguments: Callable[[Path], Sequence[str]]
+    digest: Callable[[Path], str]
+    lock: str
+    spreads: bool = False
+    reads: str = ""
+
+    def start(self, folder: Path, *more: str) -> "subprocess.Popen[str]":
+        """Begin, in a session of its own."""
+        return subprocess.Popen(
+            [sys.executable, "-m", *self.arguments(folder), *more],
+            cwd=ROOT, env=os.environ | {"PYTHONPATH": str(ROOT)}, text=True, start_new_session=True,
+            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+        )  # fmt: skip
+
+    def complete(self, folder: Path, *more: str) -> tuple[int, str, float]:
+        """Exit status, what was said on stderr, and seconds."""
+        started = time.monotonic()
+        run = self.start(folder, *more)
+        _, said = run.communicate()
+        return run.returncode, said, time.monotonic() - started
+
+    def leftovers(self, folder: Path) -> list[str]:
+        """Files of unfinished work beside the product."""
+        return [
+            path.name for path in folder.rglob(".*") if path.suffix in (".part", ".parts") and path.exists()
+        ]
+
+
+def toy_mission(folder: Path) -> Path:
+    """The Earth-Mars mission with small recipes, as a file."""
+    content: dict[str, Any] = load_mission("earth_mars").model_dump(by_alias=True, mode="json")
+    content["name"] = "toy"
+    content["generalisation"] = {"r": [1.0, 1.02], "u": [0.0, 0.02], "v": [1.0, 1.02]}
+    content["flight"]["longest"] = 12.0
+    content["disturbance"] = {}
+    content["dataset"]["wide"] |= {"levels": 2, "starts": 16, "approaches": 80, "around": 8}
+    content["dataset"]["domain"] |= {"trajectories": 200}
+    content["dataset"]["box"] |= {"trajectories": 1500, "samples_per_trajectory": 31}
+    small = {"hidden": [8, 8], "train_samples": 1500, "curvature_samples": 800, "validation_samples": 500}
+    for recipe in content["training"].values():
+        recipe |= {**small, "epochs": 40}
+    (folder / "toy.toml").write_text(as_toml(content))
+    return folder / "toy.toml"
+
+
+def works(folder: Path) -> list[Work]:
+    """Every command, in the order in which they read each other's products from ``folder/reference``."""
+    mission, reference = str(toy_mission(folder)), folder / "reference"
+    (folder / "many.toml").write_text(CAMPAIGN)
+
+    def dataset_digest(path: Path) -> str:
+        with open_dataset(path) as found:
+            found.verify()
+            return found.digest
+
+    def data(recipe: str) -> Work:
+        return Work(
+            f"data, {recipe}",
+            lambda into: ["data", str(into / "x.h5"), "--mission", mission, "--recipe", recipe, "--quiet"],
+            lambda into: dataset_digest(into / "x.h5"),
+            ".x.h5.parts/lock",
+            spreads=True,
+        )
+
+    learned = reference / "data, wide" / "x.h5"
+    trained = reference / "training" / "networks"
+    return [
+        *(data(recipe) for recipe in ("box", "domain", "wide")),
+        Work(
+            "training",
+            lambda into: ["training", str(learned), str(into / "networks"), "--resume", "--quiet"],
+            lambda into: _networks(into / "networks"),
+            "networks/.lock",
+            reads="data, wide",
+        ),
+        Work(
+            "export",
+            lambda into: ["export", str(trained), str(into / "x"), "--mission", mission, "--overwrite"],
+            lambda into: exported_digest(load_mission(mission), into / "x"),
+            "x/.lock",
+            reads="training",
+        ),
+        Work(
+            "campaign",
+            lambda into: [
+                *("sailnet.cli", "evaluate", "--campaign", str(folder / "many.toml"), "--json"),
+                *("--output", str(into)),
+            ],
+            lambda into: open_results(into / "many.h5").digest,
+            ".many.h5.parts/lock",
+            spreads=True,
+        ),
+    ]
+
+
+def _networks(folder: Path) -> str:
+    networks = load_guidance_networks(folder)
+    return describe(networks, networks.mission).networks_digest

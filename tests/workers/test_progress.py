@@ -1,0 +1,42 @@
+"""Bars of progress."""
+
+import io
+import time
+
+import pytest
+
+from sailnet.workers.progress import progress
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_the_clock_goes_on_while_the_first_piece_is_under_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = Terminal()
+    monkeypatch.setattr("sys.stderr", terminal)
+    began = time.monotonic()
+    with progress(3, "flight", "toy") as bar:
+        while "[00:02<" not in terminal.getvalue() and time.monotonic() - began < 60.0:
+            time.sleep(0.05)
+        before = terminal.getvalue()
+        bar.update(3)
+    assert "toy:   0%" in before
+    assert "[00:01<" in before
+    assert "[00:02<" in before
+    assert "3/3" in terminal.getvalue()
+    after = terminal.getvalue()
+    time.sleep(1.5)
+    assert terminal.getvalue() == after
+
+
+@pytest.mark.parametrize(("quiet", "stream"), [(True, Terminal()), (False, io.StringIO())])
+def test_there_is_no_bar_where_nobody_looks(
+    quiet: bool, stream: io.StringIO, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stderr", stream)
+    with progress(2, "flight", quiet=quiet) as bar:
+        time.sleep(1.2)
+        bar.update()
+    assert stream.getvalue() == ""
