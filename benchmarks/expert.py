@@ -5,7 +5,8 @@ import time
 import numpy as np
 
 from benchmarks import scipy_peer
-from sailnet.expert.fastest import RESIDUAL_GOAL, Optima, solve, solve_states
+from sailnet.expert.fastest import solve, solve_states
+from sailnet.expert.optima import RESIDUAL_GOAL, Optima
 from sailnet.flight.starts import random_starts
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array

@@ -10,6 +10,7 @@ constant controls are slower than the best ones, so the time found is an upper b
 the square of an interval, but for what a jump or a corner in one costs. The force is tests.photons'.
 """
 
+from collections.abc import Callable
 from dataclasses import astuple, dataclass
 from itertools import product
 from typing import Any
@@ -101,6 +102,17 @@ class _Program:
         return np.concatenate([states.ravel("F"), controls, [time]])
 
 
+def runge_kutta(slope: Callable[[Any], Any], x: Any, step: Any) -> Any:
+    """The state after ``STEPS`` steps of order 4."""
+    for _ in range(STEPS):
+        k1 = slope(x)
+        k2 = slope(x + step / 2 * k1)
+        k3 = slope(x + step / 2 * k2)
+        k4 = slope(x + step * k3)
+        x = x + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    return x
+
+
 def _interval(beta: float, sail: Sail) -> Any:
     """(state, size of the angle, side, step) -> the state after ``STEPS`` Runge-Kutta steps."""
     start, alpha, side, step = (
@@ -113,11 +125,5 @@ def _interval(beta: float, sail: Sail) -> Any:
         outwards = beta * radial / r**2 + v**2 / r - 1 / r**2
         return ca.vertcat(u, outwards, beta * side * transverse / r**2 - u * v / r)
 
-    x = start
-    for _ in range(STEPS):
-        k1 = slope(x)
-        k2 = slope(x + step / 2 * k1)
-        k3 = slope(x + step / 2 * k2)
-        k4 = slope(x + step * k3)
-        x = x + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    x = runge_kutta(slope, start, step)
     return ca.Function("interval", [start, alpha, side, step], [x])

@@ -30,6 +30,9 @@ ITERATIONS = 15
 Family = Callable[[Array], AnyTransfer]
 """From (n,) shares of the way to the problems there."""
 
+Way = Callable[[Array], Array]
+"""From (n,) shares of the way to the states there."""
+
 
 @dataclass(frozen=True)
 class Followed:
@@ -46,7 +49,7 @@ class Followed:
     passed: Array
 
 
-def follow(family: Family, states: Array, directions: Array, tau: Array) -> Followed:
+def follow(family: Family, states: Array | Way, directions: Array, tau: Array) -> Followed:
     """Follow branches of extremals through a family of problems.
 
     The arrival direction and the time are predicted along the last secant. A step is halved when Newton's
@@ -54,14 +57,19 @@ def follow(family: Family, states: Array, directions: Array, tau: Array) -> Foll
 
     Args:
         family: of problems; ``family(zeros)`` is what the given extremals solve.
-        states: (n, 3) r [AU], u, v [AU/TU] where they start.
-        directions: (n, 3) their arrival costates; only the direction counts.
+        states: (n, 3) r [AU], u, v [AU/TU] where they start, or (n, 5) in space; or how those move on the
+            way.
+        directions: (n, 3), or (n, 5), their arrival costates; only the direction counts.
         tau: (n,) their times of flight [TU].
     """
     point = np.column_stack([directions / np.linalg.norm(directions, axis=1, keepdims=True), tau])
     previous, count = point.copy(), len(point)
     share, before, step = np.zeros(count), np.zeros(count), np.full(count, FIRST_STEP)
     passed = [share.copy()]
+
+    def states_at(shares: Array) -> Array:
+        return states(shares) if callable(states) else states
+
     while True:
         active = np.flatnonzero((share < 1.0) & (step >= SMALLEST_STEP) & np.isfinite(point).all(axis=1))
         if not len(active):
@@ -74,9 +82,9 @@ def follow(family: Family, states: Array, directions: Array, tau: Array) -> Foll
         )
         guess = point[active] + stretch[:, None] * (point[active] - previous[active])
         transfer = family(ahead).rows(active)
-        shots = shoot(transfer, states[active], guess[:, :3], guess[:, 3], GOAL, ITERATIONS)
+        shots = shoot(transfer, states_at(ahead)[active], guess[:, :-1], guess[:, -1], GOAL, ITERATIONS)
         allowed = np.where(known > 0.0, LARGEST_DEVIATION, LARGEST_FIRST)
-        near = np.abs(shots.tau - guess[:, 3]) <= allowed * guess[:, 3]
+        near = np.abs(shots.tau - guess[:, -1]) <= allowed * guess[:, -1]
         arrives = arrival_gain(transfer, shots.directions) < 0.0
         good = (shots.residual <= GOAL) & near & arrives
         won = active[good]
@@ -86,6 +94,6 @@ def follow(family: Family, states: Array, directions: Array, tau: Array) -> Foll
         step[active] *= np.where(good, 2.0, 0.5)
         passed.append(share.copy())
     ended = np.flatnonzero(share == 1.0)
-    shots, at = Shots.not_flown(point[:, :3], point[:, 3]), point[ended]
-    shots.put(ended, shoot(family(share).rows(ended), states[ended], at[:, :3], at[:, 3]))
+    shots, at = Shots.not_flown(point[:, :-1], point[:, -1]), point[ended]
+    shots.put(ended, shoot(family(share).rows(ended), states_at(share)[ended], at[:, :-1], at[:, -1]))
     return Followed(shots, share, np.array(passed))

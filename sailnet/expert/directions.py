@@ -1,4 +1,4 @@
-"""Triangles of arrival directions: the sphere in even pieces, and pieces of pieces."""
+"""Arrival directions: the sphere in even triangles and pieces of them, and its tangent planes."""
 
 import itertools
 from functools import cache
@@ -51,3 +51,22 @@ def _with_midpoints(directions: Array, edges: Rows) -> tuple[Array, Rows]:
     middle = directions[unique[:, 0]] + directions[unique[:, 1]]
     middle /= np.linalg.norm(middle, axis=1, keepdims=True)
     return np.concatenate([directions, middle]), len(directions) + inverse.ravel()
+
+
+def tangent_plane(directions: Array) -> Array:
+    """(n, 3, 2) two orthonormal vectors across each of (n, 3) unit vectors; or four, (n, 5, 4)."""
+    if directions.shape[1] > 3:
+        return _mirrored_axes(directions)
+    # Cross products with the axis that is farthest from the vector.
+    axis = np.eye(3)[np.argmin(np.abs(directions), axis=1)]
+    first = np.cross(directions, axis)
+    first /= np.linalg.norm(first, axis=1, keepdims=True)
+    return np.stack([first, np.cross(directions, first)], axis=2)
+
+
+def _mirrored_axes(directions: Array) -> Array:
+    """(n, k, k - 1) all axes but the first, mirrored as that is into each of (n, k) unit vectors."""
+    side = np.copysign(1.0, directions[:, :1])
+    normal = directions + side * np.eye(directions.shape[1])[0]
+    share = normal[:, 1:] / (1.0 + np.abs(directions[:, :1]))
+    return np.asarray(np.eye(directions.shape[1])[:, 1:] - normal[:, :, None] * share[:, None, :])

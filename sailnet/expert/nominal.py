@@ -13,7 +13,8 @@ import numpy as np
 
 from sailnet.errors import SolveError
 from sailnet.expert.continuation import follow
-from sailnet.expert.fastest import RESIDUAL_GOAL, Extremal, extremal_of, solve
+from sailnet.expert.fastest import solve
+from sailnet.expert.optima import RESIDUAL_GOAL, Extremal, extremal_of
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.transfer import Transfer

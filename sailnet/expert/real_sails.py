@@ -4,13 +4,15 @@ A flight is judged by the shortest time of its very sail. To index the extremals
 a second or more each; an optimum of the nominal sail is followed to the sail that flew in milliseconds.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.expert.continuation import follow
-from sailnet.expert.fastest import Optima, optima_of, put, solve_states
+from sailnet.expert.fastest import solve_states
+from sailnet.expert.optima import Optima, optima_of, put
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS, Optics
 from sailnet.physics.real_law import RealLaw
@@ -23,7 +25,7 @@ def own_optima(
     arrival_costates: Array,
     times_of_flight: Array,
     beta: Array,
-    optics: Optics = OPTICS["ideal"],
+    optics: Optics | Sequence[Optics] = OPTICS["ideal"],
     *,
     search: bool = True,
 ) -> tuple[Optima, NDArray[np.bool_]]:
@@ -39,25 +41,28 @@ def own_optima(
         arrival_costates: (n, 3) of the nominal sail's optima from there; NaN if not known.
         times_of_flight: (n,) of those [TU].
         beta: (n,) normalised characteristic accelerations of the sails.
-        optics: of the sails. If these or the nominal's are not ideal, the exact law is solved for, delta = 0.
+        optics: of all the sails, or n, of each. If these or the nominal's are not ideal, the exact law is
+            solved for, delta = 0.
         search: solve anew what cannot be followed, which takes many seconds a sail; else it is not found.
 
     Returns:
         The optima of the sails, ``searched`` NaN unless solved anew; and (n,) which of them were or would be.
     """
     beta = np.asarray(beta, float)
-    ends = np.array([transfer.optics.force, optics.force])
-    ideal = transfer.law is None and (ends[0] == ends[1]).all()
-    own = replace(transfer, delta=transfer.delta if ideal else 0.0, optics=optics)
+    kinds = [optics] * len(beta) if isinstance(optics, Optics) else list(optics)
+    end = np.array([one.force for one in kinds]).reshape(-1, 3)
+    ideal = transfer.law is None and (end == transfer.optics.force).all()
+    common = replace(transfer, delta=transfer.delta if ideal else 0.0)
 
     def sails(shares: Array) -> Transfers:
-        law = None if ideal else RealLaw.of(ends[0] + shares[:, None] * (ends[1] - ends[0]), transfer.phi_max)
-        return Transfers(own, transfer.beta + shares * (beta - transfer.beta), law)
+        between = transfer.optics.force + shares[:, None] * (end - transfer.optics.force)
+        law = None if ideal else RealLaw.of(between, transfer.phi_max)
+        return Transfers(common, transfer.beta + shares * (beta - transfer.beta), law)
 
     followed = follow(sails, states, arrival_costates, times_of_flight)
     optima = optima_of(sails(np.ones(len(beta))), states, followed.shots)
     anew = ~optima.found
     for row in np.flatnonzero(anew) if search else ():
-        very = replace(own, beta=float(beta[row]))
+        very = replace(common, beta=float(beta[row]), optics=kinds[row])
         put(optima, np.array([row]), solve_states(very, states[[row]]))
     return optima, anew

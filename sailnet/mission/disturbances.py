@@ -6,15 +6,18 @@ plant in C; this is where they are described, checked and read.
 """
 
 import math
+import sys
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields
 from typing import Any
 
-from sailnet.errors import SailnetError
+from sailnet.errors import SailnetError, did_you_mean
 from sailnet.physics.optics import OPTICS, Optics, is_number, optics_from
 
 DAYS_PER_TU = 365.25 / (2.0 * math.pi)
 """A year is 2 pi TU, within 3e-5 of its length."""
+
+LARGEST = sys.float_info.max
 
 DEGREES_PER_DAY = math.degrees(1.0) / DAYS_PER_TU
 """What 1 rad/TU is in degrees a day."""
@@ -22,6 +25,11 @@ DEGREES_PER_DAY = math.degrees(1.0) / DAYS_PER_TU
 
 def _quantity(unit: str, meaning: str, default: Any = 0.0) -> Any:
     return field(default=default, metadata={"unit": unit, "meaning": meaning})
+
+
+def _drawn_coefficient(name: str) -> Any:
+    of = name.replace("_", " ")
+    return _quantity("1", f"half-width of a constant error of the {of}, drawn uniformly for each flight")
 
 
 _SHOWN = {"r": "the distance from the Sun", "u": "the radial speed", "v": "the transverse speed"}
@@ -106,17 +114,23 @@ class Disturbance:
             "meaning": f"optical coefficients, where not the mission's: {' or '.join(OPTICS)}",
         },
     )
+    reflectivity_spread: float = _drawn_coefficient("reflectivity")
+    specularity_spread: float = _drawn_coefficient("specularity")
+    front_emissivity_spread: float = _drawn_coefficient("front_emissivity")
+    back_emissivity_spread: float = _drawn_coefficient("back_emissivity")
+    front_lambertian_spread: float = _drawn_coefficient("front_lambertian")
+    back_lambertian_spread: float = _drawn_coefficient("back_lambertian")
     seed: int = _quantity("", "of every random number", 0)
 
     def __post_init__(self) -> None:
         if self.optics is not None and not isinstance(self.optics, Optics):
             raise SailnetError(f"optics must be one of {', '.join(OPTICS)}, not {self.optics!r}")
         if isinstance(self.seed, bool) or not isinstance(self.seed, int) or not 0 <= self.seed < 2**64:
-            raise SailnetError(f"seed must be a whole number from 0 to 2^64 - 1, not {self.seed!r}")
+            raise SailnetError(f"seed must be a whole number from 0 to 2^64 - 1, not {self.seed!r:.60}")
         for name in NAMES:
             value = getattr(self, name)
-            if not is_number(value) or not math.isfinite(value):
-                raise SailnetError(f"{name} must be a finite number, not {value!r}")
+            if not is_number(value) or not abs(value) <= LARGEST:  # false of NaN, too
+                raise SailnetError(f"{name} must be a finite number, not {value!r:.60}")
             low, high = _LIMITS.get(name, (-math.inf, math.inf) if name in _SIGNED else (0.0, math.inf))
             if not low <= value <= high:
                 raise SailnetError(f"{name} must be from {low:g} to {high:g}, not {value:g}")
@@ -187,7 +201,10 @@ def disturbance_from(table: Mapping[str, object], otherwise: Disturbance | None 
     """
     known = {item.name for item in fields(Disturbance)}
     if unknown := sorted(set(table) - known):
-        raise SailnetError(f"no disturbance {', '.join(unknown)}; known are {', '.join(sorted(known))}")
+        raise SailnetError(
+            f"no disturbance {', '.join(unknown)}; known are {', '.join(sorted(known))}"
+            f"{did_you_mean(unknown[0], known)}"
+        )
     given: dict[str, Any] = dict(table)
     if given.get("optics") is not None:
         given["optics"] = optics_from(given["optics"])
@@ -199,3 +216,17 @@ def switched_on(disturbance: Disturbance) -> dict[str, object]:
     """What differs from no disturbance at all, by name, for reports."""
     off = asdict(Disturbance())
     return {name: value for name, value in asdict(disturbance).items() if value != off[name]}
+
+
+def worded(disturbance: Disturbance) -> str:
+    """What differs from no disturbance at all in words, without the seed."""
+    on = switched_on(disturbance)
+    if disturbance.optics is not None:
+        known = {optics: name for name, optics in OPTICS.items()}
+        on["optics"] = known.get(disturbance.optics, on["optics"])
+    given = {
+        name: f"{value:g}" if isinstance(value, float) else str(value)
+        for name, value in on.items()
+        if name != "seed"
+    }
+    return ", ".join(f"{name} = {value}" for name, value in given.items()) or "nothing"

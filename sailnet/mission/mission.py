@@ -7,17 +7,35 @@ what is wrong is reported by key, value and what is allowed.
 import hashlib
 import json
 import math
+from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated, Literal
 
-from pydantic import Field, ValidationError
+from pydantic import (
+    Field,
+    SerializerFunctionWrapHandler,
+    ValidationError,
+    ValidationInfo,
+    field_validator,
+    model_serializer,
+)
 
-from sailnet.errors import MissionError
+from sailnet.errors import MissionError, SailnetError
+from sailnet.mission.derived import completed, derived_values, in_usual_units
 from sailnet.mission.disturbances import Disturbance, disturbance_from
 from sailnet.mission.explanation import explain
 from sailnet.mission.recipes import Recipes, Training
-from sailnet.mission.sections import FlightRules, Orbits, Region, Sail, Section, read_by
+from sailnet.mission.sections import (
+    NO_DEGRADATION,
+    Degradation,
+    FlightRules,
+    Orbits,
+    Region,
+    Sail,
+    Section,
+    read_by,
+)
 from sailnet.mission.toml_files import read_table, shipped_names
 from sailnet.physics.optics import Optics
 from sailnet.physics.transfer import Transfer
@@ -33,15 +51,32 @@ class Mission(Section):
     """One transfer, how its sails differ from the model, and the recipes for data set and networks."""
 
     schema_version: Annotated[Literal[1], Field(alias="schema")]
-    name: Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$")]
-    title: str
+    name: Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$", max_length=60)]
+    title: Annotated[str, Field(max_length=1000)]
     sail: Sail
     transfer: Orbits
     flight: FlightRules
     generalisation: Region
+    degradation: Degradation = NO_DEGRADATION
     disturbance: Annotated[Disturbance, read_by(_read_disturbance)] = Disturbance()
     dataset: Recipes
     training: Training
+
+    @field_validator("generalisation", mode="after")
+    @classmethod
+    def _as_many_dimensions(cls, region: Region, others: ValidationInfo) -> Region:
+        orbits = others.data.get("transfer")
+        if orbits is not None and (orbits.inclination > 0.0) != (region.latitude is not None):
+            raise ValueError("latitude and w belong to a transfer with an inclination, and to no other")
+        return region
+
+    @model_serializer(mode="wrap")
+    def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
+        """A sail that does not age is written as before there were others: artefacts stay valid."""
+        content: dict[str, object] = handler(self)
+        if self.degradation == NO_DEGRADATION:
+            del content["degradation"]
+        return content
 
     @property
     def problem(self) -> Transfer:
@@ -58,6 +93,12 @@ class Mission(Section):
         """Of the real sail: the mission's, unless a disturbance says another."""
         return self.sail.optics if disturbance.optics is None else disturbance.optics
 
+    def degradation_flown(self, disturbance: Disturbance) -> Degradation:
+        """Of the real sail: the mission's, unless a disturbance says another."""
+        if disturbance.degradation_loss > 0.0:
+            return Degradation(loss=disturbance.degradation_loss, dose=disturbance.degradation_dose)
+        return self.degradation
+
     def another_sail(self, optics: str) -> str:
         """What a refusal of something made for another mission adds, if that had other optics; else nothing.
 
@@ -69,8 +110,20 @@ class Mission(Section):
 
     @property
     def departure_state(self) -> tuple[float, float, float]:
-        """(r, u, v) on the departure orbit, Eq. (20)."""
+        """(r, u, v) on the departure orbit, Eq. (20), were it coplanar with the target's."""
         return (self.transfer.departure_radius, 0.0, 1.0 / math.sqrt(self.transfer.departure_radius))
+
+    @property
+    def inclined(self) -> bool:
+        """Whether the transfer has three dimensions."""
+        return self.transfer.inclination > 0.0
+
+    @property
+    def departure_state_in_space(self) -> tuple[float, float, float, float, float]:
+        """(r, latitude, u, v, w) on the departure orbit [AU, rad, AU/TU]."""
+        radius, u, speed = self.departure_state
+        latitude, along, northward = self.transfer.departure_direction
+        return (radius, latitude, u, speed * along, speed * northward)
 
     def with_overrides(
         self,
@@ -100,6 +153,15 @@ class Mission(Section):
             content["sail"]["smoothing"] = 0.0
         return parse_mission(content, f"{self.name} with other optics")
 
+    def with_degradation(self, loss: float) -> "Mission":
+        """The mission of a sail that is known to lose this share of beta to sunlight.
+
+        Raises:
+            MissionError: a share that the mission's file could not have.
+        """
+        content = self.model_dump(by_alias=True, mode="json") | {"degradation": {"loss": loss}}
+        return parse_mission(content, f"{self.name} with another degradation")
+
     def with_training(self, **changes: int) -> "Mission":
         """The mission with other values in all its training recipes."""
         both = {name: recipe.model_copy(update=changes) for name, recipe in self.training}
@@ -121,22 +183,62 @@ def shipped_missions() -> list[str]:
     return shipped_names(FOLDER)
 
 
-def load_mission(name_or_path: str | Path) -> Mission:
+def load_mission(name_or_path: str | Path, *, in_space: bool = False) -> Mission:
     """Load a mission by name (``earth_mars``) or from a TOML file.
 
+    Args:
+        name_or_path: of the mission.
+        in_space: whoever asks can do with three dimensions.
+
     Raises:
-        MissionError: no such mission, not TOML, an unknown or missing key, a value out of range.
+        MissionError: no such mission, not TOML, an unknown or missing key, a value out of range; one of three
+            dimensions, unless asked for.
     """
-    return parse_mission(read_table(name_or_path, "mission", FOLDER, MissionError), str(name_or_path))
+    mission = parse_mission(read_table(name_or_path, "mission", FOLDER, MissionError), str(name_or_path))
+    return mission if in_space else in_the_plane(mission)
+
+
+def in_the_plane(mission: Mission) -> Mission:
+    """The same mission, for what works in the plane alone.
+
+    Raises:
+        MissionError: it has an inclination.
+    """
+    if mission.inclined:
+        raise MissionError(
+            f"mission {mission.name!r} has an inclination of {mission.transfer.inclination:g} degrees: three "
+            "dimensions: solving only, so far (`sailnet solve`, `sailnet mission show`); data, networks and "
+            "flights are those of coplanar orbits"
+        )
+    return mission
+
+
+def derived_for(name_or_path: str | Path) -> dict[str, object]:
+    """What a mission's file leaves out and :mod:`sailnet.mission.derived` adds, by dotted key.
+
+    Raises:
+        MissionError: as :func:`load_mission`.
+    """
+    load_mission(name_or_path, in_space=True)
+    content = read_table(name_or_path, "mission", FOLDER, MissionError)
+    with suppress(ValidationError):
+        Mission.model_validate(in_usual_units(content))
+        return {}
+    return derived_values(content, str(name_or_path))
 
 
 def parse_mission(content: dict[str, object], source: str) -> Mission:
-    """Validate the content of a mission file; ``source`` names it in the message.
+    """Validate the content of a mission file, completed; ``source`` names it in the message.
 
     Raises:
         MissionError: naming each offending key, its value, and what is allowed.
     """
     try:
-        return Mission.model_validate(content)
+        given = in_usual_units(content)
+        with suppress(ValidationError):
+            return Mission.model_validate(given)  # leaves nothing out
+        return Mission.model_validate(completed(given, source))
     except ValidationError as error:
         raise MissionError(f"mission {source} cannot be used:\n  {explain(error, Mission)}") from error
+    except SailnetError as error:
+        raise MissionError(f"mission {source} cannot be used:\n  {error}") from error

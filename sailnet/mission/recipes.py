@@ -2,9 +2,12 @@
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer
 
-from sailnet.mission.sections import Count, Interval, NotNegative, Ordered, Positive, Section
+from sailnet.mission.sections import Count, Interval, NotNegative, Ordered, Positive, Section, Seed, Spacing
+
+Width = Annotated[int, Field(gt=0, le=4096)]
+"""Of a layer."""
 
 
 class DomainRecipe(Section):
@@ -16,8 +19,8 @@ class DomainRecipe(Section):
 
     margin: Annotated[tuple[NotNegative, NotNegative, NotNegative], Field(strict=False)]
     trajectories: Count
-    spacing: Positive
-    seed: Annotated[int, Field(ge=0)]
+    spacing: Spacing
+    seed: Seed
 
 
 class BoxRecipe(Ordered):
@@ -28,11 +31,11 @@ class BoxRecipe(Ordered):
     arrival_cone_angle: Literal["positive", "negative"]
     duration: Positive
     max_radius: Positive
-    max_jumps: Annotated[int, Field(ge=0)]
+    max_jumps: Annotated[int, Field(ge=0, le=1000)]
     nominal_exclusion: NotNegative
     trajectories: Count
-    samples_per_trajectory: Annotated[int, Field(ge=2)]
-    seed: Annotated[int, Field(ge=0)]
+    samples_per_trajectory: Annotated[int, Field(ge=2, le=10**6)]
+    seed: Seed
 
 
 class WideRecipe(Ordered):
@@ -40,17 +43,27 @@ class WideRecipe(Ordered):
 
     For each of ``levels`` values of beta between ``beta`` times the mission's: fastest extremals from
     ``starts`` states of the generalisation set widened by ``margin`` [AU, AU/TU, AU/TU], sampled every
-    ``spacing`` [TU]; and ``approaches`` extremals of at most ``approach_time`` [TU] around theirs.
+    ``spacing`` [TU]; ``approaches`` extremals of at most ``approach_time`` [TU] around theirs; and the
+    fastest from ``around`` states beside the target, which a sail that has missed it is in.
     """
 
     beta: Interval
-    levels: Annotated[int, Field(ge=2)]
+    levels: Annotated[int, Field(ge=2, le=1000)]
     margin: Annotated[tuple[NotNegative, NotNegative, NotNegative], Field(strict=False)]
     starts: Count
-    spacing: Positive
+    spacing: Spacing
     approaches: Count
     approach_time: Positive
-    seed: Annotated[int, Field(ge=0)]
+    around: Annotated[int, Field(ge=0, le=10**6)] = 0
+    seed: Seed
+
+    @model_serializer(mode="wrap")
+    def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
+        """As before there were states around the target, where there are none: artefacts stay valid."""
+        content: dict[str, object] = handler(self)
+        if not self.around:
+            del content["around"]
+        return content
 
 
 class Recipes(Section):
@@ -64,14 +77,14 @@ class Recipes(Section):
 class TrainingRecipe(Section):
     """Network size and Levenberg-Marquardt settings."""
 
-    hidden: Annotated[tuple[Count, ...], Field(strict=False, min_length=1)]
+    hidden: Annotated[tuple[Width, ...], Field(strict=False, min_length=1, max_length=15)]
     train_samples: Count
     curvature_samples: Count
     validation_samples: Count
     epochs: Count
     patience: Count
     goal: Positive
-    seed: Annotated[int, Field(ge=0)]
+    seed: Seed
 
 
 class Training(Section):

@@ -1,6 +1,7 @@
 """Motion of a flat solar sail about the Sun, Eq. (1), written once as heyoka expressions.
 
-The propagators, the plain NumPy evaluation and the tests are all derived from :func:`motion`.
+The propagators, the plain NumPy evaluation and the tests are all derived from :func:`motion`. It is written
+in three dimensions; the plane is what is left of it where latitude and northward speed are the number 0.
 Units: AU, TU (the Sun's gravitational parameter is 1), radians.
 """
 
@@ -16,7 +17,11 @@ from sailnet.physics.arrays import Array
 Expression = Any
 """A heyoka expression; the package ships no type information."""
 
+ZERO = hy.expression(0.0)
+"""heyoka drops whatever it multiplies: the plane's equations are as if written for the plane alone."""
+
 r, u, v = hy.make_vars("r", "u", "v")
+latitude, w = hy.make_vars("latitude", "w")
 alpha = hy.make_vars("alpha")
 theta = hy.make_vars("theta")
 beta = hy.make_vars("beta")
@@ -28,12 +33,30 @@ IDEAL: Coefficients = (1.0, 0.0, 0.0)
 """Of the ideal sail, see :attr:`sailnet.physics.optics.Optics.force`."""
 
 
-def thrust(
-    beta: Expression, distance: Expression, alpha: Expression, coefficients: Coefficients = IDEAL
-) -> tuple[Expression, Expression]:
-    """Radial and transverse acceleration by sunlight under cone angle ``alpha``.
+State = tuple[Expression, Expression, Expression, Expression, Expression]
+"""Distance, latitude, radial, transverse and northward speed, spherical about the target orbit's axis."""
 
-    With n along (cos alpha, sin alpha), the sail's normal, and t along (sin alpha, -cos alpha), it is
+PLANE_STATE: State = (r, ZERO, u, v, ZERO)
+SPACE_STATE: State = (r, latitude, u, v, w)
+
+Clock = tuple[Expression, Expression]
+"""Cosine and sine of the angle about the Sun line from the transverse direction to the north."""
+
+IN_PLANE: Clock = (hy.expression(1.0), ZERO)
+"""Of a sail that turns about the plane's normal: its cone angle has a sign."""
+
+
+def thrust(
+    beta: Expression,
+    distance: Expression,
+    alpha: Expression,
+    coefficients: Coefficients = IDEAL,
+    clock: Clock = IN_PLANE,
+) -> tuple[Expression, Expression, Expression]:
+    """Radial, transverse and northward acceleration by sunlight under cone angle ``alpha``.
+
+    With e the direction across the Sun line that the clock angle gives, n = cos alpha (radial) + sin alpha e
+    the sail's normal, and t = sin alpha (radial) - cos alpha e along its surface, it is
     beta / r^2 ((S cos^2 alpha + L cos alpha) n + T cos alpha sin alpha t).
 
     Args:
@@ -41,22 +64,50 @@ def thrust(
         distance: from the Sun.
         alpha: cone angle.
         coefficients: S, L and T of the sail's optics.
+        clock: of the clock angle.
     """
     square, linear, across = coefficients
     cos_alpha, sin_alpha = hy.cos(alpha), hy.sin(alpha)
     pressure = beta * (square * cos_alpha**2 + linear * cos_alpha) / distance**2
     friction = beta * (across * cos_alpha * sin_alpha) / distance**2
-    return pressure * cos_alpha + friction * sin_alpha, pressure * sin_alpha - friction * cos_alpha
+    lateral = pressure * sin_alpha - friction * cos_alpha
+    return pressure * cos_alpha + friction * sin_alpha, lateral * clock[0], lateral * clock[1]
 
 
-def motion(beta: Expression, alpha: Expression, coefficients: Coefficients = IDEAL) -> dict[str, Expression]:
-    """Eq. (1): time derivatives of r, theta, u and v under cone angle ``alpha``, see :func:`thrust`."""
-    radial, transverse = thrust(beta, r, alpha, coefficients)
+def motion(
+    beta: Expression,
+    alpha: Expression,
+    coefficients: Coefficients = IDEAL,
+    state: State = PLANE_STATE,
+    clock: Clock = IN_PLANE,
+) -> dict[str, Expression]:
+    """Eq. (1) in three dimensions: time derivatives under cone angle ``alpha``, see :func:`thrust`.
+
+    With phi the latitude and (f_r, f_t, f_n) the thrust::
+
+        r' = u    phi' = w / r    theta' = v / (r cos phi)    u' = f_r + (v^2 + w^2) / r - 1 / r^2
+        v' = f_t + v w tan(phi) / r - u v / r    w' = f_n - v^2 tan(phi) / r - u w / r
+
+    Args:
+        beta: normalised characteristic acceleration.
+        alpha: cone angle.
+        coefficients: of the sail's optics.
+        state: the five, or ``PLANE_STATE``.
+        clock: of the clock angle.
+
+    Returns:
+        By name; in the plane latitude and w are 0.
+    """
+    r, latitude, u, v, w = state
+    radial, transverse, northward = thrust(beta, r, alpha, coefficients, clock)
+    slope = hy.tan(latitude) / r
     return {
         "r": u,
-        "theta": v / r,
-        "u": radial + v**2 / r - 1.0 / r**2,
-        "v": transverse - u * v / r,
+        "theta": v / (r * hy.cos(latitude)),
+        "latitude": w / r,
+        "u": radial + (v**2 + w**2) / r - 1.0 / r**2,
+        "v": transverse + v * w * slope - u * v / r,
+        "w": northward - v**2 * slope - u * w / r,
     }
 
 

@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 from sailnet.errors import SolveError
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import IDEAL
+from sailnet.physics.geometry import force_costates, target_of
 from sailnet.physics.pontryagin import guidance_law
-from sailnet.physics.propagation import MOST_STEPS, propagator
+from sailnet.physics.propagation import MOST_STEPS, TOLERANCE, propagator
 from sailnet.physics.real_law import force_curve
 from sailnet.physics.transfer import AnyTransfer, Transfer
 
@@ -24,13 +25,14 @@ def arrival_gain(transfer: AnyTransfer, costates: Array) -> Array:
     negative gain becomes an extremal once divided by minus its gain.
 
     Args:
-        costates: (n, 3) rows (lambda_R, lambda_U, lambda_V).
+        costates: (n, 3) rows (lambda_R, lambda_U, lambda_V), or (n, 5) in space.
     """
-    alpha = guidance_law(transfer, costates[:, 1], costates[:, 2])
+    lambda_u, lateral = force_costates(costates)
+    alpha = guidance_law(transfer, lambda_u, lateral)
     coefficients = np.array([IDEAL]) if transfer.law is None else transfer.law.coefficients
     radial, transverse = force_curve(alpha, coefficients)[0]
     pressure = transfer.beta / transfer.target_radius**2
-    return np.asarray(pressure * (costates[:, 1] * radial + costates[:, 2] * transverse))
+    return np.asarray(pressure * (lambda_u * radial + lateral * transverse))
 
 
 def arrival_lambda_v(transfer: Transfer, lambda_u0: ArrayLike, arrival_sign: float) -> Array:
@@ -69,8 +71,10 @@ class Extremals:
 
     Attributes:
         tau: (n, m) time to go [TU], from 0 at arrival.
-        states: (n, m, 6) r, u, v [AU, AU/TU] and lambda_r, lambda_u, lambda_v. NaN after a failure.
-        jumps: (n,) number of jumps of the cone angle.
+        states: (n, m, 6) r, u, v [AU, AU/TU] and lambda_r, lambda_u, lambda_v; in space (n, m, 10) r,
+            latitude [rad], u, v, w and their costates. NaN after a failure.
+        jumps: (n,) number of jumps of the cone angle; in space of turns of the clock angle that are faster
+            than ``sailnet.physics.propagation.FAST_TURN``.
         jump_times: (n,) time to go at the last jump found, NaN where there is none.
     """
 
@@ -80,35 +84,43 @@ class Extremals:
     jump_times: Array
 
 
-def propagate_extremals(transfer: AnyTransfer, costates: ArrayLike, tau: ArrayLike) -> Extremals:
+def propagate_extremals(
+    transfer: AnyTransfer, costates: ArrayLike, tau: ArrayLike, tolerance: float = TOLERANCE
+) -> Extremals:
     """Propagate Eq. (15) from the target orbit, Eq. (17), for many arrival costates at once.
 
     Args:
         transfer: the problem, or one a row.
-        costates: (n, 3) arrival costates (lambda_R0, lambda_U0, lambda_V0).
+        costates: (n, 3) arrival costates (lambda_R0, lambda_U0, lambda_V0), or (n, 5) in space.
         tau: (m,) increasing grid of time to go [TU], beginning at 0; or (n, m), one a row.
+        tolerance: local error of a step.
 
     Returns:
         One extremal per row; a row that could not be propagated (a fall into the Sun) holds NaN.
     """
-    arrivals = np.asarray(costates, float).reshape(-1, 3)
+    given = np.asarray(costates, float)
+    components = 5 if given.shape[-1] == 5 else 3
+    arrivals = given.reshape(-1, components)
+    # The integrator's error is a share of the largest unknown: in space, where steps are short, of 1.
+    unit = np.ones(len(arrivals)) if components == 3 else np.linalg.norm(arrivals, axis=1)
     grid = np.asarray(tau, float)
     grid = np.broadcast_to(grid, (len(arrivals), grid.shape[-1]))
-    states = np.empty((*grid.shape, 6))
+    states = np.empty((*grid.shape, 2 * components))
     jumps = np.zeros(len(arrivals), int)
     jump_times = np.full(len(arrivals), np.nan)
-    engine = propagator(transfer)
+    engine = propagator(transfer, tolerance=tolerance, components=components)
     batches = deque(_batches(len(arrivals), engine.lanes))
     while batches:
         rows = batches.popleft()
         lanes = np.resize(rows, engine.lanes)
-        initial = np.empty((6, engine.lanes))
-        initial[:3] = np.array(transfer.target_state)[:, None]
-        initial[3:] = arrivals[lanes].T
+        initial = np.empty((2 * components, engine.lanes))
+        initial[:components] = target_of(transfer, components)[:, None]
+        initial[components:] = arrivals[lanes].T / unit[lanes]
         engine.start(transfer.rows(lanes), initial)
         sampled = engine.integrator.propagate_grid(grid[lanes].T.copy(), max_steps=MOST_STEPS)[1]
         kept = len(rows)
-        states[rows] = sampled[:, :6, :kept].transpose(2, 0, 1)
+        states[rows] = sampled[:, : 2 * components, :kept].transpose(2, 0, 1)
+        states[rows, :, components:] *= unit[rows, None, None]
         jumps[rows] = engine.jumps[:kept]
         jump_times[rows] = engine.jump_times[:kept]
         unfinished = ~np.isfinite(sampled[-1, 0, :kept])

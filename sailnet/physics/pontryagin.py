@@ -13,37 +13,45 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sailnet.physics.arrays import Array
-from sailnet.physics.dynamics import IDEAL, Coefficients, Expression, alpha, motion, r, thrust, u, v
+from sailnet.physics.dynamics import IDEAL, Coefficients, Expression, alpha, motion, thrust
+from sailnet.physics.geometry import LEAST_BLUR, PLANE, SPACE, Geometry, force_costates, geometry_of
 from sailnet.physics.transfer import AnyTransfer, Transfer
 
-lambda_r, lambda_u, lambda_v = hy.make_vars("lambda_r", "lambda_u", "lambda_v")
+lambda_r, lambda_u, lambda_v = PLANE.variables[3:]
 
 BETA, PHI_MAX, DELTA, BRANCH, MODE = (hy.par[i] for i in range(5))
 REAL: Coefficients = (hy.par[5], hy.par[6], hy.par[7])
 TAKEOVER, LAST = hy.par[8], hy.par[9]
-"""Parameters of every compiled system, in this order; from ``REAL`` on, of sails that are not ideal alone.
+"""Parameters of every compiled system, in this order; from ``REAL`` on, of sails that are not ideal alone;
+last, in space, ``sailnet.physics.geometry.BLUR``.
 
 ``BRANCH`` is the sign of the cone angle, -sign(lambda_v): it fixes the side of the branch cut
-lambda_v = 0, lambda_u > 0. ``MODE`` is used by the exact law (delta = 0) alone: 0 while the bound
-is inactive, else the sign of the active bound.
+lambda_v = 0, lambda_u > 0; in space it is 1. ``MODE`` is used by the exact law (delta = 0) alone: 0 while
+the bound is inactive, else the sign of the active bound.
 """
 
 
-def hamiltonian(coefficients: Coefficients = IDEAL) -> Expression:
-    """Eq. (7) with lambda_theta = 0 (Eq. 10), for any cone angle ``alpha``."""
-    slopes = motion(BETA, alpha, coefficients)
-    return 1.0 + lambda_r * slopes["r"] + lambda_u * slopes["u"] + lambda_v * slopes["v"]
+def hamiltonian(coefficients: Coefficients = IDEAL, geometry: Geometry = PLANE) -> Expression:
+    """Eq. (7) with lambda_theta = 0 (Eq. 10), for any cone angle ``alpha``, at the best clock angle."""
+    slopes = motion(BETA, alpha, coefficients, geometry.states, geometry.clock)
+    by_r, by_latitude, by_u, by_v, by_w = geometry.costates
+    turning = by_latitude * slopes["latitude"]
+    return 1.0 + by_r * slopes["r"] + turning + by_u * slopes["u"] + by_v * slopes["v"] + by_w * slopes["w"]
 
 
-def unconstrained_angle(branch: Expression = BRANCH) -> Expression:
+def unconstrained_angle(branch: Expression = BRANCH, lateral: Expression = lambda_v) -> Expression:
     """The minimiser alpha_bar of Eq. (11) before the bound is applied.
 
     Eq. (11) is 0/0 at lambda_v = 0. With x = -3 lambda_u, y = -sqrt(8) lambda_v, rho = |(x, y)|,
     tan(alpha_bar) = y / (sqrt(2) (rho + x)) has no cancellation for x > 0, and its reciprocal
     sqrt(2) y / (rho - x) none for x < 0. Both are analytic on their side, so a Taylor
     step may use either up to the branch cut, where the propagator flips ``branch``.
+
+    Args:
+        branch: sign of the angle.
+        lateral: :attr:`sailnet.physics.geometry.Geometry.lateral`.
     """
-    x, y = -3.0 * lambda_u, -math.sqrt(8.0) * lambda_v
+    x, y = -3.0 * lambda_u, -math.sqrt(8.0) * lateral
     rho = hy.sqrt(x**2 + y**2)
     facing = hy.gt(x, hy.expression(0.0))
     size = hy.select(facing, x, -x)
@@ -58,42 +66,87 @@ def saturated_angle(bar: Expression) -> Expression:
 
 
 def extremal_motion(
-    law: Expression, coefficients: Coefficients = IDEAL
+    law: Expression, coefficients: Coefficients = IDEAL, geometry: Geometry = PLANE
 ) -> list[tuple[Expression, Expression]]:
-    """Eqs. (1) and (8) along an extremal: (variable, time derivative) of the six unknowns.
+    """Eqs. (1) and (8) along an extremal: (variable, time derivative) of the six unknowns, ten in space.
 
     Args:
         law: the cone angle as an expression of the costates.
         coefficients: of the sail's force.
+        geometry: the plane, or space.
     """
-    gradient = hy.diff_tensors([hamiltonian(coefficients)], [r, u, v]).gradient
-    slopes = motion(BETA, alpha, coefficients)
-    derivatives = [slopes["r"], slopes["u"], slopes["v"], *(-g for g in gradient)]
-    variables = [r, u, v, lambda_r, lambda_u, lambda_v]
+    variables, size = geometry.variables, geometry.components
+    # The clock angle is that of the costates, and no state is in it.
+    gradient = hy.diff_tensors([hamiltonian(coefficients, geometry)], variables[:size]).gradient
+    slopes = motion(BETA, alpha, coefficients, geometry.states, geometry.clock)
+    derivatives = [*(slopes[name] for name in geometry.state_names), *(-g for g in gradient)]
     return [(x, hy.subs(dx, {alpha: law})) for x, dx in zip(variables, derivatives, strict=True)]
 
 
-def real_extremal_motion() -> list[tuple[Expression, Expression]]:
-    """The same for a sail that is not ideal, whose cone angle inside the bound is a seventh unknown.
+def real_extremal_motion(geometry: Geometry = PLANE) -> list[tuple[Expression, Expression]]:
+    """The same for a sail that is not ideal, whose cone angle inside the bound is a last unknown.
 
     There dH/dalpha = 0 all the time, so that its own derivative by time vanishes, which says how alpha turns.
     It stops beyond the last angle inside the bound, which only a fall into the Sun gets to: next comes 0/0.
     """
-    inside = hy.eq(MODE, hy.expression(0.0))
-    sound = hy.logical_and([inside, hy.lt(alpha**2, (LAST + 1e-3) ** 2)])
-    system = extremal_motion(hy.select(inside, alpha, MODE * PHI_MAX), REAL)
-    slopes = dict(system)
-    radial, transverse = thrust(1.0, 1.0, alpha, REAL)
-    change = [hy.diff(f, alpha) for f in (radial, transverse)]
-    bend = [hy.diff(f, alpha) for f in change]
-    turned = change[0] * slopes[lambda_u] + change[1] * slopes[lambda_v]
-    rate = -turned / (lambda_u * bend[0] + lambda_v * bend[1])
+    sound = hy.logical_and([_inside(), hy.lt(alpha**2, (LAST + 1e-3) ** 2)])
+    system = extremal_motion(_real_law(), REAL, geometry)
+    rate = _turned([dx for _, dx in system], geometry)
     return [*system, (alpha, hy.select(sound, rate, hy.expression(0.0)))]
 
 
-def takeover_event() -> Expression:
+def real_tangent_motion(geometry: Geometry = PLANE) -> list[tuple[Expression, Expression]]:
+    """How tangents to the extremals of a sail that is not ideal change: (variable, time derivative).
+
+    There are two of them, in space four: one less than costates. A tangent is a derivative of the six
+    unknowns, or ten; that of the cone angle follows from theirs, as it does from
+    the costates, and needs no equation of its own.
+    """
+    free = extremal_motion(alpha, REAL, geometry)
+    count = geometry.components - 1
+    tangents = [hy.make_vars(*(f"tangent_{x}_{number}" for x, _ in free)) for number in range(count)]
+    turns = [hy.select(_inside(), _turned(tangent, geometry), hy.expression(0.0)) for tangent in tangents]
+    system = []
+    for row, (_, dx) in enumerate(free):
+        by = [hy.subs(hy.diff(dx, x), {alpha: _real_law()}) for x in (*(x for x, _ in free), alpha)]
+        for tangent, turn in zip(tangents, turns, strict=True):
+            change = hy.sum([a * b for a, b in zip(by, [*tangent, turn], strict=True)])
+            system.append((tangent[row], change))
+    return system
+
+
+def _inside() -> Expression:
+    """Whether the bound is inactive."""
+    return hy.eq(MODE, hy.expression(0.0))
+
+
+def _real_law() -> Expression:
+    return hy.select(_inside(), alpha, MODE * PHI_MAX)
+
+
+def _turned(changes: list[Expression], geometry: Geometry) -> Expression:
+    """Change of a real sail's cone angle with changes of states and costates, from dH/dalpha = 0."""
+    by = dict(zip(geometry.variables, changes, strict=True))
+    lateral = geometry.lateral
+    by_lateral = hy.sum([hy.diff(lateral, x) * by[x] for x in geometry.variables[geometry.components :]])
+    change = [hy.diff(f, alpha) for f in thrust(1.0, 1.0, alpha, REAL)[:2]]
+    bend = [hy.diff(f, alpha) for f in change]
+    return -(change[0] * by[lambda_u] + change[1] * by_lateral) / (lambda_u * bend[0] + lateral * bend[1])
+
+
+def takeover_event(geometry: Geometry = PLANE) -> Expression:
     """Where the bound takes over and lets go again: positive where it is active; see ``RealLaw.takeover``."""
-    return hy.sin(TAKEOVER) * lambda_u - hy.cos(TAKEOVER) * BRANCH * lambda_v
+    return hy.sin(TAKEOVER) * lambda_u - hy.cos(TAKEOVER) * BRANCH * geometry.lateral
+
+
+def nearest_event(system: list[tuple[Expression, Expression]]) -> Expression:
+    """In space, where the vector (lambda_v, lambda_w) is nearest to 0: the derivative of half its square.
+
+    Args:
+        system: of an extremal in space.
+    """
+    slopes = dict(system)
+    return hy.sum([x * slopes[x] for x in SPACE.costates[3:]])
 
 
 @cache
@@ -104,10 +157,9 @@ def _compiled_law() -> Any:
 
 
 @cache
-def _compiled_hamiltonian(ideal: bool) -> Any:
-    return hy.cfunc(
-        [hamiltonian(IDEAL if ideal else REAL)], vars=[r, u, v, lambda_r, lambda_u, lambda_v, alpha]
-    )
+def _compiled_hamiltonian(ideal: bool, components: int) -> Any:
+    geometry = geometry_of(components)
+    return hy.cfunc([hamiltonian(IDEAL if ideal else REAL, geometry)], vars=[*geometry.variables, alpha])
 
 
 def guidance_law(transfer: AnyTransfer, lambda_u: ArrayLike, lambda_v: ArrayLike) -> Array:
@@ -156,15 +208,19 @@ def evaluate_hamiltonian(
 
     Args:
         transfer: the problem, or one a row; ``beta`` and optics are used.
-        states, costates: (n, 3) rows (r, u, v) and (lambda_r, lambda_u, lambda_v).
-        alpha: (n,) cone angle [rad].
+        states, costates: (n, 3) rows (r, u, v) and (lambda_r, lambda_u, lambda_v); or (n, 5) in space.
+        alpha: (n,) cone angle [rad]; in space towards the best clock angle.
     """
+    size = np.shape(states)[1]
     inputs = np.ascontiguousarray(np.column_stack([states, costates, np.asarray(alpha, float)]).T)
-    pars = np.zeros((1 if transfer.law is None else 8, inputs.shape[1]))
+    compiled = _compiled_hamiltonian(transfer.law is None, size)
+    pars = np.zeros((compiled.nparams, inputs.shape[1]))
     pars[0] = transfer.beta
     if transfer.law is not None:
-        pars[5:] = transfer.law.coefficients.T
-    return np.asarray(_compiled_hamiltonian(transfer.law is None)(inputs, pars=pars)[0])
+        pars[5:8] = transfer.law.coefficients.T
+    if size > 3:
+        pars[10] = LEAST_BLUR
+    return np.asarray(compiled(inputs, pars=pars)[0])
 
 
 def hamiltonian_bound(transfer: AnyTransfer, states: Array, costates: Array) -> Array:
@@ -177,13 +233,12 @@ def hamiltonian_bound(transfer: AnyTransfer, states: Array, costates: Array) -> 
 
     Args:
         transfer: the problem.
-        states, costates: (..., m, 3) along trajectories.
+        states, costates: (..., m, 3) or (..., m, 5) along trajectories.
 
     Returns:
         (...) one bound a trajectory.
     """
-    share = (
-        np.expand_dims(transfer.beta, -1) * np.hypot(costates[..., 1], costates[..., 2]) / states[..., 0] ** 2
-    )
+    force = np.hypot(*force_costates(costates))
+    share = np.expand_dims(transfer.beta, -1) * force / states[..., 0] ** 2
     largest = share.max(axis=-1)
     return np.asarray(10.0 * transfer.delta * largest + 1e-9 * (1.0 + largest))

@@ -31,7 +31,7 @@ COEFFICIENTS = hy.make_vars("square", "linear", "across")
 
 
 def _curve() -> list[Expression]:
-    curve = list(thrust(1.0, 1.0, alpha, COEFFICIENTS))
+    curve = list(thrust(1.0, 1.0, alpha, COEFFICIENTS)[:2])
     slope = [hy.diff(f, alpha) for f in curve]
     return [*curve, *slope, *(hy.diff(f, alpha) for f in slope)]
 
@@ -114,18 +114,21 @@ class RealLaw:
 
     def angle(self, lambda_u: Array, lambda_v: Array) -> tuple[Array, NDArray[np.bool_]]:
         """(n,) optimal cone angle [rad], and (n,) whether the bound is active."""
-        # Not -lambda_u: where both vanish, and no angle is better than any other, theta is 0.
-        theta = np.arctan2(np.abs(lambda_v), 0.0 - lambda_u)
-        beyond = theta > self.takeover
+        theta, beyond = self._direction(lambda_u, lambda_v), self.beyond(lambda_u, lambda_v)
         inputs = np.empty((4, len(theta)))
         inputs[0], inputs[1:] = np.minimum(theta, self.takeover), self.coefficients.T
         size = _compiled_angle()(inputs)[0]
         return np.copysign(1.0, -lambda_v) * np.where(beyond, self.bound, size), beyond
 
-    def gradient(self, angle: Array, lambda_u: Array, lambda_v: Array) -> Array:
-        """(2, n) derivatives of the optimal angle by lambda_u and lambda_v, inside the bound."""
-        _, slope, bend = force_curve(angle, self.coefficients)
-        return np.asarray(-slope / (lambda_u * bend[0] + lambda_v * bend[1]))
+    def beyond(self, lambda_u: Array, lambda_v: Array) -> NDArray[np.bool_]:
+        """(n,) whether the bound is active."""
+        return np.asarray(self._direction(lambda_u, lambda_v) > self.takeover)
+
+    @staticmethod
+    def _direction(lambda_u: Array, lambda_v: Array) -> Array:
+        """(n,) theta [rad]."""
+        # Not -lambda_u: where both vanish, and no angle is better than any other, theta is 0.
+        return np.asarray(np.arctan2(np.abs(lambda_v), 0.0 - lambda_u))
 
 
 def _last_angle(coefficients: Array, phi_max: float, mirrored: NDArray[np.bool_]) -> Array:

@@ -10,8 +10,9 @@ import pytest
 import sailnet.expert.fastest
 import sailnet.expert.index
 from sailnet.errors import SolveError
-from sailnet.expert.fastest import Extremal, solve
+from sailnet.expert.fastest import solve, solve_families
 from sailnet.expert.index import Guesses
+from sailnet.expert.optima import Extremal
 from sailnet.expert.shooting import Shots, shoot
 from sailnet.physics.extremals import arrival_lambda_v, propagate_extremals
 from sailnet.physics.pontryagin import evaluate_hamiltonian, guidance_law
@@ -108,6 +109,11 @@ def test_the_shortest_of_the_extremals_found_wins(
     assert len(calls) == 2
     assert found.time_of_flight == pytest.approx(6.15517, abs=1e-5)
     assert found.rival_time == pytest.approx(found.time_of_flight + longer, abs=1e-9)
+    calls.clear()
+    best, second = solve_families(problem, np.array([state]), None, 1.0 + longer)
+    assert best.time_of_flight[0] == found.time_of_flight
+    assert second.time_of_flight[0] == found.rival_time
+    np.testing.assert_allclose(second.arrival_costates, best.arrival_costates, rtol=1e-9)
 
 
 @pytest.mark.parametrize("spoil", ["residual", "costates"])

@@ -11,8 +11,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from sailnet.expert.fastest import Extremal, solve
+from sailnet.expert.fastest import solve
 from sailnet.expert.nominal import solve_nominal
+from sailnet.expert.optima import Extremal
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.physics.transfer import Transfer
 from tests.direct import Direct, State, minimise
@@ -66,11 +67,8 @@ def confirm(transfer: Transfer, found: Extremal, golden: float) -> None:
     np.testing.assert_allclose(found.costates, refined.costates, rtol=1e-6, atol=1e-6)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "name",
-    [pytest.param(name, marks=[] if name == "venus" else [pytest.mark.exhaustive]) for name in NOMINALS],
-)
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NOMINALS)
 def test_the_nominal_is_the_fastest_transfer(name: str) -> None:
     title, changes, golden = NOMINALS[name]
     mission = exact(title, **changes)

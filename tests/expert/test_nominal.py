@@ -9,8 +9,9 @@ import pytest
 
 import sailnet.expert.nominal
 from sailnet.errors import SolveError
-from sailnet.expert.fastest import Extremal, solve
+from sailnet.expert.fastest import solve
 from sailnet.expert.nominal import Nominal, solve_nominal
+from sailnet.expert.optima import Extremal
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.physics.transfer import Transfer
 from tests.reference import fly
@@ -59,6 +60,17 @@ def test_the_departure_from_earth_is_the_nominal(problem: Transfer, nominal: Nom
     np.testing.assert_allclose(found.arrival_costates, nominal.smoothed.arrival_costates, atol=1e-6)
 
 
+def test_the_way_back_is_the_way_out_in_a_mirror(nominal: Nominal) -> None:
+    """A flight backward in time, u and alpha of the other sign, is one too: as long, its ends swapped."""
+    back = load_mission("mars_earth").with_overrides(smoothing=0.0)
+    radius = back.transfer.departure_radius
+    found, out = solve(back.problem, (radius, 0.0, radius**-0.5)), nominal.constrained
+    assert found.time_of_flight == pytest.approx(out.time_of_flight, abs=1e-8)
+    for mine, theirs in ((found.costates, out.arrival_costates), (found.arrival_costates, out.costates)):
+        np.testing.assert_allclose(mine, theirs * [-1.0, 1.0, -1.0], rtol=1e-6)
+    assert found.cone_angle < 0.0 < out.cone_angle
+
+
 def silence(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let the expert answer for the unconstrained sail alone: what is found is then the homotopy's."""
 
@@ -104,7 +116,7 @@ def test_the_homotopy_alone_reaches_tight_bounds(
         assert miss(transfer_of(mission, which), getattr(tight, which)) < 1e-6
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_a_faster_extremal_takes_the_place_of_the_homotopy_s(monkeypatch: pytest.MonkeyPatch) -> None:
     mercury = load_mission("earth_mercury").with_overrides(max_cone_angle=33.1, smoothing=0.0)
     with monkeypatch.context() as patch:

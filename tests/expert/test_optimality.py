@@ -27,7 +27,7 @@ second, and the first but for the last state, were confirmed to 1e-10 by tests.f
 """
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("state", HIDDEN)
 def test_states_that_an_even_mesh_missed(problem: Transfer, state: tuple[float, float, float]) -> None:
     exact, smoothed = HIDDEN[state]

@@ -7,8 +7,9 @@ import pytest
 from numpy.typing import NDArray
 
 import sailnet.expert.real_sails
-from sailnet.expert.fastest import Optima, solve, solve_states
+from sailnet.expert.fastest import solve, solve_states
 from sailnet.expert.nominal import Nominal
+from sailnet.expert.optima import Optima
 from sailnet.expert.real_sails import own_optima
 from sailnet.flight.starts import random_starts
 from sailnet.mission.mission import Mission

@@ -6,7 +6,8 @@ import pytest
 import sailnet.expert.fastest
 import sailnet.expert.index
 from sailnet.errors import SolveError
-from sailnet.expert.fastest import Optima, solve, solve_states
+from sailnet.expert.fastest import solve, solve_states
+from sailnet.expert.optima import Optima
 from sailnet.expert.shooting import shoot
 from sailnet.physics.extremals import propagate_extremals
 from sailnet.physics.transfer import Transfer
@@ -163,7 +164,7 @@ def extremal_with_time(problem: Transfer, solved: Solved, row: int, time: float)
     """Arrival direction of the extremal that Newton's method finds from a guess with this time of flight."""
     size, state = problem.target_radius, solved.states[row]
     scaled = state[None] * [1 / size, size**0.5, size**0.5]
-    guesses = sailnet.expert.fastest._index(problem, scaled, solved.region).look_up(scaled)
+    guesses = sailnet.expert.fastest._index(problem, scaled, solved.region, 1.0, None).look_up(scaled)
     near = np.abs(guesses.tau * size**1.5 - time) < 0.2
     directions = guesses.directions[near] * [size**0.5, size**2, size**2]
     tau = guesses.tau[near] * size**1.5

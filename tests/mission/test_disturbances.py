@@ -399,7 +399,9 @@ def test_no_two_disturbances_draw_the_same_numbers() -> None:
 @pytest.mark.slow
 def test_each_disturbance_changes_a_flight() -> None:
     """None is forgotten on its way to the plant."""
-    companions = {
+    grey = Optics(0.5, 0.5, 0.5, 0.5, 0.5, 0.4)
+    companions: dict[str, dict[str, Any]] = {
+        **{f"{item.name}_spread": {"optics": grey} for item in fields(Optics)},
         "beta_wander_time": {"beta_wander": 0.1},
         "degradation_dose": {"degradation_loss": 0.1},
         "navigation_wander_time": {"r_wander": 0.1},
@@ -407,7 +409,7 @@ def test_each_disturbance_changes_a_flight() -> None:
         "attitude_noise": {"attitude_measured": 1.0},
     }
     for name in NAMES:
-        without: dict[str, Any] = companions.get(name, {})
+        without = companions.get(name, {})
         with_: dict[str, Any] = without | {name: 0.1}
         reference, changed = (
             flown(Disturbance(**given), Wobble(), longest=1.0)[1][0] for given in (without, with_)

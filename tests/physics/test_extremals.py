@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from sailnet.errors import SolveError
-from sailnet.expert.fastest import Extremal
 from sailnet.expert.nominal import Nominal
+from sailnet.expert.optima import Extremal
 from sailnet.expert.shooting import shoot
 from sailnet.physics.extremals import Extremals, arrival_gain, arrival_lambda_v, propagate_extremals
 from sailnet.physics.pontryagin import evaluate_hamiltonian, guidance_law, hamiltonian_bound

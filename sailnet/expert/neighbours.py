@@ -1,0 +1,131 @@
+"""The fastest extremals from many states that lie close together: each shows its neighbours the way.
+
+To index the extremals of every sail takes most of a minute, while an extremal from beside, or that of a
+slightly weaker sail, is some Newton steps away. Which of several extremals from a state is the fastest shows
+in its neighbours too: the costates say how the time of flight changes from one state to the next
+(lambda = dtau/dx), so a neighbour's extremal that does not fit is another one, and may be faster here.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from sailnet.expert.optima import Optima, nothing_found, optima_of, put
+from sailnet.expert.shooting import shoot
+from sailnet.physics.arrays import Array
+from sailnet.physics.transfer import Transfer
+
+NEIGHBOURS = 8
+"""States around one that are asked for their extremals."""
+
+TRIES = 2
+"""Of them whose extremals are tried before the state's own neighbours are known."""
+
+ITERATIONS = 10
+"""Newton steps from a neighbour's extremal; what takes more is not found from there."""
+
+SAME = 0.7
+"""Let two families take the times A and B, and A be known at state i, B at state j. By first order the mean
+of both costates misses the difference of the known times by ((A_i - B_i) + (A_j - B_j)) / 2, and they differ
+by (A_i - B_i) - (A_j - B_j) along the way. So the miss is less than half of that if each has the faster one,
+and of second order if there is one family only. A neighbour is tried where it is more than this share."""
+
+HOPELESS = 1.005
+"""What a neighbour's costates predict to take this many times as long is not tried."""
+
+IMPROVED = 1e-7
+"""A neighbour that got faster by so much [TU] is asked again."""
+
+ROUNDS = 40
+"""At most; a family that is faster spreads by one neighbour a round."""
+
+
+def solve_among(transfer: Transfer, states: Array, known: Optima) -> Optima:
+    """The fastest extremals from states that are close together, from some that are known around them.
+
+    Args:
+        transfer: the problem.
+        states: (n, 3) r [AU], u, v [AU/TU]; they should fill their region evenly. Or (n, 5) in space.
+        known: optima from states there, of this sail or of one some per cent weaker or stronger.
+
+    Returns:
+        The optima, ``searched`` NaN: that none is faster is known from the neighbours alone. None is found
+        where no neighbour's extremal leads to one.
+    """
+    optima = nothing_found(states)
+    known = known.rows(known.found)
+    if not len(known.state):
+        return optima
+    beside = _nearest(transfer, known.state, states, NEIGHBOURS)
+    for nth in range(min(TRIES, beside.shape[1])):
+        rows = np.flatnonzero(~optima.found)
+        _try(transfer, optima, rows, known, beside[rows, nth])
+    if len(states) > 1:
+        spread(transfer, optima)
+    return optima
+
+
+def _nearest(transfer: Transfer, places: Array, states: Array, count: int) -> NDArray[np.intp]:
+    """(n, k) rows of the places nearest to states, nearest first, in units of the target orbit."""
+    size = transfer.target_radius
+    angle = [size] if states.shape[1] == 5 else []
+    unit = np.array([1.0, *angle, *(states.shape[1] - 1 - len(angle)) * [size**1.5]])  # up to a factor
+    return np.asarray(cKDTree(places * unit).query(states * unit, range(1, min(count, len(places)) + 1))[1])
+
+
+def _by_costates(known: Optima, beside: NDArray[np.intp], states: Array) -> Array:
+    """(n, k) times of flight from (n, 3) states if each flew as neighbours do, to first order."""
+    way = states[:, None] - known.state[beside]
+    return np.asarray(known.time_of_flight[beside] + np.einsum("nki,nki->nk", known.costates[beside], way))
+
+
+def _try(
+    transfer: Transfer, optima: Optima, rows: NDArray[np.intp], known: Optima, start: NDArray[np.intp]
+) -> None:
+    """Put into rows of the optima what Newton's method finds faster from the extremals known at ``start``."""
+    if not len(rows):
+        return
+    guesses = known.rows(start)
+    shots = shoot(
+        transfer,
+        optima.state[rows],
+        guesses.arrival_costates,
+        guesses.time_of_flight,
+        iterations=ITERATIONS,
+    )
+    found = optima_of(transfer, optima.state[rows], shots)
+    faster = found.found & ~(found.time_of_flight >= optima.time_of_flight[rows])
+    put(optima, rows[faster], found, faster)
+
+
+def spread(transfer: Transfer, optima: Optima) -> None:
+    """Try neighbours' extremals where they are of another family, or there is none, until none is faster.
+
+    Args:
+        transfer: the problem.
+        optima: of states that are close together; what is faster is put in.
+    """
+    beside = _nearest(transfer, optima.state, optima.state, NEIGHBOURS + 1)[:, 1:]
+    tried = np.full(beside.shape, np.inf)
+    for _ in range(ROUNDS):
+        predicted = _predicted(optima, beside)
+        predicted[~(optima.time_of_flight[beside] < tried - IMPROVED)] = np.inf
+        best = np.argmin(predicted, axis=1)
+        rows = np.flatnonzero(np.isfinite(predicted[np.arange(len(best)), best]))
+        if not len(rows):
+            break
+        start = beside[rows, best[rows]]
+        tried[rows, best[rows]] = optima.time_of_flight[start]
+        _try(transfer, optima, rows, optima, start)
+
+
+def _predicted(optima: Optima, beside: NDArray[np.intp]) -> Array:
+    """(n, k) times of flight by the neighbours' costates; infinite for those that need not be tried."""
+    tau, theirs = optima.time_of_flight[:, None], optima.time_of_flight[beside]
+    predicted = _by_costates(optima, beside, optima.state)
+    way = optima.state[:, None] - optima.state[beside]
+    here = theirs + np.einsum("ni,nki->nk", optima.costates, way)
+    same = np.abs(tau - (predicted + here) / 2.0) <= SAME * np.abs(predicted - here) / 2.0
+    # Comparisons are written so that a state without an extremal tries everything.
+    predicted[same | (predicted > HOPELESS * tau) | ~np.isfinite(predicted)] = np.inf
+    return np.asarray(predicted)

@@ -1,0 +1,219 @@
+"""What a short mission file leaves out, derived from its sail and its transfer.
+
+A file needs no more than [sail] and [transfer]; every key that it does not say follows from them by closed
+formulas, and is rounded, so that a mission is the same on every machine. What a file says stands.
+
+The scale of all times is how long the transfer takes about. A sail that always pushes along its motion as
+hard as it may widens a circular orbit from r_0 to r_1 in |r_1^1.5 - r_0^1.5| / (3 k beta), where k is the
+largest transverse share of the force; to leave the one orbit and to arrive on the other it takes some 1.8
+radians of the orbit between. From 0.387 to 2.77 AU that is within a fifth of the optimum.
+"""
+
+import math
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from sailnet.errors import SailnetError
+from sailnet.mission.other_units import flight_in_tu, sail_in_beta
+from sailnet.mission.sections import Orbits, Sail
+from sailnet.physics.force_facts import force_at
+from sailnet.physics.optics import OPTICS, Optics, optics_from
+
+CONE_ANGLE = 60.0
+"""Bound of a sail that says none [deg]: the paper's."""
+
+SMOOTHING = 1e-3
+"""delta of Eq. (12) of an ideal sail that says none; others have no smoothed law."""
+
+TURNING = 1.8
+"""Radians of the orbit between that departure and arrival take beside the spiral."""
+
+ECCENTRICITY = 0.44
+"""Of the farthest starts: they have 1.2 times the speed of the departure orbit."""
+
+DEPTH, SHARE = 0.15, 0.6
+"""Width in r of the generalisation set: Section 5.3's, of the departure radius; or so much of the way."""
+
+RADIAL, TRANSVERSE = 0.1, (0.8, 1.2)
+"""Its widths in u and v, Section 5.3's, in units of the speed of the departure orbit."""
+
+LONGEST = 300.0
+"""No flight is derived to be longer [TU]: 48 years."""
+
+LATITUDE = 1.6
+"""Its half-width in latitude in three dimensions, in inclinations of the departure orbit; that in w is the
+speed with which an orbit of such an inclination crosses the plane."""
+
+MARGIN = 0.03
+"""By which data reach beyond it, in the same units."""
+
+_HIDDEN = [20, 20, 20]
+
+WIDE_TRAINING = {
+    "hidden": _HIDDEN,
+    "train_samples": 100_000,
+    "curvature_samples": 8_000,
+    "validation_samples": 30_000,
+    "epochs": 300,
+    "patience": 60,
+    "goal": 1e-9,
+    "seed": 7,
+}
+PAPER_TRAINING = {**WIDE_TRAINING, "train_samples": 150_000, "curvature_samples": 15_000, "epochs": 450}
+
+
+def in_usual_units(content: Mapping[str, Any]) -> dict[str, Any]:
+    """A mission's table with beta and a period in TU, however they were given.
+
+    Raises:
+        SailnetError: a quantity that is given twice, or by what is no number above 0.
+    """
+    given = dict(content)
+    if isinstance(given.get("sail"), dict):
+        given["sail"] = sail_in_beta(given["sail"], _optics_of(given["sail"]))
+    if isinstance(given.get("flight"), dict):
+        given["flight"] = flight_in_tu(given["flight"])
+    return given
+
+
+def completed(content: Mapping[str, Any], source: str) -> dict[str, Any]:
+    """A mission's table with whatever it leaves out; what is wrong in it stays wrong, for its reader to say.
+
+    Args:
+        content: of the file, :func:`in_usual_units`.
+        source: its name or path, after which a mission is called that has no name.
+    """
+    given = dict(content)
+    if isinstance(given.get("sail"), dict):
+        smoothing = SMOOTHING if _optics_of(given["sail"]).ideal else 0.0
+        given["sail"] = {"max_cone_angle": CONE_ANGLE, "smoothing": smoothing} | given["sail"]
+    if isinstance(given.get("transfer"), dict):
+        given["transfer"] = {"departure_radius": 1.0} | given["transfer"]
+    try:
+        sail, orbits = Sail.model_validate(given.get("sail")), Orbits.model_validate(given.get("transfer"))
+    except ValidationError:
+        # Whoever reads it refuses these two, and should not miss the others as well.
+        sail = Sail(beta=0.1, max_cone_angle=CONE_ANGLE, smoothing=SMOOTHING)
+        orbits = Orbits(departure_radius=1.0, target_radius=1.5)
+    return _under(_derived(sail, orbits, source), given)
+
+
+def derived_values(content: Mapping[str, Any], source: str) -> dict[str, Any]:
+    """What :func:`completed` adds, by dotted key."""
+    given = in_usual_units(content)
+    said = flat(given)
+    return {key: value for key, value in flat(completed(given, source)).items() if key not in said}
+
+
+def estimated_time(sail: Sail, orbits: Orbits) -> float:
+    """About how long the transfer takes [TU], see this module."""
+    between = ((orbits.departure_radius + orbits.target_radius) / 2.0) ** 1.5
+    return float(spiral_time(sail, orbits) + TURNING * between)
+
+
+def spiral_time(sail: Sail, orbits: Orbits) -> float:
+    """How long the transfer's spiral takes [TU], see this module; the fastest transfers take longer."""
+    return float(abs(orbits.target_radius**1.5 - orbits.departure_radius**1.5) / (3.0 * _pull(sail)))
+
+
+def _pull(sail: Sail) -> float:
+    """The largest transverse force within the bound, per 1 / r^2."""
+    angles = np.linspace(0.0, math.radians(sail.max_cone_angle), 181)
+    return float(sail.beta * force_at(sail.optics, angles)[1].max())
+
+
+def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
+    departure, target = orbits.departure_radius, orbits.target_radius
+    time = estimated_time(sail, orbits)
+    # Its eccentricity falls at 1.5 times the transverse force over the speed.
+    rounding = ECCENTRICITY * departure**1.5 / (1.5 * _pull(sail))
+    spacing = _rounded(max(time / 140.0, (time + rounding) / 300.0))
+    speed = 1.0 / math.sqrt(departure)
+    margin = [_rounded(MARGIN * unit) for unit in (departure, speed, speed)]
+    outward = 1.0 if target > departure else -1.0
+    depth = min(DEPTH * departure, max(SHARE * abs(target - departure), 0.01 * departure))
+    off_plane = {}
+    if orbits.inclination > 0.0:
+        latitude = _rounded(min(LATITUDE * orbits.inclination, 89.0))
+        northward = _rounded(speed * math.sin(math.radians(latitude)))
+        off_plane = {"latitude": [-latitude, latitude], "w": [-northward, northward]}
+    return {
+        "schema": 1,
+        "name": _name(source),
+        "title": f"{departure:g} AU to {target:g} AU",
+        "flight": {
+            "period": 0.005,
+            "arrival_threshold": 0.005,
+            "arrival_tolerance": 1e-3,
+            "longest": min(10.0 * math.ceil(0.5 * (time + rounding)), LONGEST),
+        },
+        "generalisation": {
+            "r": _interval(departure, departure + outward * depth),
+            "u": _interval(0.0, outward * RADIAL * speed),
+            "v": _interval(*(share * speed for share in TRANSVERSE)),
+            **off_plane,
+        },
+        "dataset": {
+            "wide": {
+                "beta": [0.8, 1.2],
+                "levels": 25,
+                "margin": margin,
+                "starts": 1024,
+                "spacing": spacing,
+                "approaches": 1400,
+                "approach_time": _rounded(max(1.5, 0.8 * target**1.5)),
+                "seed": 20242,
+            },
+            "domain": {
+                "margin": margin,
+                "trajectories": 20000,
+                "spacing": _rounded(0.6 * spacing),
+                "seed": 20241,
+            },
+        },
+        "training": {"paper": PAPER_TRAINING, "wide": WIDE_TRAINING},
+    }
+
+
+def _optics_of(sail: Mapping[str, Any]) -> Optics:
+    try:
+        return optics_from(sail.get("optics", "ideal"))
+    except SailnetError:  # as above
+        return OPTICS["ideal"]
+
+
+def _name(source: str) -> str:
+    stem = re.sub(r"[^a-z0-9]+", "_", Path(source).stem.lower()).strip("_")
+    return stem if stem[:1].isalpha() and stem.isascii() else f"mission_{stem}".rstrip("_")
+
+
+def _rounded(value: float) -> float:
+    """To two digits."""
+    return float(f"{value:.2g}")
+
+
+def _interval(one: float, other: float) -> list[float]:
+    """Ordered, to four digits."""
+    return sorted(float(f"{value:.4g}") for value in (one, other))
+
+
+def _under(derived: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
+    """What is given, and below it what is derived, table by table."""
+    whole = {**derived, **given}
+    for key, value in derived.items():
+        if isinstance(value, dict) and isinstance(given.get(key), dict):
+            whole[key] = _under(value, given[key])
+    return whole
+
+
+def flat(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
+    """Values of a table and of those within it, by dotted key; ``before`` stands before each."""
+    found: dict[str, Any] = {}
+    for key, value in table.items():
+        found |= flat(value, f"{before}{key}.") if isinstance(value, dict) else {f"{before}{key}": value}
+    return found

@@ -1,0 +1,29 @@
+"""How much of a mission's recipes is carried out: all that ships, or what minutes allow."""
+
+from collections.abc import Mapping
+from typing import Literal, get_args
+
+from sailnet.mission.mission import Mission, parse_mission
+
+Size = Literal["quick", "full"]
+SIZES: tuple[Size, ...] = get_args(Size)
+
+QUICK: Mapping[str, Mapping[str, int]] = {
+    "dataset": {"levels": 5, "starts": 96, "approaches": 150},
+    "training": {"epochs": 80},
+}
+"""At most so much of [dataset.wide] and [training.wide]: some three minutes on 2 cores."""
+
+FLIGHTS: Mapping[Size, int] = {"quick": 1_000, "full": 10_000}
+"""That accept the networks, a series."""
+
+
+def sized(mission: Mission, size: Size) -> Mission:
+    """The mission as it is, or with the quick recipes: same problem, fewer extremals, fewer epochs."""
+    if size == "full":
+        return mission
+    content = mission.model_dump(by_alias=True, mode="json", exclude_none=True)
+    for section, most in QUICK.items():
+        recipe = content[section]["wide"]
+        recipe |= {key: min(recipe[key], value) for key, value in most.items()}
+    return parse_mission(content, f"{mission.name}, quick")

@@ -1,0 +1,81 @@
+"""Extremals from those of neighbours: the ones that a full search finds, of neighbouring sails and states."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from sailnet.expert.fastest import solve_some, solve_states
+from sailnet.expert.neighbours import solve_among
+from sailnet.expert.optima import Optima, nothing_found, optima_of
+from sailnet.expert.shooting import shoot
+from sailnet.physics.transfer import Transfer
+from tests.reference import Array
+
+REGION = (np.array([1.04, 0.08, 1.02]), np.array([1.06, 0.1, 1.04]))
+
+TWO_WAYS = np.array([1.101, 0.067, 1.2165])
+FAST, SLOW = 26.62664169, 28.49951467
+TO_FAST = np.array([[0.217441565317, 0.436443319412, 0.873061506776]])
+TO_SLOW = np.array([[-0.397644626999, 0.094151856134, -0.912696104191]])
+"""A state with two extremals (from a search of its own), their times [TU] and directions at arrival."""
+
+
+def states_between(region: tuple[Array, Array], count: int, seed: int) -> Array:
+    low, high = region
+    return np.asarray(low + (high - low) * np.random.default_rng(seed).random((count, 3)))
+
+
+def along(problem: Transfer, states: Array, direction: Array, tau: float) -> Optima:
+    count = len(states)
+    shots = shoot(problem, states, np.repeat(direction, count, axis=0), np.full(count, tau))
+    return optima_of(problem, states, shots)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("share", [1.0, 1.03, 0.97])
+def test_neighbours_lead_to_what_a_full_search_finds(problem: Transfer, share: float) -> None:
+    """From a few states of the mission's sail to many others of a weaker or stronger one."""
+    known = solve_some(problem, states_between(REGION, 6, seed=1))
+    assert known.found.all()
+    states, sail = states_between(REGION, 40, seed=2), dataclasses.replace(problem, beta=share * problem.beta)
+    optima = solve_among(sail, states, known)
+    np.testing.assert_array_equal(optima.state, states)
+    assert optima.residual.max() <= 1e-9
+    searched = solve_states(sail, states, REGION)
+    np.testing.assert_allclose(optima.time_of_flight, searched.time_of_flight, rtol=0, atol=1e-8)
+    np.testing.assert_allclose(optima.arrival_costates, searched.arrival_costates, rtol=1e-6)
+    assert not optima.complete.any()
+
+
+@pytest.mark.parametrize("fast", [0, 1, 4])
+def test_the_faster_familyspreads_to_the_states_that_know_a_slower_one(problem: Transfer, fast: int) -> None:
+    """Of 24 states around one with two ways, some begin at the fast one, the others at the slow one."""
+    states = TWO_WAYS + states_between((np.full(3, -2e-3), np.full(3, 2e-3)), 24, seed=4)
+    slow, faster = (along(problem, states, way, tau) for way, tau in ((TO_SLOW, SLOW), (TO_FAST, FAST)))
+    assert slow.found.all()
+    assert faster.found.all()
+    assert (slow.time_of_flight > faster.time_of_flight + 1.0).all()
+    known = Optima(
+        *(
+            np.concatenate(columns)
+            for columns in zip(
+                vars(faster.rows(slice(fast))).values(),
+                vars(slow.rows(slice(fast, None))).values(),
+                strict=True,
+            )
+        )
+    )
+    optima = solve_among(problem, states, known)
+    expected = faster if fast else slow
+    np.testing.assert_allclose(optima.time_of_flight, expected.time_of_flight, rtol=0, atol=1e-8)
+
+
+def test_where_nothing_is_known_nothing_is_found(problem: Transfer) -> None:
+    states = states_between(REGION, 5, seed=3)
+    assert not solve_among(problem, states, nothing_found(states)).found.any()
+    # A way to the target that no state lies near.
+    far = along(problem, TWO_WAYS[None], TO_SLOW, SLOW)
+    optima = solve_among(problem, np.array([[0.7, 0.0, 0.3]]), far)
+    assert not optima.found.any()
+    assert np.isnan(optima.costates).all()
