@@ -19,7 +19,8 @@ from data.domain import domain_shard
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.extremals import arrival_lambda_v, propagate_extremals
-from sailnet.physics.propagation import TOLERANCE, backward_system, law_kind, parameters
+from sailnet.physics.propagation import TOLERANCE
+from sailnet.physics.systems import backward_system, law_kind, parameters
 from sailnet.physics.transfer import Transfer
 
 

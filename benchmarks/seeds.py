@@ -49,8 +49,9 @@ def measure(
     with open_dataset(dataset) as data:
         mission = data.mission.with_training(seed=seed)
     networks = train_networks(
-        dataset, mission, "wide", list(TARGETS["wide"]), folder, workers=os.cpu_count() or 1, resume=True
-    )
+        dataset, mission, "wide", list(TARGETS["wide"]), folder,
+        workers=os.cpu_count() or 1, resume=True, overwrite=True,
+    )  # fmt: skip
     ensure_domain(networks, dataset, folder)
     export(folder, folder / "export", mission, progress=False)
     guidance = load_guidance(mission, "c", "float64", folder / "export")

@@ -18,6 +18,7 @@ import torch
 from torch import Tensor, nn
 
 from sailnet.dataset import open_dataset
+from sailnet.workers.lifeline import end_with_parent
 from training.compare_inputs import TABLE_1
 from training.layers import Layers
 from training.least_squares import LeastSquares
@@ -220,7 +221,7 @@ def contest(dataset: Path, name: str, seed: int, limit: float) -> dict[str, Outc
 
 def measure(dataset: Path, seed: int, limit: float, workers: int = 2) -> dict[str, dict[str, Outcome]]:
     """All networks of ``TABLE_1``, ``workers`` at once on a thread each."""
-    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
+    with ProcessPoolExecutor(workers, get_context("spawn"), initializer=end_with_parent) as pool:
         runs = {name: pool.submit(contest, dataset, name, seed, limit) for name in TABLE_1}
         return {name: run.result() for name, run in runs.items()}
 

@@ -23,6 +23,7 @@ from sailnet.flight.intervals import wilson_interval
 from sailnet.flight.starts import random_starts
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
+from sailnet.workers.interruption import run_command
 
 SPACING = 0.02
 """Time between the points looked at [TU]."""
@@ -91,7 +92,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         prog="python -m data.coverage",
         description="How near the optimal trajectories from random starts pass to the samples of a data set.",
-        epilog="example: python -m data.coverage build/earth_mars/domain.h5 --starts 1000 --seed 3",
+        epilog="example: python -m data.coverage build/earth_mars/wide.h5 --starts 1000 --seed 3",
     )
     parser.add_argument("dataset", type=Path, help="the HDF5 file")
     parser.add_argument("--starts", type=int, default=1000, help="how many (%(default)s)")
@@ -125,4 +126,4 @@ def _lines(result: dict[str, object]) -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main, "the same command begins again"))

@@ -6,7 +6,7 @@ from functools import partial
 
 from data.box import box_recipe, box_shard
 from data.domain import domain_shard, widened
-from data.wide import wide_shard
+from data.wide import wide_shard, wide_shards
 from sailnet.dataset import Block
 from sailnet.expert.nominal import solve_nominal
 from sailnet.mission.mission import Mission
@@ -41,9 +41,9 @@ def prepare(mission: Mission, recipe: str) -> Prepared:
     """
     if recipe == "wide":
         wide = mission.dataset.wide
-        most = wide.levels * (wide.starts + wide.approaches)
+        most = wide.levels * (wide.starts + wide.approaches + wide.around)
         title = "fastest extremals and approaches for a range of sails"
-        return Prepared(partial(wide_shard, mission), most, wide.levels, _origin(mission, title, wide))
+        return Prepared(partial(wide_shard, mission), most, wide_shards(wide), _origin(mission, title, wide))
     if recipe == "domain":
         aimed = mission.dataset.domain
         origin = _origin(mission, "fastest extremals from a domain", aimed)

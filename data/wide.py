@@ -2,7 +2,8 @@
 
 Flights begin as in :mod:`data.domain`, for one value of beta after the other. Along them alone a
 network would learn the approach to the target only from where optimal flights come; a disturbance of
-the last few hours leads elsewhere, so short extremals with other arrival costates are added.
+the last few hours leads elsewhere, so short extremals with other arrival costates are added. Those arrive;
+what leads back from beside the target is added as the fastest extremals from states around it.
 """
 
 import math
@@ -14,12 +15,25 @@ from scipy.spatial import cKDTree
 from data.block import block_of
 from data.domain import flights_block, widened
 from sailnet.dataset import Block
-from sailnet.expert.fastest import solve_states
+from sailnet.expert.fastest import solve_some
+from sailnet.expert.neighbours import solve_among
+from sailnet.expert.optima import Optima
 from sailnet.mission.mission import Mission
+from sailnet.mission.recipes import WideRecipe
 from sailnet.networks.approach import approach_coordinates
 from sailnet.physics.arrays import Array
 from sailnet.physics.extremals import arrival_gain, propagate_extremals
 from sailnet.physics.transfer import Transfer
+
+TOGETHER = 7
+"""Values of beta that share a search, of the middle one: the extremals of a sail some per cent weaker or
+stronger are a few Newton steps away."""
+
+SEEDS = 256
+"""States of the middle one that are searched for by an index; the others begin at neighbours."""
+
+AROUND = (3e-4, 0.1)
+"""How far from the target, evenly in the logarithm, states around it lie, in units of its orbit."""
 
 SAMPLES = 60
 """Samples of an approach besides its arrival, evenly in log(tau)."""
@@ -41,32 +55,88 @@ NEIGHBOURS, RADIUS, SLOWER = 8, 0.03, 1.08
 weighted by 0.3), has tau / s lower by this factor."""
 
 
-def wide_shard(mission: Mission, level: int) -> Block:
-    """Flights and approaches of one value of beta.
+def wide_shard(mission: Mission, shard: int) -> Block:
+    """Flights and approaches of some neighbouring values of beta, or flights of all from around the target.
 
     Args:
         mission: its ``dataset.wide`` section is the recipe.
-        level: number of the value, which with the recipe's seed fixes everything.
+        shard: number of the first of those values, in units of ``TOGETHER``, the last for those of all; with
+            the recipe's seed it fixes everything.
     """
     # scipy.stats takes longer to load than all of this package.
     from scipy.stats.qmc import Sobol
 
     recipe = mission.dataset.wide
-    share = np.linspace(*recipe.beta, recipe.levels)[level]
-    problem = replace(mission.problem, beta=mission.sail.beta * float(share))
-    rng = np.random.default_rng([recipe.seed, level])
+    levels = range(shard * TOGETHER, min((shard + 1) * TOGETHER, recipe.levels))
+    if not levels:
+        return _from_around(mission)
+    sails = _sails(mission, levels)
+    streams = [np.random.default_rng([recipe.seed, level]) for level in levels]
     low, high = widened(mission, recipe.margin)
-    sequence = Sobol(3, rng=rng).random_base2(math.ceil(math.log2(recipe.starts)))
-    starts = low + (high - low) * sequence[: recipe.starts]
-    optima = solve_states(problem, starts, region=(low, high))
-    # A longer flight would be lost.
-    kept = optima.found & ~(optima.time_of_flight > mission.flight.longest)
-    arrivals = optima.arrival_costates[kept]
-    flights = flights_block(problem, arrivals, optima.time_of_flight[kept], recipe.spacing)
+    power = math.ceil(math.log2(recipe.starts))
+    shares = [Sobol(3, rng=rng).random_base2(power)[: recipe.starts] for rng in streams]
+    optima = _outward(sails, [low + (high - low) * share for share in shares])
+    return Block.join([_one_sail(mission, *of_one) for of_one in zip(sails, optima, streams, strict=True)])
+
+
+def around_target(problem: Transfer, count: int, seed: int) -> Array:
+    """(count, 3) states r [AU], u, v [AU/TU] about the target: in every direction, evenly in log distance."""
+    rng, size = np.random.default_rng(seed), problem.target_radius
+    direction = rng.normal(size=(count, 3))
+    direction /= np.linalg.norm(direction, axis=1)[:, None]
+    nearest, farthest = np.log(AROUND)
+    distance = np.exp(rng.uniform(nearest, farthest, count))[:, None]
+    return np.asarray(problem.target_state + distance * direction * [size, size**-0.5, size**-0.5])
+
+
+def wide_shards(recipe: WideRecipe) -> int:
+    """How many there are."""
+    return -(-recipe.levels // TOGETHER) + (recipe.around > 0)
+
+
+def _sails(mission: Mission, levels: range) -> list[Transfer]:
+    recipe = mission.dataset.wide
+    beta = mission.sail.beta * np.linspace(*recipe.beta, recipe.levels)[levels]
+    return [replace(mission.problem, beta=float(own)) for own in beta]
+
+
+def _from_around(mission: Mission) -> Block:
+    """The same states for all sails: each extremal is a few Newton steps from that of the sail before."""
+    recipe = mission.dataset.wide
+    states = around_target(mission.problem, recipe.around, recipe.seed)
+    sails = _sails(mission, range(recipe.levels))
+    blocks = []
+    for sail, found in zip(sails, _outward(sails, [states] * len(sails)), strict=True):
+        flown = _short_enough(mission, found)
+        blocks.append(flights_block(sail, flown.arrival_costates, flown.time_of_flight, recipe.spacing))
+    return Block.join(blocks)
+
+
+def _outward(sails: list[Transfer], states: list[Array]) -> list[Optima]:
+    """Optima of neighbouring sails, from the middle one outward, each from those of the one before."""
+    middle = len(sails) // 2
+    seeds = solve_some(sails[middle], states[middle][:SEEDS])
+    optima = {middle: solve_among(sails[middle], states[middle], seeds)}
+    for level in [*range(middle + 1, len(sails)), *range(middle - 1, -1, -1)]:
+        inner = level - 1 if level > middle else level + 1
+        optima[level] = solve_among(sails[level], states[level], optima[inner])
+    return [optima[level] for level in range(len(sails))]
+
+
+def _one_sail(mission: Mission, problem: Transfer, optima: Optima, rng: np.random.Generator) -> Block:
+    recipe = mission.dataset.wide
+    flown = _short_enough(mission, optima)
+    arrivals = flown.arrival_costates
+    flights = flights_block(problem, arrivals, flown.time_of_flight, recipe.spacing)
     if not len(arrivals):
         return flights
     costates = _approach_costates(problem, arrivals, recipe.approaches, rng)
     return Block.join([flights, _approaches(problem, costates, recipe.approach_time, flights, rng)])
+
+
+def _short_enough(mission: Mission, optima: Optima) -> Optima:
+    """Those found of a flight that is not lost for its length."""
+    return optima.rows(optima.found & ~(optima.time_of_flight > mission.flight.longest))
 
 
 def _approach_costates(problem: Transfer, arrivals: Array, count: int, rng: np.random.Generator) -> Array:

@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
-import data.__main__
+import data.command
 from data.recipes import Prepared
+from sailnet.workers.interruption import run_command
 from tests.small_datasets import invented_shard
 
 
@@ -42,7 +43,7 @@ MOMENTS = {
 }
 
 if __name__ == "__main__":
-    patch("data.__main__.prepare", _prepared).start()
+    patch("data.command.prepare", _prepared).start()
     if moment := os.environ.get("KILL_AT"):
         patch(*MOMENTS[moment]).start()
-    sys.exit(data.__main__.main())
+    sys.exit(run_command(data.command.main, "nothing is finished"))

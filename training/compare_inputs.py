@@ -19,6 +19,7 @@ from sailnet.errors import SailnetError
 from sailnet.networks.approach import APPROACH_INPUTS
 from sailnet.networks.guidance_networks import COMMAND_INPUTS, STATE_INPUTS
 from sailnet.physics.arrays import Array
+from sailnet.workers.interruption import run_command
 from training.compare_targets import trained_output
 from training.samples import Part
 from training.targets import TARGETS, Target, command_error
@@ -118,4 +119,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main, "the same command begins again"))

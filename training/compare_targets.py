@@ -22,6 +22,7 @@ from sailnet.networks.guidance_networks import COMMAND_INPUTS
 from sailnet.physics.arrays import Array
 from sailnet.physics.pontryagin import guidance_law
 from sailnet.physics.transfer import Transfer
+from sailnet.workers.interruption import run_command
 from training.layers import augment, forward
 from training.samples import SampleSet, load_samples
 from training.targets import TARGETS, Target, command_error, cone_direction
@@ -105,4 +106,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main, "the same command begins again"))

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linprog
 from tqdm import tqdm
 
+from sailnet.artefacts.ownership import LOCK, sole_owner
 from sailnet.dataset import Dataset, open_dataset
 from sailnet.errors import NetworkError, SailnetError
 from sailnet.networks.network import Network, load_network, save_network
@@ -28,6 +29,7 @@ from sailnet.networks.trained_domain import (
     size_and_direction,
 )
 from sailnet.physics.arrays import Array
+from sailnet.workers.interruption import run_command
 from training.samples import ROWS_READ, split_trajectories
 
 MARGIN = 0.01
@@ -210,7 +212,8 @@ def main() -> int:
     parser.add_argument("networks", type=Path, help="folder of tau.safetensors, which is rewritten")
     options = parser.parse_args()
     try:
-        tau = add_domain(options.dataset, options.networks)
+        with sole_owner(options.networks / LOCK, f"networks in {options.networks}", NetworkError):
+            tau = add_domain(options.dataset, options.networks)
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
@@ -220,4 +223,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main, "the same command begins again"))

@@ -6,17 +6,19 @@ A step's matrix products are too small to use many cores well; independent netwo
 import os
 import sys
 from collections.abc import Sequence
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
+from dataclasses import dataclass
 from pathlib import Path
 
 import torch
 from tqdm import tqdm
 
+from sailnet.dataset import open_dataset
 from sailnet.mission.mission import Mission
 from sailnet.networks.network import Network
+from sailnet.workers.executors import processes
+from training.folder import make_room
 from training.targets import TARGETS
-from training.train import train_network
+from training.train import run_digest, train_network
 
 
 def train_networks(
@@ -29,6 +31,7 @@ def train_networks(
     workers: int,
     device: str = "cpu",
     resume: bool = False,
+    overwrite: bool = False,
     quiet: bool = False,
 ) -> list[Network]:
     """Train the named networks of ``TARGETS[kind]``; see :func:`train_network`.
@@ -36,48 +39,52 @@ def train_networks(
     Args:
         kind: of the data set.
         workers: networks trained at once.
+        resume: go on with what an earlier call of the same left, and keep what it finished.
+        overwrite: replace what else is there.
         quiet: show no progress bars.
+
+    Raises:
+        NetworkError: something is there that may not be replaced.
     """
-    workers = min(workers, len(names))
-    threads = max(1, (os.cpu_count() or 1) // workers)
-    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
-        runs = [
-            pool.submit(
-                _train,
-                dataset,
-                mission,
-                (kind, name),
-                folder,
-                threads,
-                device,
-                resume,
-                None if quiet else row,
-            )
-            for row, name in enumerate(names)
-        ]
-        return [run.result() for run in runs]
+    count = min(workers, len(names))
+    threads = max(1, (os.cpu_count() or 1) // count)
+    with open_dataset(dataset, mission) as data:
+        digest = data.digest
+    targets = {name: TARGETS[kind][name] for name in names}
+    backend = device.partition(":")[0]
+    runs = {name: run_digest(target, digest, mission, backend, threads) for name, target in targets.items()}
+    make_room(folder, runs, resume=resume, overwrite=overwrite)
+    work = _Work(dataset, mission, kind, tuple(names), folder, threads, device, quiet)
+    with processes(count) as pool:
+        return list(pool.map(work.train, range(len(names))))
 
 
-def _train(
-    dataset: Path,
-    mission: Mission,
-    key: tuple[str, str],
-    folder: Path,
-    threads: int,
-    device: str,
-    resume: bool,
-    row: int | None,
-) -> Network:
-    torch.set_num_threads(threads)
-    target = TARGETS[key[0]][key[1]]
-    total = target.recipe(mission.training).epochs
-    hidden = True if row is None else None
-    with tqdm(
-        total=total, desc=f"{target.name:15}", unit="epoch", position=row, disable=hidden, file=sys.stderr
-    ) as bar:
+@dataclass(frozen=True)
+class _Work:
+    dataset: Path
+    mission: Mission
+    kind: str
+    names: tuple[str, ...]
+    folder: Path
+    threads: int
+    device: str
+    quiet: bool
 
-        def watch(record: dict[str, float]) -> None:
-            bar.set_postfix_str(f"validation {record['validation']:.2e}", refresh=False)
-            bar.update(int(record["epoch"]) - bar.n)
+    def train(self, number: int) -> Network:
+        """One network, in this process, which goes on where one that was lost came to."""
+        torch.set_num_threads(self.threads)
+        target = TARGETS[self.kind][self.names[number]]
+        with tqdm(
+            total=target.recipe(self.mission.training).epochs,
+            desc=f"{target.name:15}",
+            unit="epoch",
+            position=number,
+            disable=True if self.quiet else None,
+            file=sys.stderr,
+        ) as bar:
 
-        return train_network(dataset, mission, target, folder, device, resume, watch)
+            def watch(record: dict[str, float]) -> None:
+                bar.set_postfix_str(f"validation {record['validation']:.2e}", refresh=False)
+                bar.update(int(record["epoch"]) - bar.n)
+
+            return train_network(self.dataset, self.mission, target, self.folder, self.device, True, watch)

@@ -120,6 +120,21 @@ def _stop(recipe: TrainingRecipe, progress: Progress) -> str | None:
     return "epochs" if steps >= recipe.epochs else None
 
 
+def run_digest(target: Target, dataset: str, mission: Mission, device: str, threads: int) -> str:
+    """What a run's weights depend on, to the last bit: equal means the same weights.
+
+    Args:
+        target: what is learnt.
+        dataset: the data set's digest.
+        mission: the recipe.
+        device: type of the torch device.
+        threads: that torch computes with.
+    """
+    identity: list[object] = [SCHEMA, target.definition, dataset, mission.digest("training"), device]
+    identity += [torch.__version__, threads]
+    return hashlib.sha256(json.dumps(identity).encode()).hexdigest()
+
+
 def train_network(
     dataset: Path,
     mission: Mission | None,
@@ -150,26 +165,25 @@ def train_network(
     with open_dataset(dataset, mission) as data:
         mission, digest = mission or data.mission, data.digest
         recipe = target.recipe(mission.training)
-        identity: list[object] = [SCHEMA, target.definition, digest, mission.digest("training"), device.type]
-        identity += [torch.__version__, torch.get_num_threads()]
-        run_digest = hashlib.sha256(json.dumps(identity).encode()).hexdigest()
+        identity = run_digest(target, digest, mission, device.type, torch.get_num_threads())
         if resume and not checkpoint.exists() and finished.exists():
             network = load_network(finished)
-            if network.provenance.get("run") == run_digest:
+            if network.provenance.get("run") == identity:
                 return network
         data.verify()
         samples = load_samples(data, target, recipe.seed, recipe.train_samples, recipe.validation_samples)
     run = problems(samples, recipe.hidden, device)
-    progress = (
-        load_checkpoint(checkpoint, run_digest, device)
-        if resume and checkpoint.exists()
-        else start(run, recipe.seed)
-    )
-    reason = epochs(
-        run, recipe, progress, watch, lambda state: save_checkpoint(state, run_digest, checkpoint)
-    )
+    progress = start(run, recipe.seed)
+    if resume and checkpoint.exists():
+        size = progress.best.shape
+        progress = load_checkpoint(checkpoint, identity, device)
+        if progress.best.shape != size:
+            raise NetworkError(
+                f"{checkpoint} is of a network of another size: say --overwrite to start again"
+            )
+    reason = epochs(run, recipe, progress, watch, lambda state: save_checkpoint(state, identity, checkpoint))
     provenance = {
-        "run": run_digest,
+        "run": identity,
         "dataset": digest,
         "definition": target.definition,
         "state_min": samples.state_min.tolist(),

@@ -87,7 +87,7 @@ def test_no_sample_is_beaten_by_another_extremal(narrow: Mission, aimed: Block) 
     np.testing.assert_allclose(optima.cone_angle[found], aimed.samples["alpha"][rows][found], atol=1e-4)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_shards_are_their_own_and_depend_on_nothing_else(narrow: Mission, aimed: Block, file: Path) -> None:
     """In another process, which knows nothing of what was computed here, they are the same."""
     with open_dataset(file) as data:

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import data.__main__
+import data.command
 import data.generate
 from data.box import CANDIDATES, box_shard
 from data.generate import generate
@@ -164,7 +164,7 @@ def test_a_recipe_that_admits_nothing_ends(small: Mission, monkeypatch: pytest.M
 
 def command(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> int:
     monkeypatch.setattr(sys, "argv", ["data", *arguments])
-    return data.__main__.main()
+    return data.command.main()
 
 
 @pytest.mark.slow

@@ -1,5 +1,6 @@
 """Wide data: flights of several sails, approaches from all sides, nothing known to be slower."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,9 +9,10 @@ from scipy.spatial.distance import cdist
 
 from data.generate import generate
 from data.recipes import prepare
-from data.wide import RADIUS, SAMPLES, SLOWER, wide_shard
+from data.wide import AROUND, RADIUS, SAMPLES, SLOWER, around_target, wide_shard, wide_shards
 from sailnet.dataset import Block, open_dataset, write_dataset
 from sailnet.dataset.inspection import ORIGIN, inspect_dataset
+from sailnet.expert.fastest import solve
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.networks.approach import approach_coordinates
 from sailnet.workers.executors import Workers
@@ -25,7 +27,13 @@ def narrow() -> Mission:
     mission = load_mission("earth_mars")
     region = mission.generalisation.model_copy(update={"r": (1.0, 1.02), "u": (0.0, 0.02), "v": (1.0, 1.02)})
     wide = mission.dataset.wide.model_copy(
-        update={"levels": 2, "starts": FLIGHTS, "approaches": APPROACHES, "margin": (0.0, 0.0, 0.0)}
+        update={
+            "levels": 2,
+            "starts": FLIGHTS,
+            "approaches": APPROACHES,
+            "around": 0,
+            "margin": (0.0, 0.0, 0.0),
+        }
     )
     recipes = mission.dataset.model_copy(update={"wide": wide})
     return mission.model_copy(update={"generalisation": region, "dataset": recipes})
@@ -33,7 +41,17 @@ def narrow() -> Mission:
 
 @pytest.fixture(scope="module")
 def shards(narrow: Mission) -> list[Block]:
-    return [wide_shard(narrow, level) for level in (0, 1)]
+    """A block for each of the two sails, which share a shard."""
+    whole = wide_shard(narrow, 0)
+    first_samples = np.cumsum(whole.lengths) - whole.lengths
+    count = int((whole.samples["beta"][first_samples] == whole.samples["beta"][0]).sum())
+    first = whole.head(count)
+    rest = Block(
+        {name: column[first.lengths.sum() :] for name, column in whole.samples.items()},
+        {name: column[count:] for name, column in whole.trajectories.items()},
+        whole.lengths[count:],
+    )
+    return [first, rest]
 
 
 @pytest.mark.slow
@@ -50,6 +68,40 @@ def test_each_level_is_one_sail_and_flies_from_the_domain(narrow: Mission, shard
         )
     # A weaker sail takes longer.
     assert shards[0].samples["tau"].max() > shards[1].samples["tau"].max() + 0.5
+
+
+@pytest.mark.parametrize(("levels", "shards"), [(2, 1), (7, 1), (8, 2), (25, 4)])
+def test_every_level_belongs_to_a_shard(narrow: Mission, levels: int, shards: int) -> None:
+    wide = narrow.dataset.wide.model_copy(update={"levels": levels})
+    assert wide_shards(wide) == shards
+    assert wide_shards(wide.model_copy(update={"around": 1})) == shards + 1
+
+
+@pytest.mark.exhaustive
+def test_flights_from_around_the_target_are_the_fastest_of_every_sail(narrow: Mission) -> None:
+    """From every direction, near and far; the expert, which searches for each alone, knows none faster."""
+    wide = narrow.dataset.wide.model_copy(update={"around": 12})
+    mission = narrow.model_copy(update={"dataset": narrow.dataset.model_copy(update={"wide": wide})})
+    states = around_target(mission.problem, 12, wide.seed)
+    size = np.abs(states - mission.problem.target_state).max(axis=1)
+    assert size.min() < 3e-3
+    assert 0.02 < size.max() <= AROUND[1] * mission.problem.target_radius
+    block = wide_shard(mission, 1)
+    assert len(block.lengths) == 2 * len(states)
+    last = np.cumsum(block.lengths) - 1
+    starts = np.column_stack([block.samples[name][last] for name in "ruv"])
+    np.testing.assert_allclose(starts, np.concatenate([states, states]), rtol=0.0, atol=1e-8)
+    for level, share in enumerate(wide.beta):
+        sail = replace(mission.problem, beta=share * mission.sail.beta)
+        for row in range(0, 12, 4):
+            best = solve(sail, states[row]).time_of_flight
+            assert block.samples["tau"][last[12 * level + row]] == pytest.approx(best, abs=1e-6)
+
+
+def test_a_recipe_without_them_is_written_as_ever(narrow: Mission) -> None:
+    wide = narrow.dataset.wide
+    assert "around" not in wide.model_dump()
+    assert wide.model_copy(update={"around": 3}).model_dump()["around"] == 3
 
 
 def test_approaches_come_from_all_sides(narrow: Mission, shards: list[Block]) -> None:
@@ -91,13 +143,12 @@ def test_the_same_recipe_gives_the_same_samples_and_the_file_is_sound(
     narrow: Mission, shards: list[Block], tmp_path: Path
 ) -> None:
     prepared = prepare(narrow, "wide")
-    assert prepared.shards == 2
+    assert prepared.shards == 1
     pool = Workers(Inline, 2)
     blocks = list(generate(prepared.shard_of, prepared.trajectories, pool, shards=prepared.shards))
-    assert len(blocks) == 2
-    for made, expected in zip(blocks, shards, strict=True):
-        for name, column in expected.samples.items():
-            np.testing.assert_array_equal(made.samples[name], column, err_msg=name)
+    assert len(blocks) == 1
+    for name, column in Block.join(shards).samples.items():
+        np.testing.assert_array_equal(blocks[0].samples[name], column, err_msg=name)
     origin = dict.fromkeys(ORIGIN, "x") | prepared.origin
     write_dataset(tmp_path / "wide.h5", narrow, iter(blocks), origin)
     # The law, H = 0 and tau rising are checked along trajectories of either sail.

@@ -1,0 +1,126 @@
+"""What ``python -m data`` does: generate a mission's data set."""
+
+import argparse
+import sys
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from data.generate import generate
+from data.recipes import RECIPES, prepare
+from sailnet.artefacts.provenance import environment_of, software
+from sailnet.artefacts.resumable import Parts, claim
+from sailnet.cli.arguments import count, distribution
+from sailnet.dataset import Block, open_dataset, write_dataset
+from sailnet.errors import DatasetError, SailnetError
+from sailnet.expert.feasibility import refuse_infeasible
+from sailnet.mission.mission import Mission, load_mission
+from sailnet.mission.sizes import SIZES, sized
+from sailnet.physics.propagation import TOLERANCE
+from sailnet.workers.executors import workers
+from sailnet.workers.interruption import going_on
+from sailnet.workers.progress import progress
+
+PACKAGES = ("data",)
+"""Whose source workers elsewhere must have, beside sailnet's."""
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="sailnet data",
+        description="Generate optimal trajectories of a mission into an HDF5 data set.",
+        epilog="example: sailnet data build/earth_mars/wide.h5 --mission earth_mars",
+    )
+    parser.add_argument("output", type=Path, help="the HDF5 file to write")
+    parser.add_argument("--mission", default="earth_mars", help="mission name or TOML file")
+    parser.add_argument("--recipe", choices=RECIPES, default=RECIPES[0], help="(default: %(default)s)")
+    parser.add_argument(
+        "--size",
+        choices=SIZES,
+        default="full",
+        help="quick: the package's small recipe, wide only (%(default)s)",
+    )
+    parser.add_argument("--trajectories", type=count, help="instead of the mission's number")
+    distribution(parser)
+    parser.add_argument("--restart", action="store_true", help="begin anew, whatever there is")
+    parser.add_argument(
+        "--overwrite", action="store_true", help="replace a finished data set of another mission or recipe"
+    )
+    parser.add_argument("--quiet", action="store_true", help="no progress bar")
+    return parser
+
+
+def _watched(blocks: Iterator[Block], total: int, quiet: bool) -> Iterator[Block]:
+    with progress(total, "trajectory", "data set", quiet=quiet) as bar:
+        for block in blocks:
+            yield block
+            bar.update(len(block.lengths))
+
+
+def _finished(options: argparse.Namespace, run: Mapping[str, object]) -> bool:
+    """Whether the output is there, made by this very run.
+
+    Raises:
+        DatasetError: it is there, and something else.
+    """
+    if options.restart or not options.output.exists():
+        return False
+    try:
+        with open_dataset(options.output) as data:
+            made = data.provenance.get("run")
+        what = "finished, of another mission, recipe, size or software"
+    except SailnetError as error:
+        made, what = None, f"no data set ({error})"
+    if made != run and not options.overwrite:
+        raise DatasetError(
+            f"{options.output} is there and {what}: name another file, or say --overwrite to replace it"
+        )
+    return bool(made == run)
+
+
+def _run(options: argparse.Namespace, mission: Mission, parts: Parts, run: Mapping[str, object]) -> None:
+    started = time.perf_counter()
+    if options.recipe != "box" and not parts.finished():
+        refuse_infeasible(mission)
+    with workers(options.workers, options.scheduler, PACKAGES, options.wait) as pool:
+        prepared = prepare(mission, options.recipe)
+        if prepared.shards is not None and options.trajectories:
+            raise DatasetError(
+                f"the size of recipe {options.recipe!r} is set in the mission's [dataset.{options.recipe}], "
+                "not by --trajectories"
+            )
+        wanted = options.trajectories or prepared.trajectories
+        provenance = {**prepared.origin, "run": run, "tolerance": TOLERANCE, **software()}
+        made = generate(prepared.shard_of, wanted, pool, parts, prepared.shards)
+        blocks = _watched(made, wanted, options.quiet)
+        write_dataset(options.output, mission, blocks, provenance, parts.folder)
+    seconds = time.perf_counter() - started
+    with open_dataset(options.output) as data:
+        made_trajectories = data.trajectories
+    print(f"{options.output}: {made_trajectories} trajectories in {seconds:.1f} s")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command; returns the exit status: 0, or 1 when it cannot be done."""
+    options = _parser().parse_args(arguments)
+    parts: Parts | None = None
+
+    def waiting() -> str:
+        return parts.waiting("shard", "shards") if parts else ""
+
+    try:
+        mission = sized(load_mission(options.mission), options.size)
+        made_of = {"mission": mission.digest("generalisation", "dataset"), "recipe": options.recipe}
+        made_of |= environment_of("data.recipes")
+        run = {**made_of, "trajectories": options.trajectories}
+        with going_on(waiting), claim(options.output, made_of, options.restart) as parts:
+            if _finished(options, run):
+                print(f"{options.output} is there already, made by the same run")
+            else:
+                _run(options, mission, parts, run)
+    except SailnetError as error:
+        print(f"error: {error}", file=sys.stderr)
+        if kept := waiting():
+            print(kept, file=sys.stderr)
+        return 1
+    return 0
