@@ -138,7 +138,7 @@ def period_costs(mission: Mission, guidance: Guidance, seed: int) -> dict[str, o
 
     def plant_alone(disturbance: Disturbance) -> float:
         given = rules(mission, disturbance, mission.flight.period, guidance.beta_range)
-        run = _seconds(lambda: SideBySide(given, starts, 0, idle).fly(500))
+        run = _seconds(lambda: SideBySide(given, starts, 0, idle, np.zeros((len(starts), 3))).fly(500))
         return 1e9 * run / BATCH / 500
 
     return {

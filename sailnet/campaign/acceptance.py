@@ -20,6 +20,7 @@ from sailnet.campaign.tables import (
     REVERSALS,
     SLEW,
     Column,
+    Table,
     table_of,
     within_columns,
 )
@@ -48,12 +49,17 @@ def acceptance_table(results: Results) -> list[str]:
 
 
 def headline_table(results: Results) -> list[str]:
+    """Lines of Markdown of :func:`headline`."""
+    return headline(results).markdown()
+
+
+def headline(results: Results) -> Table:
     """The same in a few rows: each series, the single flights at the mission's guidance period."""
     many, single = _by_kind(results)
     usual = [score for score in single if score.period == results.mission.flight.period]
     flown: Column = ("flown", lambda score: score.name)
     columns = [flown, MEAN, HOME, REVERSALS, ARRIVE, FAIL, MEDIAN]
-    return table_of("", columns, [*many, *usual]).markdown()
+    return table_of("", columns, [*many, *usual])
 
 
 def _by_kind(results: Results) -> tuple[list[Score], list[Score]]:

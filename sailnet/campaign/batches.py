@@ -12,8 +12,9 @@ from sailnet.campaign.own_optima import assumed_optima, optimal_slews, own_optim
 from sailnet.campaign.plan import Plan, Starts
 from sailnet.campaign.random_flights import BATCH
 from sailnet.campaign.time_to_go import time_to_go
-from sailnet.expert.fastest import Optima
+from sailnet.expert.optima import Optima
 from sailnet.flight.closed_loop import Flights, History, fly, fly_recorded
+from sailnet.flight.drawn_optics import optics_of_flights
 from sailnet.flight.plant import constant_errors, rules
 from sailnet.guidance.by_expert.pilot import ExpertGuidance
 from sailnet.guidance.interface import Guidance
@@ -175,10 +176,9 @@ class Job:
         disturbance = series.disturbances(self.mission, self.plan.seed)
         period = self.plan.periods_of(series, self.mission)[0]
         given = rules(self.mission, disturbance, period, self.guidance.beta_range)
-        errors = constant_errors(given, range(first, first + len(assumed.time_of_flight)))
-        return own_optimal_times(
-            self.mission.problem, assumed, errors, self.mission.optics_flown(disturbance)
-        )
+        numbers = range(first, first + len(assumed.time_of_flight))
+        optics = optics_of_flights(self.mission, disturbance, numbers)
+        return own_optimal_times(self.mission.problem, assumed, constant_errors(given, numbers), optics)
 
 
 def own_column(series: int) -> str:

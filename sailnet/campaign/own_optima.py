@@ -1,10 +1,15 @@
 """The optimum of the sail that flew, whose constant beta and optics the guidance was not told."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from sailnet.expert.fastest import Optima, sample_many, solve_states
+from sailnet.expert.fastest import solve_states
+from sailnet.expert.optima import Optima, sample_many
 from sailnet.expert.real_sails import own_optima
 from sailnet.flight.closed_loop import Flights
+from sailnet.flight.drawn_optics import forces, optics_of_flights
+from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import Optics
@@ -17,7 +22,9 @@ FEW = 25
 """Up to so many states are solved one by one: indexing the generalisation set takes some twenty seconds."""
 
 
-def own_optimal_times(transfer: Transfer, assumed: Optima, beta_errors: Array, optics: Optics) -> Array:
+def own_optimal_times(
+    transfer: Transfer, assumed: Optima, beta_errors: Array, optics: Sequence[Optics]
+) -> Array:
     """(n,) shortest times for sails other than the one assumed [TU]; NaN where none is known.
 
     By continuation from the optima of the sail as assumed. Where that ends at a fold, in some half a per cent
@@ -28,10 +35,10 @@ def own_optimal_times(transfer: Transfer, assumed: Optima, beta_errors: Array, o
         transfer: the problem with the sail as assumed.
         assumed: its optima, one a flight.
         beta_errors: (n,) constant relative error of each sail's beta.
-        optics: of all of them.
+        optics: n, of each sail.
     """
     times = assumed.time_of_flight.copy()
-    another = (beta_errors != 0.0) | (optics.force != transfer.optics.force)
+    another = (beta_errors != 0.0) | (forces(optics) != transfer.optics.force).any(axis=1)
     others = np.flatnonzero(another & assumed.found)
     if len(others):
         nominal = assumed.rows(others)
@@ -41,7 +48,7 @@ def own_optimal_times(transfer: Transfer, assumed: Optima, beta_errors: Array, o
             nominal.arrival_costates,
             nominal.time_of_flight,
             transfer.beta * (1.0 + beta_errors[others]),
-            optics,
+            [optics[row] for row in others.tolist()],
             search=len(others) <= FEW,
         )
         times[others] = own.time_of_flight
@@ -77,7 +84,14 @@ def optimal_slews(transfer: Transfer, optima: Optima) -> Array:
     return slews
 
 
-def optimal_times_of(mission: Mission, flights: Flights, optics: Optics) -> Array:
-    """(n,) :func:`own_optimal_times` of flights from random starts of the generalisation set [TU]."""
+def optimal_times_of(mission: Mission, flights: Flights, disturbance: Disturbance) -> Array:
+    """(n,) :func:`own_optimal_times` of flights from random starts of the generalisation set [TU].
+
+    Args:
+        mission: poses the problem.
+        flights: from number 0 on.
+        disturbance: of these flights.
+    """
+    optics = optics_of_flights(mission, disturbance, range(len(flights.starts)))
     assumed = assumed_optima(mission, flights.starts)
     return own_optimal_times(mission.problem, assumed, flights.beta_error, optics)

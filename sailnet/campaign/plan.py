@@ -13,13 +13,13 @@ from sailnet.guidance.rules import refuse_long_period
 from sailnet.mission.disturbances import Disturbance, disturbance_from
 from sailnet.mission.explanation import explain
 from sailnet.mission.mission import Mission
-from sailnet.mission.sections import Count, Positive, Section
+from sailnet.mission.sections import Count, Positive, Section, Seed
 from sailnet.mission.toml_files import read_table, shipped_names
 from sailnet.physics.arrays import Array
 
 State = Annotated[tuple[Positive, float, float], Field(strict=False)]
+UpTo = Annotated[int, Field(ge=0, le=10**9)]
 Starts = Literal["generalisation"] | Annotated[tuple[State, ...], Field(strict=False, min_length=1)]
-Seed = Annotated[int, Field(ge=0, lt=2**63)]
 
 
 def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
@@ -28,7 +28,9 @@ def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
     return values
 
 
-Increasing = Annotated[tuple[Positive, ...], Field(strict=False, min_length=1), AfterValidator(_increasing)]
+Increasing = Annotated[
+    tuple[Positive, ...], Field(strict=False, min_length=1, max_length=1000), AfterValidator(_increasing)
+]
 
 
 def _short_enough(values: tuple[float, ...]) -> tuple[float, ...]:
@@ -72,7 +74,7 @@ class Series(Section):
     starts: Starts | None = None
     periods: Periods | None = None
     disturbance: Annotated[dict[str, Any], AfterValidator(_known)] = Field(default_factory=dict)
-    optima: Annotated[int, Field(ge=0)] | None = None
+    optima: UpTo | None = None
 
     @property
     def known(self) -> int:
@@ -115,18 +117,18 @@ class Plan(Section):
     """
 
     schema_version: Annotated[Literal[1], Field(alias="schema")]
-    name: Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]*$")]
-    title: str
-    text: str = ""
+    name: Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]*$", max_length=60)]
+    title: Annotated[str, Field(max_length=1000)]
+    text: Annotated[str, Field(max_length=100_000)] = ""
     seed: Seed = 2
     flights: Count | None = None
     starts: Starts = "generalisation"
     periods: Periods | None = None
-    optima: Annotated[int, Field(ge=0)] | None = None
+    optima: UpTo | None = None
     thresholds: Increasing = (1e-4, 1e-3, 1e-2)
-    sample: Annotated[int, Field(ge=0)] = 10
-    failures: Annotated[int, Field(ge=0)] = 5000
-    series: Annotated[tuple[Series, ...], Field(strict=False, min_length=1)]
+    sample: UpTo = 10
+    failures: UpTo = 5000
+    series: Annotated[tuple[Series, ...], Field(strict=False, min_length=1, max_length=1000)]
 
     @model_validator(mode="after")
     def _complete(self) -> "Plan":
@@ -208,8 +210,9 @@ def single_precision(name: str) -> str:
     return f"{name}-float32"
 
 
-PLAIN_LAW = "plain-law"
-"""Where, beside the others, campaigns lie that were flown by ``sailnet.guidance.rules.PLAIN``."""
+OTHER_LAWS = {"plain-law": "plain law", "told-ageing": "told that it ages"}
+"""Where, beside the others, campaigns lie that the same networks flew by another flight file, and what that
+is: by ``sailnet.guidance.rules.PLAIN``, or for a sail that is known to age."""
 
 
 def guided_by(name: str, guidance: str) -> str:

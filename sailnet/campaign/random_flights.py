@@ -1,9 +1,6 @@
 """Flights from random starts under one disturbance, kept in memory: a series without a file."""
 
-import sys
 from functools import partial
-
-from tqdm import tqdm
 
 from sailnet.errors import SailnetError
 from sailnet.flight.closed_loop import Flights, fly
@@ -12,9 +9,13 @@ from sailnet.guidance.interface import Guidance
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.workers.executors import Workers
+from sailnet.workers.progress import progress
 
 BATCH = 500
 """Flights flown side by side; part of nothing that is reported."""
+
+MOST = 10_000_000
+"""Flights that are kept in memory."""
 
 
 def fly_random_starts(
@@ -37,14 +38,14 @@ def fly_random_starts(
         workers: who flies the batches; this process by default.
 
     Raises:
-        SailnetError: a number of flights that is not positive.
+        SailnetError: a number of flights that is not positive, or more than fit in memory.
     """
-    if count < 1:
-        raise SailnetError(f"the number of flights must be at least 1, not {count}")
+    if not 1 <= count <= MOST:
+        raise SailnetError(f"the number of flights must be from 1 to {MOST}, not {count}")
     batch = partial(_fly_batch, mission, guidance, count, disturbance, period)
     firsts = range(0, count, BATCH)
     batches = []
-    with tqdm(total=count, unit="flight", file=sys.stderr, disable=None) as bar:
+    with progress(count, "flight") as bar:
         for flights in map(batch, firsts) if workers is None else workers.map(batch, firsts):
             batches.append(flights)
             bar.update(len(flights.arrived))

@@ -2,7 +2,6 @@
 the flights that ``/kept`` lists.
 """
 
-import json
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,9 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.artefacts.column_files import Columns, open_columns, write_columns
+from sailnet.artefacts.untrusted import table_of
 from sailnet.campaign.batches import Batch, Job, own_column
 from sailnet.campaign.columns import FLIGHTS, LAYOUT, OPTIMUM, OWN, flights_from, history_from
 from sailnet.campaign.plan import Plan, parse_plan
+from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import Flights, History
 from sailnet.mission.mission import Mission, parse_mission
 
@@ -146,8 +147,11 @@ def open_results(path: Path) -> Results:
     read: dict[str, list[NDArray[Any]]] = {}
     with open_columns(path, LAYOUT) as file:
         file.verify(lambda key, _, values: read.setdefault(key, []).append(values))
-        mission = parse_mission(json.loads(file.text("mission")), str(path))
-        plan = parse_plan(json.loads(file.text("campaign")), str(path))
+        try:
+            mission = parse_mission(table_of(file.text("mission")), str(path))
+            plan = parse_plan(table_of(file.text("campaign")), str(path))
+        except ValueError as error:
+            raise CampaignError(f"{path} is no sailnet results: {error}; {LAYOUT.remedy}") from error
         networks, provenance, digest = file.text("networks"), file.provenance, file.digest
     groups = {
         group: {
@@ -156,6 +160,8 @@ def open_results(path: Path) -> Results:
         }
         for group, names in LAYOUT.groups.items()
     }
+    for fault in _contradictions(groups, plan):
+        raise CampaignError(f"{path} is no sailnet results: {fault}; {LAYOUT.remedy}")
     return Results(
         mission=mission,
         plan=plan,
@@ -167,3 +173,21 @@ def open_results(path: Path) -> Results:
         _bounds=np.append(0, np.cumsum(groups["kept"]["records"])),
         _records=groups["records"],
     )
+
+
+def _contradictions(groups: Mapping[str, Mapping[str, NDArray[Any]]], plan: Plan) -> Iterator[str]:
+    """Where columns contradict each other, the campaign, or what a flight can be."""
+    flights, kept = groups["flights"], groups["kept"]
+    limits = {"series": (0, len(plan.series) - 1), "ending": (1, 3), "arrived": (0, 1)}
+    for name, (least, most) in limits.items():
+        if not ((flights[name] >= least) & (flights[name] <= most)).all():
+            yield f"flights/{name} is not from {least} to {most}"
+    for name, values in flights.items():
+        may_be_unknown = name in OPTIMUM or name == "time_to_go"
+        if np.isinf(values).any() or (np.isnan(values).any() and not may_be_unknown):
+            yield f"flights/{name} is not finite"
+    if ((kept["flight"] < 0) | (kept["flight"] >= len(flights["series"]))).any():
+        yield "kept/flight names flights that are not there"
+    length = len(groups["records"]["time"])
+    if ((kept["records"] < 0) | (kept["records"] > length)).any() or kept["records"].sum() != length:
+        yield f"kept/records does not share out the {length} rows of /records"

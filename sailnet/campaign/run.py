@@ -4,13 +4,11 @@ import sys
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from threading import Event
-
-from tqdm import tqdm
 
 from sailnet.artefacts.provenance import environment_of, software
 from sailnet.artefacts.resumable import Columns, Parts, claim, resumed
 from sailnet.campaign.batches import Batch, Job
+from sailnet.campaign.budget import refuse_too_large
 from sailnet.campaign.plan import Plan
 from sailnet.campaign.results import Results, open_results, write_results
 from sailnet.errors import CampaignError, SailnetError
@@ -18,7 +16,8 @@ from sailnet.flight.plant_library import sources_digest
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.mission import Mission
 from sailnet.workers.executors import Workers
-from sailnet.workers.interruption import asked_to_stop
+from sailnet.workers.interruption import going_on
+from sailnet.workers.progress import progress
 
 MODULES = ("sailnet.guidance.backends", "sailnet.campaign.batches")
 """Whose source, and what it imports, flights depend on."""
@@ -41,8 +40,6 @@ def fly_plan(
 ) -> Results:
     """Fly a campaign into a file, or go on with one that was interrupted; read it if it is flown already.
 
-    A file with the same campaign, flown by other software, is replaced once the new one is complete.
-
     Args:
         mission: plant, target and rules of flight.
         guidance: what flies; picklable if workers are other processes.
@@ -50,14 +47,16 @@ def fly_plan(
         output: the HDF5 file.
         workers: who flies; this process by default.
         restart: fly everything anew, whatever there is.
-        overwrite: replace a finished file of another mission, campaign or guidance.
+        overwrite: replace a finished file of another mission, campaign, guidance or software, and one that
+            cannot be read; once the new one is complete.
         facts: about the guidance, beside its networks: back end, precision and layout.
         optima: results of the same campaign, flown by another guidance with the same software: the optima of
             the sails that flew are taken from there, and not solved for again.
 
     Raises:
-        SailnetError: the file holds something else that is finished, or cannot be written; a flight that
-            cannot be; optima of other flights; workers lost again and again. What was flown is kept.
+        SailnetError: the file holds something else that is finished, or cannot be written; a campaign that
+            takes more memory or disk than there is; a flight that cannot be; optima of other flights; workers
+            lost again and again. What was flown is kept.
         KeyboardInterrupt: at Ctrl-C; likewise.
     """
     job = Job(mission, guidance, plan.flown_by(mission), asks=optima is None)
@@ -68,25 +67,32 @@ def fly_plan(
         **(facts or {}),
     }
     run = {**asked_for, "plant": sources_digest(), **environment_of(*MODULES)}
-    if not restart and (found := _finished(output)) is not None:
+    if not restart and (found := _finished(output, overwrite)) is not None:
         flown = found.provenance["run"]
         if flown == run:
             return found
         if not overwrite:
-            _refuse_another(output, asked_for, flown)
+            _refuse_another(output, run, flown)
     known = None if optima is None else _of_the_same_flights(optima, mission, run)
-    with claim(output, run, restart, "results") as parts, _telling(parts), asked_to_stop() as asked:
+    refuse_too_large(job.plan, mission, output)
+    with claim(output, run, restart, "results") as parts, _telling(parts):
         outcomes = resumed(job.carry_out, range(len(job.batches)), parts, workers)
         origin = {"run": run, **software()}
-        write_results(output, job, _watched(job, outcomes, asked), origin, parts.folder, known)
+        write_results(output, job, _watched(job, outcomes), origin, parts.folder, known)
     return open_results(output)
 
 
-def _finished(output: Path) -> Results | None:
+def _finished(output: Path, overwrite: bool) -> Results | None:
+    if not output.exists():
+        return None
     try:
         return open_results(output)
-    except SailnetError:  # missing, damaged, or of another version
-        return None
+    except SailnetError as error:  # damaged, or of another version
+        if overwrite:
+            return None
+        raise CampaignError(
+            f"{error}; name another folder with --output, or say --overwrite to replace it"
+        ) from error
 
 
 def _of_the_same_flights(path: Path, mission: Mission, run: Mapping[str, str]) -> Results:
@@ -104,37 +110,37 @@ def _of_the_same_flights(path: Path, mission: Mission, run: Mapping[str, str]) -
     return results
 
 
-def _refuse_another(output: Path, asked_for: Mapping[str, str], flown: Mapping[str, str]) -> None:
-    different = [name for name, value in asked_for.items() if flown.get(name) != value]
-    if different:
-        raise CampaignError(
-            f"{output} is finished, with another {', '.join(different)}: name another folder with --output, "
-            "or say --overwrite to replace it"
-        )
+def _refuse_another(output: Path, run: Mapping[str, str], flown: Mapping[str, str]) -> None:
+    different = [name for name, value in run.items() if flown.get(name) != value]
+    raise CampaignError(
+        f"{output} is finished, with another {', '.join(different)}: name another folder with --output, "
+        "or say --overwrite to replace it"
+    )
 
 
 @contextmanager
 def _telling(parts: Parts) -> Iterator[None]:
     """Say what is kept when the work ends early."""
+
+    def waiting() -> str:
+        return parts.waiting("batch", "batches")
+
     try:
-        yield
-    except (SailnetError, KeyboardInterrupt):
-        if kept := parts.waiting("batch", "batches"):
+        with going_on(waiting):
+            yield
+    except SailnetError:
+        if kept := waiting():
             print(kept, file=sys.stderr)
         raise
 
 
-def _watched(job: Job, outcomes: Iterable[Columns], asked: Event) -> Iterator[tuple[Batch, Columns]]:
+def _watched(job: Job, outcomes: Iterable[Columns]) -> Iterator[tuple[Batch, Columns]]:
     total = sum(batch.count for batch in job.batches if batch.kind == "flights")
-    with tqdm(total=total, unit="flight", desc=job.plan.name, file=sys.stderr, disable=None) as bar:
+    with progress(total, "flight", job.plan.name) as bar:
         for batch, columns in zip(job.batches, outcomes, strict=True):
-            if asked.is_set():
-                raise KeyboardInterrupt
             yield batch, columns
             if batch.kind == "flights":
                 bar.set_postfix_str(job.plan.whole[batch.series].name, refresh=False)
                 bar.update(batch.count)
             else:
                 bar.set_postfix_str("optima")
-        if asked.is_set():
-            raise KeyboardInterrupt

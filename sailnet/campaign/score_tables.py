@@ -1,22 +1,27 @@
 """``python -m sailnet.campaign.score_tables``: scores of campaigns as tables of a text, between two marks.
 
-A campaign that was flown in both precisions, or by the plain law too (into the folder ``plain-law`` beside
-the others), has one table of all, with a row of each under the other.
+A campaign that was flown in both precisions, or by another flight file of the same networks (into a folder of
+``OTHER_LAWS`` beside the others), has one table of all, with a row of each under the other. Tables of
+campaigns that are not in the folder stay as they are.
 """
 
 import json
+import re
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from sailnet.campaign.plan import PLAIN_LAW, ready_campaigns, single_precision
+from sailnet.campaign.plan import OTHER_LAWS, ready_campaigns, single_precision
 from sailnet.campaign.tables import Table, side_by_side
 from sailnet.campaign.text_command import fill_from_folder
 from sailnet.errors import CampaignError
+from sailnet.workers.interruption import run_command
 
 MARK = "campaigns"
 
+HEADING = re.compile(r"^\*\*.*\*\* \(`([^`]*)`, networks ", re.MULTILINE)
+"""Of a campaign's tables, with its name."""
 
 Record = Mapping[str, Any]
 """What a ``scores.json`` holds, with what flew as ``flown_by``."""
@@ -37,6 +42,22 @@ def campaign_tables(records: Sequence[Record]) -> str:
     return "\n\n".join(blocks)
 
 
+def beside_others(before: str, new: str) -> str:
+    """Tables of some campaigns, and those of others that stood there before, in the order of their names."""
+    written, kept = _by_campaign(new), _by_campaign(before)
+    return "\n\n".join(text for _, text in sorted((kept | written).items()))
+
+
+def _by_campaign(tables: str) -> dict[str, str]:
+    """Everything of a campaign under its name."""
+    starts = [*HEADING.finditer(tables)]
+    ends = [match.start() for match in starts[1:]] + [len(tables)]
+    texts: dict[str, list[str]] = {}
+    for match, end in zip(starts, ends, strict=True):
+        texts.setdefault(match[1], []).append(tables[match.start() : end].strip("\n"))
+    return {name: "\n\n".join(parts) for name, parts in texts.items()}
+
+
 def _made(record: Record) -> str:
     software = record["software"]
     return f"{record['flown_by']}: {software['machine']}, {software['date']}, revision {software['revision']}"
@@ -54,7 +75,7 @@ def _of_the_same_flights(records: Iterable[Record]) -> list[list[Record]]:
 
 
 def read_records(folder: Path) -> list[Record]:
-    """What was flown, in the order of the ready campaigns' names, those of the plain law last.
+    """What was flown, in the order of the ready campaigns' names, those of other flight files last.
 
     Raises:
         CampaignError: none was, or a file is damaged.
@@ -62,7 +83,7 @@ def read_records(folder: Path) -> list[Record]:
     places = [
         (where / flown / "scores.json", law)
         for name in ready_campaigns()
-        for where, law in ((folder, ""), (folder / PLAIN_LAW, ", plain law"))
+        for where, law in ((folder, ""), *((folder / name, f", {law}") for name, law in OTHER_LAWS.items()))
         for flown in (name, single_precision(name))
     ]
     try:
@@ -82,8 +103,9 @@ def main() -> int:
         __doc__,
         MARK,
         lambda folder: campaign_tables(read_records(folder)),
+        beside_others,
     )
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main, "the same command begins again"))

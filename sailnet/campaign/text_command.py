@@ -5,11 +5,17 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from sailnet.artefacts.files import fill_block
+from sailnet.artefacts.files import fill_block, split_at_block
 from sailnet.errors import SailnetError
 
 
-def fill_from_folder(module: str, description: str | None, mark: str, block: Callable[[Path], str]) -> int:
+def fill_from_folder(
+    module: str,
+    description: str | None,
+    mark: str,
+    block: Callable[[Path], str],
+    joined: Callable[[str, str], str] | None = None,
+) -> int:
     """Run the command ``python -m MODULE FOLDER TEXT``; returns its exit status.
 
     Args:
@@ -17,6 +23,7 @@ def fill_from_folder(module: str, description: str | None, mark: str, block: Cal
         description: for its help.
         mark: name of the block in the text.
         block: what is written there, from the folder that campaigns were flown to; its errors are told.
+        joined: what becomes of what stood there and what is written now; by default the latter alone.
     """
     parser = argparse.ArgumentParser(
         prog=f"python -m {module}",
@@ -28,7 +35,8 @@ def fill_from_folder(module: str, description: str | None, mark: str, block: Cal
     parser.add_argument("text", type=Path, help=f"file with the marks <!-- {mark} --> and <!-- /{mark} -->")
     options = parser.parse_args()
     try:
-        fill_block(options.text, mark, block(options.folder))
+        (_, before, _), written = split_at_block(options.text, mark), block(options.folder)
+        fill_block(options.text, mark, joined(before, written) if joined else written)
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

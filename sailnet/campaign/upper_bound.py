@@ -26,6 +26,7 @@ from sailnet.campaign.tables import (
 from sailnet.campaign.text_command import fill_from_folder
 from sailnet.errors import CampaignError
 from sailnet.guidance.rules import EXPERT_RULES, LOOK_AHEAD_RULES
+from sailnet.workers.interruption import run_command
 
 MARK = "upper bound"
 
@@ -110,4 +111,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main, "the same command begins again"))

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet.errors import SailnetError
+from sailnet.flight.drawn_optics import optics_errors
 from sailnet.flight.plant import STATE, SideBySide, rules, step_quantile
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.disturbances import Disturbance
@@ -216,7 +217,8 @@ def _departing(
     held = mission.flight.period if period is None else period
     wanted = mission.disturbance if disturbance is None else disturbance
     given = rules(mission, wanted, held, guidance.beta_range)
-    return start, SideBySide(given, start, first, guidance.steering(len(start)))
+    errors = optics_errors(mission, wanted, range(first, first + len(start)))
+    return start, SideBySide(given, start, first, guidance.steering(len(start)), errors)
 
 
 def _flights(mission: Mission, start: Array, flown: SideBySide) -> Flights:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.errors import SailnetError
+from sailnet.flight.drawn_optics import COEFFICIENTS
 from sailnet.flight.plant_library import STEER, plant
 from sailnet.guidance.exported_files import SUFFIXES
 from sailnet.guidance.interface import NativeSteering, Steering
@@ -55,7 +56,7 @@ def rules(
         SailnetError: a period that is not positive, too long for steering or too short for the mission's
             longest flight; a time of an outage below it.
     """
-    longest = mission.flight.longest
+    longest, degradation = mission.flight.longest, mission.degradation_flown(disturbance)
     if not (math.isfinite(period) and period > 0.0):
         raise SailnetError(f"the guidance period must be a positive number of TU, not {period}")
     refuse_long_period(period)
@@ -65,7 +66,12 @@ def rules(
         raise SailnetError(f"outage_duration must be at least the guidance period, {period:g} TU")
     if disturbance.delay > longest:
         raise SailnetError(f"delay must be at most the longest flight, {longest:g} TU")
-    values = {name: value for name, value in vars(disturbance).items() if name[:2] not in ("r_", "u_", "v_")}
+    drawn_here = {f"{name}_spread" for name in COEFFICIENTS}
+    values = {
+        name: value
+        for name, value in vars(disturbance).items()
+        if name[:2] not in ("r_", "u_", "v_") and name not in drawn_here
+    }
     for kind in ("bias", "noise", "wander"):
         values[f"navigation_{kind}"] = [getattr(disturbance, f"{component}_{kind}") for component in "ruv"]
     return plant().filled(
@@ -83,6 +89,8 @@ def rules(
             "beta_range": beta_range,
             "beta": mission.sail.beta,
             "optics": optics_of(mission.optics_flown(disturbance).force),
+            "degradation_loss": degradation.loss,
+            "degradation_dose": degradation.dose,
         },
     )
 
@@ -127,18 +135,28 @@ class SideBySide:
         starts: (n, 3) r, u, v at departure.
         first: number of the first flight.
         steering: of n sails that start; called by the plant directly if it can be.
+        optics_errors: (n, 3) by how much the force of each sail differs from that of the rules.
 
     Attributes:
         sails: (n,) ``plant_sail``.
     """
 
-    def __init__(self, rules: NDArray[np.void], starts: Array, first: int, steering: Steering) -> None:
+    def __init__(
+        self,
+        rules: NDArray[np.void],
+        starts: Array,
+        first: int,
+        steering: Steering,
+        optics_errors: Array,
+    ) -> None:
         count, loaded = len(starts), plant()
         self._fly, self._rules = loaded.functions.plant_fly, rules
         self._record = loaded.structures["plant_record"]
         self.sails = np.zeros(count, loaded.structures["plant_sail"])
         for component, column in zip("ruv", starts.T, strict=True):
             self.sails["state"][component] = column
+        for name, column in zip(OPTICS_COEFFICIENTS, optics_errors.T, strict=True):
+            self.sails["optics_error"][name] = column
         self.sails["number"] = np.arange(first, first + count, dtype=np.uint64)
         native = steering.native() if isinstance(steering, NativeSteering) else None
         address, memories, precision = native or (0, 0, "float64")

@@ -15,9 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.artefacts.checksums import verify_checksum
+from sailnet.artefacts.shared_objects import refuse_unloadable
 from sailnet.errors import GuidanceError
 
-API_VERSION = 5
+API_VERSION = 6
 
 LIBRARY = Path(__file__).parent / "native" / "plant.so"
 
@@ -45,8 +46,9 @@ class Plant:
     """
 
     def __init__(self, file: Path) -> None:
-        verify_checksum(file, file.parent / "libraries.sha256")
+        content = verify_checksum(file, file.parent / "libraries.sha256")
         try:
+            refuse_unloadable(content)
             functions = ctypes.CDLL(str(file))
             if functions.plant_api_version() != API_VERSION:
                 raise GuidanceError(f"{file} is of another version of sailnet; install sailnet again")
@@ -57,14 +59,16 @@ class Plant:
             functions.plant_queue_slots.argtypes = [_POINTER]
             functions.plant_fly.restype = number
             functions.plant_fly.argtypes = [_POINTER, _POINTER, _POINTER, number, _POINTER]
-            functions.plant_hold.argtypes = [_POINTER, *[ctypes.c_double] * 4, _POINTER, _POINTER]
+            functions.plant_hold.argtypes = [_POINTER, _POINTER, *[ctypes.c_double] * 4, _POINTER, _POINTER]
+            functions.plant_coefficient_draw.restype = ctypes.c_double
+            functions.plant_coefficient_draw.argtypes = [number, number, word]
             functions.plant_depart.restype, functions.plant_depart.argtypes = None, [_POINTER] * 2
             functions.plant_step_edge.restype, functions.plant_step_edge.argtypes = ctypes.c_double, [word]
             functions.plant_philox.restype = None
             functions.plant_philox.argtypes = [_POINTER] * 3
             for draw in (functions.plant_uniform, functions.plant_normal):
                 draw.restype, draw.argtypes = ctypes.c_double, [number, number, word, word]
-        except (OSError, AttributeError) as error:
+        except (OSError, AttributeError, ValueError) as error:
             raise GuidanceError(f"cannot load {file}: {error}; install sailnet again") from error
         self.functions = functions
         self.structures: dict[str, np.dtype[np.void]] = {}

@@ -5,7 +5,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Literal
 
-from sailnet.errors import GuidanceError
+from sailnet.errors import GuidanceError, reason
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.exported_files import graph_name, header_and_source, library_name
 from sailnet.guidance.interface import Guidance, Layout, Precision
@@ -34,7 +34,7 @@ def load_guidance(
     Raises:
         GuidanceError: a file is missing, damaged, of another mission or cannot be loaded.
     """
-    where = folder if folder is not None else _shipped(mission)
+    where = exported_folder(mission, folder)
     if backend == "c":
         return CGuidance(mission, where / library_name(precision, layout))
     if backend == "onnx":
@@ -53,21 +53,28 @@ def exported_digest(mission: Mission, folder: Path | None = None, layout: Layout
     Raises:
         GuidanceError: a file is missing.
     """
-    where = folder if folder is not None else _shipped(mission)
+    where = exported_folder(mission, folder)
     digest = hashlib.sha256()
     for name in header_and_source(layout):
         try:
             digest.update((where / name).read_bytes())
         except OSError as error:
-            raise GuidanceError(f"cannot read {where / name}: {error}; export it again") from error
+            raise GuidanceError(f"cannot read {where / name}: {reason(error)}; export it again") from error
     return digest.hexdigest()
 
 
-def _shipped(mission: Mission) -> Path:
+def exported_folder(mission: Mission, folder: Path | None = None) -> Path:
+    """The folder of exported files that is named, or else of those shipped for the mission.
+
+    Raises:
+        GuidanceError: none is named, and none are shipped.
+    """
+    if folder is not None:
+        return folder
     folder = Path(str(resources.files("sailnet"))) / "shipped" / mission.name
     if not folder.is_dir():
         raise GuidanceError(
-            f"no networks are shipped for mission {mission.name!r}: train and export some "
-            "(python -m training, python -m export) and name their folder"
+            f"no networks are shipped for mission {mission.name!r}: make some (sailnet pipeline FILE) and "
+            "name their folder with --networks"
         )
     return folder

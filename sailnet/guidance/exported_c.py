@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet.artefacts.checksums import verify_checksum
+from sailnet.artefacts.shared_objects import refuse_unloadable
 from sailnet.errors import GuidanceError
 from sailnet.guidance.exported_files import SUFFIXES
 from sailnet.guidance.interface import Commands, Precision, Steered, as_attitudes, as_betas, as_states
@@ -31,9 +32,10 @@ class CGuidance:
 
     def __init__(self, mission: Mission, library: Path) -> None:
         # Before anything is loaded: a truncated library does not raise, it ends the process.
-        verify_checksum(library, library.parent / "libraries.sha256")
+        content = verify_checksum(library, library.parent / "libraries.sha256")
         integer, text, pointer = ctypes.c_uint32, ctypes.c_char_p, ctypes.c_void_p
         try:
+            refuse_unloadable(content)
             loaded = ctypes.CDLL(str(library.resolve()))
             found = [
                 (precision, suffix)
@@ -62,7 +64,7 @@ class CGuidance:
             self._steer = _declared(
                 loaded, f"sailnet_steer_batch_{suffix}", None, count, *[pointer] * 4, real, *[pointer] * 2
             )
-        except (OSError, AttributeError) as error:
+        except (OSError, AttributeError, ValueError) as error:
             raise GuidanceError(
                 f"cannot load {library}: {error}; compile it again on this machine"
             ) from error

@@ -9,18 +9,27 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from sailnet import __version__
+from sailnet.artefacts.untrusted import table_of
 from sailnet.errors import GuidanceError, SailnetError
 from sailnet.guidance.interface import Commands, GuidanceStatus
 from sailnet.mission.mission import Mission
+from sailnet.mission.sections import NO_DEGRADATION, Degradation
 from sailnet.networks.approach import APPROACH_INPUTS
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import Network
 from sailnet.networks.trained_domain import TrainedDomain
 from sailnet.physics.arrays import Array
-from sailnet.physics.optics import OPTICS, Optics, optics_from
+from sailnet.physics.optics import OPTICS, Optics, is_number, optics_from
 
 METADATA_KEY = "sailnet_guidance"
 """The key of an ONNX file's ``metadata_props`` that holds the facts as JSON."""
+
+_TEXTS = ("version", "mission", "mission_digest", "networks_digest")
+_TRIPLES = ("target_state", "state_min", "state_max")
+_NUMBERS = (
+    *("phi_max", "arrival_threshold", "arrival_tolerance", "largest_time_of_flight"),
+    *("beta", "beta_min", "beta_max", "costate_unit", "turn_rate"),
+)
 
 
 @dataclass(frozen=True)
@@ -45,6 +54,7 @@ class GuidanceFacts:
         state_min, state_max: box of states (r, u, v) the time-of-flight network was trained on.
         domain: the tube of trained states within it.
         optics: of the sail that was trained for and flies; ideal where nothing was said.
+        degradation: how that sail is known to age; not at all where nothing was said.
     """
 
     version: str
@@ -66,6 +76,20 @@ class GuidanceFacts:
     state_max: tuple[float, float, float]
     domain: TrainedDomain
     optics: Optics = OPTICS["ideal"]
+    degradation: Degradation = NO_DEGRADATION
+
+    def __post_init__(self) -> None:
+        for name, value in vars(self).items():
+            if name in _TEXTS and not isinstance(value, str):
+                raise GuidanceError(f"{name} is {value!r:.40}, not text")
+            if name in _TRIPLES and not (len(value) == 3 and all(map(_is_finite, value))):
+                raise GuidanceError(f"{name} is {value!r:.60}, not three finite numbers")
+            if name in _NUMBERS and not (_is_finite(value) and value > 0.0):
+                raise GuidanceError(f"{name} is {value!r:.40}, not a finite number above 0")
+        if not isinstance(self.datasets, Mapping) or not all(
+            isinstance(value, str) for value in self.datasets.values()
+        ):
+            raise GuidanceError(f"datasets is {self.datasets!r:.60}, not a table of texts")
 
     def contains(self, states: ArrayLike, beta: ArrayLike) -> NDArray[np.bool_]:
         """(n,) whether the networks were trained on such states and sails; never on what is not finite.
@@ -123,7 +147,12 @@ class GuidanceFacts:
 
     def to_json(self) -> str:
         """One line of JSON."""
-        return json.dumps(asdict(self), sort_keys=True)
+        content = asdict(self)
+        if self.degradation == NO_DEGRADATION:  # as before a mission could say so
+            del content["degradation"]
+        else:
+            content["degradation"] = self.degradation.model_dump()
+        return json.dumps(content, sort_keys=True)
 
     @classmethod
     def from_json(cls, text: str) -> "GuidanceFacts":
@@ -133,11 +162,12 @@ class GuidanceFacts:
             GuidanceError: it is not that.
         """
         try:
-            content = json.loads(text)
-            for name in ("target_state", "state_min", "state_max"):
+            content = table_of(text)
+            for name in _TRIPLES:
                 content[name] = tuple(content[name])
             content["domain"] = TrainedDomain.parse(content["domain"])
             content["optics"] = optics_from(content.get("optics", "ideal"))
+            content["degradation"] = Degradation(**content.get("degradation", {}))
             return cls(**content)
         except (ValueError, KeyError, TypeError, SailnetError) as error:
             raise GuidanceError(f"the guidance does not say what it is: {error}; export it again") from error
@@ -184,7 +214,15 @@ def describe(networks: GuidanceNetworks, mission: Mission, alpha: Network | None
         state_max=_triple(highest),
         domain=networks.domain,
         optics=mission.sail.optics,
+        degradation=mission.degradation,
     )
+
+
+def _is_finite(value: object) -> bool:
+    try:
+        return is_number(value) and bool(np.isfinite(float(value)))  # type: ignore[arg-type]
+    except OverflowError:
+        return False
 
 
 def _triple(values: Array) -> tuple[float, float, float]:

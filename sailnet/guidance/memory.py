@@ -10,7 +10,7 @@ from sailnet.physics.arrays import Array
 
 @dataclass
 class Memory:
-    """Of n sails, as in ``sailnet_memory``, in that order; (n, 3) states r, u, v, and arrays of length n."""
+    """Of n sails, as in ``sailnet_memory`` of one that ages, in order; (n, 3) states r, u, v; arrays (n,)."""
 
     state: Array
     cone_angle: Array
@@ -28,6 +28,7 @@ class Memory:
     stake: Array
     regret: Array
     unseen: Array
+    worn: Array
     periods: NDArray[np.int64]
 
     @classmethod

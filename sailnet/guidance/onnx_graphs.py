@@ -9,11 +9,15 @@ from numpy.typing import ArrayLike
 from sailnet.artefacts.checksums import verify_checksum
 from sailnet.errors import GuidanceError
 from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts
+from sailnet.guidance.graph_checks import refuse_foreign
+from sailnet.guidance.graph_file import DOUBLE, FLOAT, ROWS, GraphFile, Value, read_graph
 from sailnet.guidance.interface import Commands, Precision, as_betas, as_states
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.mission.mission import Mission
 
-_PRECISIONS: dict[str, Precision] = {"tensor(float)": "float32", "tensor(double)": "float64"}
+_PRECISIONS: dict[int, Precision] = {FLOAT: "float32", DOUBLE: "float64"}
+_SILENT = 4
+"""Of onnxruntime's levels: what is wrong is said here."""
 
 
 class OnnxGuidance:
@@ -28,16 +32,21 @@ class OnnxGuidance:
     """
 
     def __init__(self, mission: Mission, graph: Path) -> None:
-        verify_checksum(graph, graph.parent / "SHA256SUMS")
+        content = verify_checksum(graph, graph.parent / "SHA256SUMS")
         options = onnxruntime.SessionOptions()
         options.intra_op_num_threads = options.inter_op_num_threads = 1
+        options.log_severity_level = _SILENT
         try:
-            self._session = onnxruntime.InferenceSession(graph, options, providers=["CPUExecutionProvider"])
-            self.precision = _PRECISIONS[self._session.get_inputs()[0].type]
-            stored = self._session.get_modelmeta().custom_metadata_map[METADATA_KEY]
+            self.precision, found = _checked(content)
+            self._session = onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
         except Exception as error:  # onnxruntime's exceptions share no other base
             raise GuidanceError(f"cannot load {graph}: {error}; export it again") from error
-        facts = GuidanceFacts.from_json(stored)
+        if METADATA_KEY not in found.metadata:
+            raise GuidanceError(f"cannot load {graph}: it says nothing of its networks; export it again")
+        try:
+            facts = GuidanceFacts.from_json(found.metadata[METADATA_KEY])
+        except GuidanceError as error:
+            raise GuidanceError(f"cannot load {graph}: {error}") from error
         if facts.mission_digest != mission.digest():
             raise GuidanceError(
                 f"{graph} was exported for another mission than {mission.name!r} as it is now"
@@ -48,8 +57,8 @@ class OnnxGuidance:
         self.networks_digest = facts.networks_digest
         self._facts = facts
         self.beta_range = (facts.beta_min, facts.beta_max)
-        self._reads_beta = "beta" in [entry.name for entry in self._session.get_inputs()]
-        self._outputs = [entry.name for entry in self._session.get_outputs()]
+        self._reads_beta = "beta" in found.inputs
+        self._outputs = list(found.outputs)
         kind = np.dtype(self.precision).type
         self._state_min = np.array(facts.state_min, kind)
 
@@ -71,3 +80,17 @@ class OnnxGuidance:
     def steering(self, count: int) -> ReferenceSteering:
         """Steering by the reference rules; see ``sailnet.guidance.interface.Guidance``."""
         return ReferenceSteering(self, count)
+
+
+def _checked(content: bytes) -> tuple[Precision, GraphFile]:
+    """The precision of a graph that is as sailnet exports them, and what its file holds."""
+    graph = read_graph(content)
+    state = graph.inputs.get("state")
+    if state is None or state.kind not in _PRECISIONS:
+        raise ValueError(f"its inputs are {', '.join(graph.inputs)!r:.100}, and no state in floating point")
+    one = Value(state.kind, (ROWS,))
+    inputs = {"state": Value(state.kind, (ROWS, 3))} | ({"beta": one} if "beta" in graph.inputs else {})
+    outputs = dict.fromkeys(("cone_angle", "time_of_flight"), one)
+    outputs |= {"lambda_v": one} if "lambda_v" in graph.outputs else {}
+    refuse_foreign(graph, inputs, outputs)
+    return _PRECISIONS[state.kind], graph

@@ -6,6 +6,7 @@ a while, and decides when the flight ends. This is the reference in NumPy for th
 both are held equal by test.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Steered, as_attitudes
 from sailnet.guidance.memory import Memory
-from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
+from sailnet.guidance.rules import LARGEST_PERIOD, SteeringRules, rules_of
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import Coefficients, runge_kutta_step
 from sailnet.physics.real_law import force_curve
@@ -40,6 +41,9 @@ class ReferenceSteering:
     standard deviations of that chance are taken off; and w^2 is the rest of their mean square. It shrinks
     to nothing with the time of flight tau, so that arrival is as exact as without.
 
+    *Age.* If the mission says how its sail ages, the estimate does so with it, and the networks read the
+    share of it that is left after some part of the time to go.
+
     *A side.* Where the networks' command reverses the sail, it keeps its side until that has cost it as
     much time as patience allows, by the difference of the Hamiltonian.
 
@@ -50,15 +54,15 @@ class ReferenceSteering:
     Args:
         guidance: gives the commands.
         count: number of sails.
-        rules: the numbers.
+        rules: the numbers; by default those of the mission's sail.
     """
 
-    def __init__(self, guidance: Guidance, count: int, rules: SteeringRules = RULES) -> None:
-        self._guidance = guidance
-        self._rules = rules
-        mission = guidance.mission
+    def __init__(self, guidance: Guidance, count: int, rules: SteeringRules | None = None) -> None:
+        self._guidance, mission = guidance, guidance.mission
+        self._rules = rules = rules or rules_of(mission)
         self._turn_rate = mission.flight.turn_rate
         self._force: Coefficients = mission.sail.optics.force
+        self._degradation = mission.degradation
         self._patience = rules.patience(mission.problem.phi_max, self._turn_rate)
         self._memory = Memory.started(count, float(np.clip(mission.sail.beta, *guidance.beta_range)))
 
@@ -74,8 +78,10 @@ class ReferenceSteering:
         hold = np.full(len(shown), period if timed else 0.0)
         with np.errstate(all="ignore"):
             known, change = self._known(memory, shown) if timed else (np.full_like(shown, np.nan), None)
+            share = self._aged(memory, known)
             plan = memory.beta * (1.0 - rules.reserve_tangential * np.maximum(memory.tangential, 0.0))
             plan *= 1.0 - self._reserve(memory, hold)
+            plan *= share
         command = self._command(known, np.clip(plan, *self._guidance.beta_range), hold, sails)
         status = command.status.copy()
         valid = status != GuidanceStatus.INVALID_INPUT
@@ -162,6 +168,23 @@ class ReferenceSteering:
         memory.slow += share * (relative * memory.surprise - memory.slow)
         memory.surprise = np.where(telling, relative, memory.surprise)
 
+    def _aged(self, memory: Memory, known: Array) -> Array:
+        """The estimate ages; the share of it that is planned with."""
+        loss, dose = self._degradation.loss, self._degradation.dose
+        if loss == 0.0:
+            return np.ones(len(known))
+        r, before = known[:, 0], memory.worn
+        worn = before + (1.0 - before) * _wear(np.clip(memory.held / r**2, 0.0, 1e3) / dose)
+        ahead = self._rules.foresight * memory.time_of_flight
+        ahead = ahead / (r * self._guidance.mission.problem.target_radius)
+        later = worn + (1.0 - worn) * _wear(np.clip(ahead, 0.0, 1e3) / dose)
+        left = 1.0 - loss * worn
+        valid = np.isfinite(r)
+        aged = np.clip(memory.beta * (left / (1.0 - loss * before)), *self._guidance.beta_range)
+        memory.beta = np.where(valid, aged, memory.beta)
+        memory.worn = np.where(valid, worn, before)
+        return np.where(valid, (1.0 - loss * later) / left, 1.0)
+
     def _reserve(self, memory: Memory, hold: Array) -> Array:
         rules, mission = self._rules, self._guidance.mission
         tau = np.maximum(memory.time_of_flight, mission.flight.arrival_threshold)
@@ -169,7 +192,8 @@ class ReferenceSteering:
         slow = np.clip(memory.slow - chance, 0.0, 1.0)
         white = np.clip(memory.variance - slow, 0.0, 1.0) * hold / tau
         reserve = rules.reserve_slow * np.sqrt(slow) + rules.reserve_white * np.sqrt(white)
-        kept: Array = np.minimum(reserve, rules.largest_reserve) * np.minimum(tau / rules.let_go, 1.0)
+        bounded = np.clip(reserve, rules.least_reserve, rules.largest_reserve)
+        kept: Array = bounded * np.minimum(tau / rules.let_go, 1.0)
         return kept
 
     def _kept_side(
@@ -227,6 +251,14 @@ class _Change:
     cosine: Array
     sine: Array
     force: Array
+
+
+def _wear(halvings: Array) -> Array:
+    """(n,) what so many halvings take, by the series of the flight file."""
+    x = math.log(2.0) * halvings
+    more = x * (1.0 + x * (0.5 + x / 6.0))
+    taken: Array = more / (1.0 + more)
+    return taken
 
 
 def _weight(memory: Memory, time: float) -> Array:

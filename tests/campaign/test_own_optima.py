@@ -12,7 +12,8 @@ from sailnet.campaign.own_optima import assumed_optima, optimal_slews, own_optim
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.errors import CampaignError
-from sailnet.expert.fastest import sample, solve
+from sailnet.expert.fastest import solve
+from sailnet.expert.optima import sample
 from sailnet.guidance.backends import load_guidance
 from sailnet.physics.optics import OPTICS
 from tests.campaign.small_plan import plan_of, short
@@ -26,7 +27,7 @@ STATES = np.array([[1.05, 0.15, 1.03], [1.0, 0.0, 1.0], [1.05, 0.15, 1.03]])
 def test_a_stronger_sail_has_a_shorter_optimum_and_the_assumed_one_its_own() -> None:
     """Held against a search for that very sail; a state that occurs twice keeps its place."""
     assumed = assumed_optima(MISSION, STATES, anywhere=True)
-    times = own_optimal_times(PROBLEM, assumed, np.array([0.1, 0.0, -0.1]), OPTICS["ideal"])
+    times = own_optimal_times(PROBLEM, assumed, np.array([0.1, 0.0, -0.1]), [OPTICS["ideal"]] * 3)
     assert times[1] == assumed.time_of_flight[1]
     assert times[0] < assumed.time_of_flight[0] < times[2]
     strong = solve(replace(PROBLEM, beta=1.1 * PROBLEM.beta), STATES[0])
@@ -36,7 +37,7 @@ def test_a_stronger_sail_has_a_shorter_optimum_and_the_assumed_one_its_own() -> 
 def test_a_real_sail_is_compared_with_what_a_real_sail_can_do() -> None:
     """JPL's from the departure orbit, solved independently: 7.4397331 TU."""
     assumed = assumed_optima(MISSION, STATES[1:2], anywhere=True)
-    times = own_optimal_times(PROBLEM, assumed, np.zeros(1), OPTICS["jpl"])
+    times = own_optimal_times(PROBLEM, assumed, np.zeros(1), [OPTICS["jpl"]])
     assert times[0] == pytest.approx(7.4397331, abs=1e-6)
 
 
@@ -46,10 +47,10 @@ def test_of_many_what_cannot_be_followed_stays_unknown(monkeypatch: pytest.Monke
     assumed = assumed_optima(MISSION, STATES[1:2], anywhere=True)
     lost = replace(assumed, arrival_costates=-assumed.arrival_costates)  # of no extremal
     errors = np.full(1, 0.1)
-    assert np.isfinite(own_optimal_times(PROBLEM, lost, errors, OPTICS["ideal"])).all()
+    assert np.isfinite(own_optimal_times(PROBLEM, lost, errors, [OPTICS["ideal"]])).all()
     monkeypatch.setattr(own_optima, "FEW", 0)
-    assert np.isnan(own_optimal_times(PROBLEM, lost, errors, OPTICS["ideal"])).all()
-    assert np.isfinite(own_optimal_times(PROBLEM, assumed, errors, OPTICS["ideal"])).all()
+    assert np.isnan(own_optimal_times(PROBLEM, lost, errors, [OPTICS["ideal"]])).all()
+    assert np.isfinite(own_optimal_times(PROBLEM, assumed, errors, [OPTICS["ideal"]])).all()
 
 
 def test_the_slew_of_an_optimum_is_that_of_its_command(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -81,7 +82,7 @@ def test_every_flight_of_a_campaign_has_the_optimum_of_its_own_sail(tmp_path: Pa
     own, assumed, error = flights["own_optimal_time"], flights["optimal_time"], flights["beta_error"]
     spread = flights["series"] == 0
     known = assumed_optima(MISSION, STATES, anywhere=True)
-    expected = own_optimal_times(PROBLEM, known, error[:3], OPTICS["ideal"])
+    expected = own_optimal_times(PROBLEM, known, error[:3], [OPTICS["ideal"]] * 3)
     np.testing.assert_allclose(own[spread], np.tile(expected, 2), rtol=1e-9)
     assert np.ptp(error[:3]) > 0.01
     np.testing.assert_array_equal((own < assumed)[spread], (error > 0.0)[spread])

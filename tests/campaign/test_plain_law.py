@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from export.__main__ import main as export_main
+from export.command import main as export_main
 from sailnet.cli import main
 from sailnet.flight.closed_loop import fly
 from sailnet.guidance.backends import exported_digest, load_guidance
-from sailnet.guidance.rules import PLAIN
+from sailnet.guidance.rules import PLAIN, RULES
 from sailnet.guidance.with_rules import WithRules
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import load_mission
@@ -64,3 +64,21 @@ def test_what_the_law_flew_is_not_taken_for_the_plain_law_s(
     assert "is finished, with another exported C" in capsys.readouterr().err
     assert main([*command, "--networks", str(exported), "--overwrite"]) == 0
     assert json.loads(capsys.readouterr().out)["scores"][0]["reversals"]["1"] > law
+
+
+@pytest.mark.exhaustive
+def test_the_exported_c_is_told_how_the_sail_ages(
+    tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As the reference of a mission that says so; in the median flight it gains nothing, see the campaign."""
+    no_graphs(monkeypatch)
+    folder = tmp_path_factory.mktemp("told")
+    assert export_main([str(SHIPPED), str(folder), "--degradation", "0.3"]) == 0
+    ages = Disturbance(degradation_loss=0.3)
+    told, knows = load_guidance(MISSION, folder=folder), MISSION.with_degradation(0.3)
+    by_c = fly(MISSION, told, STARTS, disturbance=ages)
+    by_reference = fly(knows, WithRules(load_guidance(knows), RULES), STARTS)
+    np.testing.assert_allclose(by_c.time_of_flight, by_reference.time_of_flight, rtol=1e-9)
+    unaware = fly(MISSION, load_guidance(MISSION), STARTS, disturbance=ages)
+    assert (by_c.time_of_flight != unaware.time_of_flight).all()
+    assert (by_c.arrived & unaware.arrived).all()

@@ -36,7 +36,14 @@ def test_ready_campaigns_can_be_flown(name: str) -> None:
 
 def test_ready_campaigns_are_those_that_were_promised() -> None:
     promised = {"paper", "generalisation", "beta-bias", "beta-noise", "navigation", "actuation", "everything"}
-    assert set(ready_campaigns()) == promised | {"acceptance", "bad-days", "law"}
+    assert set(ready_campaigns()) == promised | {
+        "acceptance",
+        "ageing",
+        "bad-days",
+        "drawn-optics",
+        "law",
+        "optics",
+    }
 
 
 @pytest.mark.parametrize("name", ["acceptance", "paper"])

@@ -105,7 +105,8 @@ def test_interrupted_and_killed_it_goes_on(tmp_path: Path) -> None:
     kept = parts(tmp_path)
     assert 2 <= len(kept) < 8
     folder = tmp_path / "out" / ".many.h5.parts"
-    assert said == f"{len(kept)} finished batches wait in {folder}: the same command goes on\ninterrupted\n"
+    way_on = f"{len(kept)} finished batches wait in {folder}: the same command goes on"
+    assert said == f"interrupted by SIGINT: {way_on}\n"
 
     run = start(tmp_path)
     until(len(kept) + 2, run)
@@ -159,7 +160,7 @@ def test_what_is_flown_already_is_not_flown_again(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_the_same_campaign_is_flown_anew_by_other_software(
+def test_what_other_software_flew_is_flown_anew_only_when_asked(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plan = plan_of(series=[{"name": "one", "starts": [CASE], "periods": [0.05]}])
@@ -167,9 +168,20 @@ def test_the_same_campaign_is_flown_anew_by_other_software(
     fly_plan(MISSION, GUIDANCE, plan, path)
     written = path.stat().st_mtime_ns
     monkeypatch.setattr(run, "environment_of", lambda *_: {"numpy": "9"})
-    found = fly_plan(MISSION, GUIDANCE, plan, path)
+    with pytest.raises(CampaignError, match=r"x\.h5 is finished, with another numpy: .*--overwrite"):
+        fly_plan(MISSION, GUIDANCE, plan, path)
+    assert path.stat().st_mtime_ns == written
+    found = fly_plan(MISSION, GUIDANCE, plan, path, overwrite=True)
     assert path.stat().st_mtime_ns > written
     assert found.provenance["run"]["numpy"] == "9"
+
+
+def test_what_cannot_be_read_is_not_replaced_unasked(tmp_path: Path) -> None:
+    path = tmp_path / "x.h5"
+    path.write_text("whatever this was")
+    with pytest.raises(CampaignError, match=r"cannot open results .*--overwrite to replace it"):
+        fly_plan(MISSION, GUIDANCE, plan_of(series=[{"name": "one", "starts": [CASE]}]), path)
+    assert path.read_text() == "whatever this was"
 
 
 def test_flights_depend_on_no_page_and_no_command() -> None:
@@ -196,8 +208,12 @@ def test_series_of_another_mission_are_left_out(tmp_path: Path) -> None:
 def test_a_flight_that_cannot_be_keeps_what_was_flown(tmp_path: Path) -> None:
     series = [
         {"name": "fine", "starts": [CASE], "periods": [0.05]},
-        {"name": "too fast", "starts": [CASE], "periods": [1e-8]},
+        {
+            "name": "too short",
+            "starts": [CASE],
+            "disturbance": {"outage_probability": 0.1, "outage_duration": 1e-3},
+        },
     ]
-    with pytest.raises(SailnetError, match="guidance period of 1e-08"):
+    with pytest.raises(SailnetError, match="outage_duration must be at least the guidance period"):
         fly_plan(MISSION, GUIDANCE, plan_of(series=series), tmp_path / "x.h5")
     assert len(list((tmp_path / ".x.h5.parts").glob("*.safetensors"))) == 1

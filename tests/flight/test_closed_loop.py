@@ -8,7 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sailnet.errors import SailnetError
-from sailnet.expert.fastest import sample, solve
+from sailnet.expert.fastest import solve
+from sailnet.expert.optima import sample
 from sailnet.flight.closed_loop import Flights, fly, fly_recorded
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
@@ -29,7 +30,7 @@ def test_flying_the_optimal_command_ends_on_the_target_orbit() -> None:
         assert flight.time_of_flight[0] == pytest.approx(extremal.time_of_flight, abs=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", ["jpl", "nasa"])
 def test_a_mission_s_own_optics_fly_unless_a_disturbance_says_others(name: str) -> None:
     """The plant's force and the expert's were written apart: its optimum flies home in the one sail alone."""
@@ -75,7 +76,7 @@ def test_a_sail_that_falls_into_the_sun_is_lost_not_arrived() -> None:
     assert flight.time_of_flight[0] < 3.0
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_a_command_out_of_bounds_is_never_an_arrival() -> None:
     extremal = solve(MISSION.problem, MISSION.departure_state)
     time, columns = sample(MISSION.problem, extremal, 20_001)

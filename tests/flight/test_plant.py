@@ -25,7 +25,7 @@ from sailnet.mission.disturbances import Disturbance
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import motion
 from sailnet.physics.optics import OPTICS, Optics
-from tests.held_angle import hold_angle
+from tests.held_angle import hold_angle, step_after
 from tests.held_command import hold_command
 from tests.paths import ROOT
 from tests.photons import momentum, push
@@ -139,6 +139,15 @@ def test_a_turning_sail_is_dop853s() -> None:
     found = solve_ivp(slope, (0.0, time), [*begin, 0.0], "DOP853", rtol=1e-13, atol=1e-14)
     mine = hold_angle(begin[:, None], beta, start, time, optics.force, rate)
     np.testing.assert_allclose(mine[:, 0], found.y[:, -1], rtol=0, atol=2e-11)
+
+
+def test_the_integrator_keeps_the_step_that_it_found() -> None:
+    circular = (1.0, 0.0, 0.0, 1.0)
+    assert step_after(circular, 1e-6, 1.0) > 1e-3  # grown on the way
+    assert step_after(circular, 1.0, 1.0) < 0.1  # refused, and tried smaller
+    # A step cut short by the end of the period says little; one that was far too exact may be longer.
+    assert step_after(circular, 0.1, 1e-3) == 0.1
+    assert step_after(circular, 1e-3, 1e-3) == 2e-3
 
 
 def test_edge_on_nothing_pushes_and_no_light_falls() -> None:

@@ -84,7 +84,7 @@ def test_nothing_is_known_without_a_state() -> None:
     assert (steered.status[0], steered.cone_angle[0]) == (GuidanceStatus.INVALID_INPUT, 0.0)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_it_flies_home() -> None:
     starts = random_starts(MISSION, 60, 8)
     ahead = fly(MISSION, LookingAhead(NETWORKS), starts, period=0.02)

@@ -15,7 +15,7 @@ from sailnet.guidance.backends import Backend, load_guidance
 from sailnet.guidance.interface import Layout, Precision
 from sailnet.guidance.rules import RULES
 from sailnet.mission.disturbances import Disturbance
-from sailnet.mission.mission import Mission, shipped_missions
+from sailnet.mission.mission import Mission, load_mission, shipped_missions
 from sailnet.networks.guidance_networks import load_guidance_networks
 from tests.paths import ROOT
 
@@ -26,6 +26,18 @@ def test_every_shipped_set_belongs_to_a_shipped_mission() -> None:
     names = {folder.name for folder in SHIPPED.iterdir()}
     assert names
     assert names <= set(shipped_missions())
+
+
+@pytest.mark.parametrize(("name", "optimum"), [("earth_mars_jpl", 7.4397331), ("earth_mars_nasa", 7.4562960)])
+@pytest.mark.parametrize("precision", ["float64", "float32"])
+def test_real_sails_fly_near_their_own_optimum(name: str, optimum: float, precision: Precision) -> None:
+    """From the Earth's orbit; the optima are by DOP853 in Cartesian coordinates, the control minimised."""
+    own = load_mission(name)
+    flight = fly(own, load_guidance(own, precision=precision), [[1.0, 0.0, 1.0]])
+    assert flight.arrived.all()
+    assert flight.reversals[0] <= 1
+    # Flights end within 0.005 TU of the target.
+    assert optimum - 0.005 < flight.time_of_flight[0] < 1.002 * optimum
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sailnet.campaign.printed import CASES
-from sailnet.expert.fastest import Extremal, sample
+from sailnet.expert.optima import Extremal, sample
 from sailnet.flight.closed_loop import fly
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.rules import RULES

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.expert.fastest import put
+from sailnet.expert.optima import put
 from sailnet.guidance.by_expert.tracking import Box, Known, next_optima, nothing_known, search_optima
 from sailnet.physics.arrays import Array
 from sailnet.physics.extremals import propagate_extremals

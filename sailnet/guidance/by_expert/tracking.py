@@ -12,7 +12,8 @@ import numpy as np
 from sailnet.errors import SolveError
 from sailnet.expert.continuation import follow
 from sailnet.expert.directions import Rows
-from sailnet.expert.fastest import RESIDUAL_GOAL, Optima, optima_of, put, solve_states
+from sailnet.expert.fastest import solve_states
+from sailnet.expert.optima import RESIDUAL_GOAL, Optima, optima_of, put
 from sailnet.expert.real_sails import own_optima
 from sailnet.expert.shooting import Shots, shoot
 from sailnet.physics.arrays import Array

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sailnet.expert.fastest import Extremal, optima_of, sample
+from sailnet.expert.optima import Extremal, optima_of, sample
 from sailnet.expert.shooting import shoot
 from sailnet.guidance.by_expert import courses as module
 from sailnet.guidance.by_expert import tracking

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sailnet.errors import GuidanceError
-from sailnet.expert.fastest import Extremal, Optima, optima_of, put, sample
+from sailnet.expert.optima import Extremal, Optima, optima_of, put, sample
 from sailnet.expert.real_sails import own_optima
 from sailnet.expert.shooting import shoot
 from sailnet.flight.closed_loop import Flights, fly

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sailnet.expert.fastest import Extremal, Optima, sample, solve, solve_states
+from sailnet.expert.fastest import solve, solve_states
+from sailnet.expert.optima import Extremal, Optima, sample
 from sailnet.expert.shooting import Shots, shoot
 from sailnet.guidance.by_expert import tracking
 from sailnet.guidance.by_expert.courses import Courses
