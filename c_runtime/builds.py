@@ -9,7 +9,12 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-_TABLE = Path(__file__).parent.parent / "sailnet" / "guidance" / "exported_files.toml"
+# The library lies beside this package in a checkout, one folder further up in an installation.
+_TABLE = next(
+    table
+    for folder in Path(__file__).resolve().parents[1:3]
+    if (table := folder / "sailnet" / "guidance" / "exported_files.toml").is_file()
+)
 _NAMES = tomllib.loads(_TABLE.read_text(encoding="utf-8"))
 
 PRECISIONS: dict[str, str] = _NAMES["suffixes"]

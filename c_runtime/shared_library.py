@@ -95,6 +95,20 @@ def compile_plant(target: Path) -> list[Path]:
     return _compile({PLANT_LIBRARY: Library(plant_sources(), ("-fno-tree-vectorize", define))}, target)
 
 
+def compile_library(compiler: Sequence[str], file: Path, library: Library) -> None:
+    """Compile one library into a file, with the options that all of them have.
+
+    Raises:
+        CompilerError: the compiler refused the source.
+    """
+    headers = [f"-I{folder}" for folder in (library.sources[0].parent, PLANT)]
+    inputs = [*headers, "-o", str(file), *map(str, library.sources), "-lm"]
+    command = [*compiler, *FLAGS, *SHARED, *library.options, *inputs]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    if run.returncode:
+        raise CompilerError(f"the C compiler failed: {shlex.join(command)}\n{run.stderr.strip()}")
+
+
 def _compile(libraries: Mapping[str, Library], target: Path) -> list[Path]:
     """The libraries by their names, and the list of checksums.
 
@@ -107,12 +121,7 @@ def _compile(libraries: Mapping[str, Library], target: Path) -> list[Path]:
         lines = []
         for made, library in libraries.items():
             file = beside / made
-            headers = [f"-I{folder}" for folder in (library.sources[0].parent, PLANT)]
-            inputs = [*headers, "-o", str(file), *map(str, library.sources), "-lm"]
-            command = [*compiler, *FLAGS, *SHARED, *library.options, *inputs]
-            run = subprocess.run(command, capture_output=True, text=True, check=False)
-            if run.returncode:
-                raise CompilerError(f"the C compiler failed: {shlex.join(command)}\n{run.stderr.strip()}")
+            compile_library(compiler, file, library)
             lines.append(f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {made}\n")
         (beside / CHECKSUMS).write_text("".join(lines))
         return [(beside / file).replace(target / file) for file in (*libraries, CHECKSUMS)]

@@ -25,6 +25,7 @@ from sailnet.mission.mission import Mission
 from sailnet.networks.approach import approach_coordinates
 from sailnet.networks.guidance_networks import GuidanceNetworks, load_guidance_networks
 from sailnet.physics.arrays import Array
+from sailnet.workers.interruption import run_command
 
 PRECISIONS: tuple[Precision, ...] = ("float64", "float32")
 BACKENDS: Mapping[str, Backend] = {"C": "c", "onnxruntime": "onnx"}
@@ -165,4 +166,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main, "the same command begins again"))

@@ -36,10 +36,11 @@ from sailnet.campaign.plan import Plan, Series, load_plan
 from sailnet.flight.closed_loop import Flights, fly
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import describe
-from sailnet.guidance.rules import RULES, SteeringRules
+from sailnet.guidance.rules import RULES, SteeringRules, rules_of
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_networks import GuidanceNetworks, load_guidance_networks
 from sailnet.physics.arrays import Array
+from sailnet.workers.interruption import run_command
 
 SOUGHT = (
     "memory",
@@ -111,7 +112,8 @@ class Trials:
     def _flown(self, numbers: Mapping[str, float]) -> Record:
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            write_c(self._networks, self._facts, folder, replace(RULES, **numbers))
+            rules = replace(rules_of(self._mission), **numbers)
+            write_c(self._networks, self._facts, folder, rules)
             compile_libraries(folder, folder, [FLOWN])
             guidance = CGuidance(self._mission, folder / FLOWN.library)
             series = {one.name: self._flights(guidance, one) for one in self._series}
@@ -124,7 +126,7 @@ class Trials:
         disturbance = series.disturbances(mission, seed)
         flights = fly(mission, guidance, starts, disturbance=disturbance)
         if series.name not in self._optima:
-            self._optima[series.name] = optimal_times_of(mission, flights, mission.optics_flown(disturbance))
+            self._optima[series.name] = optimal_times_of(mission, flights, disturbance)
         return _row(mission, flights, self._optima[series.name])
 
 
@@ -221,4 +223,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main, "the same command goes on with what it has written"))

@@ -18,10 +18,12 @@ from export.picture import draw_departure
 from export.write import export
 from sailnet import SailnetError, load_mission
 from sailnet.artefacts.files import fill_block, write_whole
+from sailnet.artefacts.ownership import LOCK, sole_owner
 from sailnet.campaign.acceptance import CAMPAIGN, acceptance_table, headline_table
 from sailnet.campaign.results import open_results
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_networks import load_guidance_networks
+from sailnet.workers.interruption import run_command
 
 REPRODUCTION = "reproduction.json"
 """What the page of the paper's campaign draws of `make paper`; its report leaves it beside its table."""
@@ -58,7 +60,7 @@ def ship(
         package: where the networks, what is exported from them and their model card go.
         mission: whose rules of flight are built in.
         readme: file whose block ``summary`` is written anew: a few rows.
-        results: file whose blocks ``acceptance`` and, with ``paper``, ``paper`` are written anew.
+        results: file whose blocks ``acceptance MISSION`` and, with ``paper``, ``paper`` are written anew.
         paper: report.json of a reproduction of the paper; reproduction.json beside it is shipped too.
         picture: PNG of the flight from the mission's departure orbit.
 
@@ -81,7 +83,9 @@ def ship(
     if readme is not None:
         fill_block(readme, "summary", "\n".join([origin, "", *headline_table(accepted)]))
     if results is not None:
-        fill_block(results, "acceptance", "\n".join([origin, "", *acceptance_table(accepted)]))
+        fill_block(
+            results, f"acceptance {mission.name}", "\n".join([origin, "", *acceptance_table(accepted)])
+        )
     if paper is not None:
         report = _read(paper, "make paper")
         if results is not None:
@@ -112,10 +116,11 @@ def main() -> int:
     options = parser.parse_args()
     try:
         mission = load_mission(options.mission)
-        ship(
-            options.build, options.package, mission,
-            options.readme, options.results, options.paper, options.picture,
-        )  # fmt: skip
+        with sole_owner(options.package / LOCK, f"networks in {options.package}", ExportError):
+            ship(
+                options.build, options.package, mission,
+                options.readme, options.results, options.paper, options.picture,
+            )  # fmt: skip
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
@@ -123,4 +128,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main, "the same command begins again"))

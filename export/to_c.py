@@ -16,7 +16,7 @@ from export.host_tables import constants, stage_tables
 from export.numbers import LOG2_E, literal
 from export.templates import filled, read
 from sailnet.guidance.facts import GuidanceFacts, round_down
-from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
+from sailnet.guidance.rules import LARGEST_PERIOD, SteeringRules, rules_of
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.physics import units
 from sailnet.physics.optics import Optics
@@ -26,9 +26,15 @@ SIMULATION = ("sailnet_batch.h", "sailnet_batch.c")
 
 
 def write_c(
-    networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path, rules: SteeringRules = RULES
+    networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path, rules: SteeringRules | None = None
 ) -> None:
     """Write the flight file, its form for hosts, their header, and the batch entry that simulation adds.
+
+    Args:
+        networks: whose weights are written.
+        facts: what flies by them.
+        folder: where to.
+        rules: of steering; by default those of the mission's sail.
 
     Raises:
         ExportError: a weight does not fit single precision, the networks do not fit each other, or the
@@ -39,7 +45,9 @@ def write_c(
             f"arrival_threshold is {facts.arrival_threshold:g} TU, and no guidance period is longer than "
             f"{LARGEST_PERIOD:g} TU: make it shorter"
         )
-    (folder / "sailnet_guidance.h").write_text(_header(networks, facts, rules))
+    (folder / "sailnet_guidance.h").write_text(
+        _header(networks, facts, rules or rules_of(networks.tau.mission))
+    )
     (folder / "sailnet_guidance.c").write_text(_flight(networks, facts))
     (folder / "sailnet_guidance_host.c").write_text(_host(networks, facts))
     for name in SIMULATION:
@@ -67,6 +75,7 @@ def _header(networks: GuidanceNetworks, facts: GuidanceFacts, rules: SteeringRul
             "LARGEST_TIME_OF_FLIGHT": literal(facts.largest_time_of_flight),
             "READS_BETA": str(int(networks.approach)),
             **_sail(facts.optics),
+            **_ageing(facts),
             "BETA": literal(facts.beta),
             "BETA_MIN": literal(facts.beta_min),
             "BETA_MAX": literal(facts.beta_max),
@@ -92,6 +101,19 @@ def _sail(optics: Optics) -> dict[str, str]:
     return {"SAIL": optics.description, **{key: literal(value) for key, value in force}}
 
 
+def _ageing(facts: GuidanceFacts) -> dict[str, str]:
+    known = facts.degradation
+    return {
+        "AGES": str(int(known.loss > 0.0)),
+        "DEGRADATION_LOSS": literal(known.loss),
+        "DEGRADATION_DOSE": literal(known.dose),
+    }
+
+
+def _ageing_part(facts: GuidanceFacts) -> str:
+    return '\n#include "ageing.inc"\n' if facts.degradation.loss > 0.0 else ""
+
+
 def _hours(time: float) -> str:
     return f"{time * units.TU / units.HOUR:.1f}"
 
@@ -102,6 +124,7 @@ def _days(time: float) -> str:
 
 def _flight(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
     values = {"PROVENANCE": _provenance(facts), "TABLES": flight_tables(networks, facts)}
+    values["AGEING"] = _ageing_part(facts)
     return filled("sailnet_guidance.c.in", values)
 
 
@@ -122,6 +145,7 @@ def _host(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
         "LIMITS": limits(networks, facts),
         "CONSTANTS": constants(facts, networks.approach),
         "DOMAIN": domain_tables(facts),
+        "AGEING": _ageing_part(facts),
     }
     return filled("sailnet_guidance_host.c.in", values | stages)
 

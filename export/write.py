@@ -14,7 +14,7 @@ from sailnet.artefacts.checksums import write_checksums
 from sailnet.errors import NetworkError
 from sailnet.guidance.exported_files import graph_name
 from sailnet.guidance.facts import GuidanceFacts, describe
-from sailnet.guidance.rules import RULES, SteeringRules
+from sailnet.guidance.rules import SteeringRules
 from sailnet.mission.mission import Mission
 from sailnet.networks.approach import APPROACH_INPUTS
 from sailnet.networks.guidance_networks import (
@@ -26,6 +26,7 @@ from sailnet.networks.guidance_networks import (
 from sailnet.networks.network import Network, load_network
 
 CHECKSUMS = "SHA256SUMS"
+UNFINISHED = ".export-"
 STATE: Inputs = {"state": len(STATE_INPUTS)}
 COMMAND = ("cone_angle", "time_of_flight", "lambda_v")
 
@@ -36,7 +37,7 @@ def export(
     mission: Mission,
     baseline: Path | None = None,
     progress: bool = True,
-    rules: SteeringRules = RULES,
+    rules: SteeringRules | None = None,
 ) -> list[Path]:
     """Write ONNX graphs, C and compiled libraries of the networks in a folder; returns what was written.
 
@@ -48,7 +49,7 @@ def export(
         mission: whose rules of flight are built in, and whose problem the networks must be trained for.
         baseline: ``alpha.safetensors``, a network that gives the signed cone angle from (r, u, v, tau).
         progress: show a bar on stderr.
-        rules: of steering, which the C has built in.
+        rules: of steering, which the C has built in; by default those of the mission's sail.
 
     Raises:
         NetworkError: a network is missing, damaged or does not fit.
@@ -66,7 +67,7 @@ def export(
             )
     try:
         target.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=target, prefix=".export-") as name:
+        with tempfile.TemporaryDirectory(dir=target, prefix=UNFINISHED) as name:
             return _write_and_move(networks, alpha, mission, Path(name), target, progress, rules)
     except CompilerError as error:
         raise ExportError(str(error)) from error
@@ -81,7 +82,7 @@ def _write_and_move(
     beside: Path,
     target: Path,
     progress: bool,
-    rules: SteeringRules,
+    rules: SteeringRules | None,
 ) -> list[Path]:
     facts = describe(networks, mission)
     write_c(networks, facts, beside, rules)

@@ -23,10 +23,11 @@ ROUNDINGS = 8.0
 NUDGES = 8
 
 
-def memory_type(precision: str) -> np.dtype[np.void]:
-    """``sailnet_memory``: the members of the reference's, in order, the state as three."""
+def memory_type(precision: str, ages: bool = False) -> np.dtype[np.void]:
+    """``sailnet_memory``: the members of the reference's, in order, the state as three; more if it ages."""
     shapes = {"state": (precision, 3), "periods": ("u4",)}
-    members = [(item.name, *shapes.get(item.name, (precision,))) for item in fields(Memory)]
+    known = [item.name for item in fields(Memory) if ages or item.name != "worn"]
+    members = [(name, *shapes.get(name, (precision,))) for name in known]
     return np.dtype(members, align=True)
 
 
@@ -69,7 +70,7 @@ class Lockstep:
 
     def __init__(self, guidance: CGuidance, count: int) -> None:
         self._c = guidance.steering(count)
-        self._kind = memory_type(guidance.precision)
+        self._kind = memory_type(guidance.precision, guidance.mission.degradation.loss > 0.0)
         assert self._c.memories.shape == (count, self._kind.itemsize)
         self._precision = guidance.precision
         self._epsilon = float(np.finfo(guidance.precision).eps)
@@ -88,8 +89,10 @@ class Lockstep:
     def memory(self) -> Memory:
         """That of the C, in the reference's form."""
         packed = self._c.memories.view(self._kind)[:, 0]
-        wide = {item.name: packed[item.name].astype(float) for item in fields(Memory)}
-        return Memory(**wide | {"periods": packed["periods"].astype(np.int64)})
+        wide = {name: packed[name].astype(float) for name in self._kind.fields or {}}
+        return Memory(
+            **{"worn": np.zeros(len(packed))} | wide | {"periods": packed["periods"].astype(np.int64)}
+        )
 
     def steer(
         self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None

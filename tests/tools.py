@@ -12,9 +12,8 @@ from typing import Any
 
 import pytest
 
+from benchmarks.driven_browser import CHROMIUM
 from c_runtime.shared_library import find_compiler
-
-CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 
 
 def missing(*programs: str) -> list[str]:
@@ -36,6 +35,19 @@ def needs_peer(module: str) -> pytest.MarkDecorator:
     """Mark a test that needs a Python module of the extras ``benchmarks`` and ``mutation``."""
     absent = [module] if importlib.util.find_spec(module) is None else []
     return _marked("peer", absent, "pip install -c constraints.txt -e '.[benchmarks,mutation]'")
+
+
+def needs_docs() -> pytest.MarkDecorator:
+    """Mark a test that needs the extra ``docs``."""
+    modules = ("sphinx", "myst_nb", "furo", "pandas")
+    absent = [module for module in modules if importlib.util.find_spec(module) is None]
+    return _marked("docs", absent, "pip install -c constraints.txt -e '.[docs]'")
+
+
+def needs_playground() -> pytest.MarkDecorator:
+    """Mark a test that compiles to WebAssembly or runs it outside of a browser: the extra ``playground``."""
+    absent = [module for module in ("ziglang", "wasmtime") if importlib.util.find_spec(module) is None]
+    return _marked("docs", absent, "pip install -c constraints.txt -e '.[playground]'")
 
 
 def _marked(marker: str, absent: Sequence[str], install: str) -> pytest.MarkDecorator:

@@ -23,7 +23,12 @@ every_build = pytest.mark.parametrize("build", BUILDS.values(), ids=BUILDS)
 
 @every_compiler
 @pytest.mark.parametrize(
-    "flags", [pytest.param(f"-O2 {SOME}", marks=pytest.mark.exhaustive), FAST, f"{TRAPPING} {SOME}"]
+    "flags",
+    [
+        FAST,
+        pytest.param(f"-O2 {SOME}", marks=pytest.mark.exhaustive),
+        pytest.param(f"{TRAPPING} {SOME}", marks=pytest.mark.exhaustive),
+    ],
 )
 def test_unit_tests_in_c(exported: Exported, tmp_path: Path, compiler: list[str], flags: str) -> None:
     run = subprocess.run(

@@ -13,9 +13,10 @@ import pytest
 
 from c_runtime.builds import BUILDS
 from c_runtime.shared_library import compile_libraries
-from export.__main__ import main
 from export.agreement import Sails, in_torch, sign_network
+from export.command import main
 from export.errors import ExportError
+from export.made_of import MADE_OF
 from export.to_c import write_c
 from export.write import export
 from sailnet import load_mission
@@ -119,11 +120,18 @@ def test_c_onnx_torch_and_numpy_agree(exported: Exported, precision: Precision, 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("approach", [False, True], ids=["paper", "approach"])
+@pytest.mark.parametrize(
+    "approach",
+    [pytest.param(False, marks=pytest.mark.exhaustive, id="paper"), pytest.param(True, id="approach")],
+)
 @pytest.mark.parametrize(
     "hidden",
-    [((7,), (5,), (33,)), ((20, 20, 20), (8,), (16, 21, 3, 5)), ((3, 40), (32, 32, 32), (2, 9)), ((2,),) * 3],
-    ids=["one layer", "other depths", "other widths", "fewer than inputs"],
+    [
+        pytest.param(((7,), (5,), (33,)), marks=pytest.mark.exhaustive, id="one layer"),
+        pytest.param(((20, 20, 20), (8,), (16, 21, 3, 5)), id="other depths"),
+        pytest.param(((3, 40), (32, 32, 32), (2, 9)), marks=pytest.mark.exhaustive, id="other widths"),
+        pytest.param(((2,),) * 3, id="fewer than inputs"),
+    ],
 )
 def test_c_takes_any_hidden_sizes(
     hidden: tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]], approach: bool, tmp_path: Path
@@ -275,7 +283,7 @@ def test_networks_of_another_mission_are_refused(
     other = MISSION.model_copy(update={"sail": MISSION.sail.model_copy(update={"beta": 0.1})})
     save_guidance(random_guidance(mission=other), tmp_path / "networks")
     target = shutil.copytree(exported.folder, tmp_path / "target")
-    assert main([str(tmp_path / "networks"), str(target)]) == 1
+    assert main([str(tmp_path / "networks"), str(target), "--overwrite"]) == 1
     assert "was trained for mission 'earth_mars' with other parameters" in capsys.readouterr().err
     assert snapshot(target) == snapshot(exported.folder)
 
@@ -354,7 +362,7 @@ def test_a_failure_half_way_leaves_the_old_files(
 
     monkeypatch.setattr("export.write.write_checksums", fail)
     monkeypatch.setattr("export.write.write_onnx", lambda *_: None)
-    assert main([str(tmp_path / "networks"), str(target)]) == 1
+    assert main([str(tmp_path / "networks"), str(target), "--overwrite"]) == 1
     assert snapshot(target) == snapshot(exported.folder)
 
 
@@ -363,7 +371,7 @@ def test_a_target_that_cannot_be_written_is_an_error(
 ) -> None:
     (tmp_path / "file").write_text("not a folder")
     assert main([str(exported.weights), str(tmp_path / "file" / "target")]) == 1
-    assert "cannot write to" in capsys.readouterr().err
+    assert "cannot write an export in" in capsys.readouterr().err
     assert (tmp_path / "file").read_text() == "not a folder"
 
 
@@ -379,6 +387,23 @@ def test_no_working_compiler_is_an_error(
     assert main([str(exported.weights), str(tmp_path)]) == 1
     assert "compiler" in capsys.readouterr().err
     assert snapshot(tmp_path) == {}
+
+
+def test_a_finished_export_is_replaced_only_when_asked(
+    exported: Exported, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target = shutil.copytree(exported.folder, tmp_path / "target")
+    save_guidance(random_guidance(seed=8), tmp_path / "networks")
+    command = [str(tmp_path / "networks"), str(target)]
+    assert main(command) == 1
+    assert f"{target} holds an export: name another folder, or say --overwrite" in capsys.readouterr().err
+    assert snapshot(target) == snapshot(exported.folder)
+    monkeypatch.setattr("export.write.write_onnx", lambda *_: None)
+    (target / ".export-killed").mkdir()
+    (target / ".export-killed" / "half.onnx").touch()
+    assert main([*command, "--overwrite"]) == 0
+    assert snapshot(target).keys() == snapshot(exported.folder).keys() | {MADE_OF}
+    assert snapshot(target) != snapshot(exported.folder)
 
 
 def test_missing_networks_are_an_error(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -429,7 +454,7 @@ def test_a_baseline_with_other_inputs_is_refused(
     assert "a baseline takes" in capsys.readouterr().err
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_a_smaller_bound_of_the_mission_bounds_every_graph(tmp_path: Path) -> None:
     narrow = MISSION.model_copy(update={"sail": MISSION.sail.model_copy(update={"max_cone_angle": 11.3})})
     save_guidance(random_guidance((4,), (4,), (4,), mission=narrow), tmp_path / "networks")

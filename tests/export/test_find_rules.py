@@ -27,6 +27,7 @@ def plan(disturbance: dict[str, float]) -> Plan:
     return parse_plan({**content, "series": [series]}, "few")
 
 
+@pytest.mark.exhaustive
 def test_a_candidate_is_flown_with_its_own_numbers_and_only_once(tmp_path: Path) -> None:
     output = tmp_path / "rules.jsonl"
     trials = Trials(MISSION, NETWORKS, plan({"beta_noise": 0.1}), output)
@@ -56,6 +57,7 @@ def test_a_search_returns_the_best_it_flew_and_goes_on_where_it_was(tmp_path: Pa
     assert len(more) == 4
 
 
+@pytest.mark.exhaustive
 def test_candidates_are_flown_over_the_series_asked_for(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -15,7 +15,8 @@ enum {
     NAVIGATION_NOISE,                         /* of r; u and v follow */
     NAVIGATION_WANDER = NAVIGATION_NOISE + 3, /* the same */
     ATTITUDE_MEASURED = NAVIGATION_WANDER + 3,
-    ATTITUDE_NOISE
+    ATTITUDE_NOISE,
+    OPTICS_SPREAD
 };
 
 #define POLAR 3
@@ -53,6 +54,11 @@ static void wander(const plant_rules *rules, const plant_sail *sail, uint32_t st
 {
     const double kept = period == 0u ? 0.0 : exp(-rules->period / time);
     *value = kept * *value + sqrt(1.0 - kept * kept) * normal(rules, sail, stream, period);
+}
+
+double plant_coefficient_draw(uint64_t seed, uint64_t flight, uint32_t which)
+{
+    return 2.0 * plant_uniform(seed, flight, OPTICS_SPREAD, which) - 1.0;
 }
 
 void plant_depart(const plant_rules *rules, plant_sail *sail)
@@ -136,6 +142,15 @@ typedef struct {
     double integral;
 } flown_angle;
 
+static plant_optics optics_of(const plant_rules *rules, const plant_sail *sail)
+{
+    plant_optics own = rules->optics;
+    own.normal_square += sail->optics_error.normal_square;
+    own.normal_linear += sail->optics_error.normal_linear;
+    own.tangential += sail->optics_error.tangential;
+    return own;
+}
+
 /* Turn steadily to the attitude `end`. */
 static int hold(const plant_rules *rules, plant_sail *sail, double beta, double end, double rate, double duration,
                 flown_angle *flown)
@@ -144,7 +159,8 @@ static int hold(const plant_rules *rules, plant_sail *sail, double beta, double 
     const double last = end + sail->misalignment;
     flown->widest = fmax(flown->widest, fmax(fabs(angle), fabs(last)));
     flown->integral += 0.5 * (angle + last) * duration;
-    const int inside = plant_hold(rules, beta, angle, rate, duration, &sail->state, &sail->step);
+    const plant_optics optics = optics_of(rules, sail);
+    const int inside = plant_hold(rules, &optics, beta, angle, rate, duration, &sail->state, &sail->step);
     sail->attitude = end;
     return inside;
 }

@@ -55,9 +55,9 @@ static const double ERROR[STAGES] = {
 };
 
 /* One step from `y`, whose slope is slopes[0]; returns its error in units of the tolerance. */
-static double step_from(const plant_rules *rules, double beta, double angle, double rate, const force *held,
-                        const double y[COMPONENTS], double step, double slopes[STAGES][COMPONENTS],
-                        double next[COMPONENTS])
+static double step_from(const plant_rules *rules, const plant_optics *optics, double beta, double angle, double rate,
+                        const force *held, const double y[COMPONENTS], double step,
+                        double slopes[STAGES][COMPONENTS], double next[COMPONENTS])
 {
     for (int stage = 1; stage < STAGES; stage++) {
         for (int i = 0; i < COMPONENTS; i++) {
@@ -69,7 +69,7 @@ static double step_from(const plant_rules *rules, double beta, double angle, dou
         }
         force now = *held;
         if (rate != 0.0) {
-            now = force_at(&rules->optics, beta, angle + rate * NODES[stage] * step);
+            now = force_at(optics, beta, angle + rate * NODES[stage] * step);
         }
         derivative(next, &now, slopes[stage]);
     }
@@ -87,8 +87,8 @@ static double step_from(const plant_rules *rules, double beta, double angle, dou
     return largest / rules->tolerance;
 }
 
-int plant_hold(const plant_rules *rules, double beta, double angle, double rate, double duration,
-               plant_state *state, double *step)
+int plant_hold(const plant_rules *rules, const plant_optics *optics, double beta, double angle, double rate,
+               double duration, plant_state *state, double *step)
 {
     double y[COMPONENTS] = {state->r, state->theta, state->u, state->v, state->dose};
     double slopes[STAGES][COMPONENTS];
@@ -96,13 +96,13 @@ int plant_hold(const plant_rules *rules, double beta, double angle, double rate,
     double left = duration;
     double trial = *step > 0.0 ? *step : duration;
     int inside = 1;
-    const force held = force_at(&rules->optics, beta, angle);
+    const force held = force_at(optics, beta, angle);
     derivative(y, &held, slopes[0]);
     while (inside && left > 0.0) {
         const int last = trial >= left;
         const double taken = last ? left : trial;
         const double error =
-            step_from(rules, beta, angle + rate * (duration - left), rate, &held, y, taken, slopes, next);
+            step_from(rules, optics, beta, angle + rate * (duration - left), rate, &held, y, taken, slopes, next);
         if (error <= 1.0) {
             for (int i = 0; i < COMPONENTS; i++) {
                 y[i] = next[i];

@@ -15,7 +15,7 @@ extern "C" {
 #endif
 
 /* Raised whenever a function of this header changes, or what a member of a structure means. */
-#define PLANT_API_VERSION 5
+#define PLANT_API_VERSION 6
 
 /*
  * A structure is a list of its members, MEMBER(type, name, extent). From the same lines come the structure in C
@@ -65,7 +65,7 @@ typedef struct {
     MEMBER(double, reversal, )       /* a larger step of the command reverses the sail [rad] */    \
     MEMBER(double, beta_range, [2])  /* that the guidance's estimate of beta never leaves */       \
     MEMBER(double, beta, )           /* the mission's normalised characteristic acceleration */    \
-    MEMBER(plant_optics, optics, )                                                                 \
+    MEMBER(plant_optics, optics, )   /* of a sail whose optics_error is 0 */                       \
     MEMBER(double, beta_bias, )                                                                    \
     MEMBER(double, beta_spread, )                                                                  \
     MEMBER(double, beta_drift, )                                                                   \
@@ -104,7 +104,7 @@ typedef enum { PLANT_ENDING(PLANT_VALUE) } plant_ending;
 /* Of how many sizes the steps of a command are told apart; plant_step_edge has their bounds. */
 #define PLANT_STEP_SIZES 256
 
-/* One flight. The caller sets the state's r, u, v and the number; the rest starts as 0. */
+/* One flight. The caller sets the state's r, u, v, the number and the error of the optics; the rest starts as 0. */
 #define PLANT_SAIL(MEMBER)                                                                                \
     MEMBER(plant_state, state, )                                                                          \
     MEMBER(double, time, )           /* flown so far [TU] */                                              \
@@ -112,6 +112,7 @@ typedef enum { PLANT_ENDING(PLANT_VALUE) } plant_ending;
     MEMBER(double, misalignment, )   /* of this sail [rad] */                                             \
     MEMBER(double, mean_attitude, )  /* of the angle flown, over the last period [rad] */                 \
     MEMBER(double, beta_error, )     /* constant relative error of this sail's beta */                    \
+    MEMBER(plant_optics, optics_error, ) /* by how much its optics differ from the rules'; the caller's */  \
     MEMBER(double, beta_wander, )    /* the Gauss-Markov errors now, in units of their sigma */           \
     MEMBER(double, navigation_wander, [3])                                                                \
     MEMBER(double, step, )           /* what the integrator tries next [TU] */                            \
@@ -234,6 +235,9 @@ uint64_t plant_queue_slots(const plant_rules *rules);
 uint64_t plant_fly(const plant_rules *rules, const plant_steering *steering, plant_flights *flights,
                    uint64_t periods, plant_record *records);
 
+/* What optical coefficient number `which` of a flight's sail is drawn by: uniform within (-1, 1). */
+double plant_coefficient_draw(uint64_t seed, uint64_t flight, uint32_t which);
+
 /* Give a sail that has not flown yet its constant errors: beta_error and misalignment. The first period does so. */
 void plant_depart(const plant_rules *rules, plant_sail *sail);
 
@@ -247,12 +251,12 @@ double plant_step_edge(uint32_t size);
 void plant_count_step(const plant_rules *rules, double step, plant_sail *sail);
 
 /*
- * Fly one sail for `duration` while its angle turns from `angle` at `rate`; the angle that counts is cut to
+ * Fly one sail of these optics for `duration` while its angle turns from `angle` at `rate`; the angle that counts is cut to
  * +-pi/2, where a flat sail is edge-on. *step is the integrator's first trial, 0 for all at once, and on
  * return what it would try next. Returns 0, with the state where it got to, if the sail left the allowed distances.
  */
-int plant_hold(const plant_rules *rules, double beta, double angle, double rate, double duration,
-               plant_state *state, double *step);
+int plant_hold(const plant_rules *rules, const plant_optics *optics, double beta, double angle, double rate,
+               double duration, plant_state *state, double *step);
 
 /*
  * The random numbers are a function of the seed, the flight, what they are for and the period, so that no

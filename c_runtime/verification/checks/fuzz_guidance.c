@@ -215,7 +215,7 @@ static void check_against_the_law(const sailnet_command *command, sailnet_status
 {
     const sailnet_real longest = period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
     const int unreserved = after->tangential <= SAILNET_REAL(0.0) && after->variance == SAILNET_REAL(0.0) &&
-                           after->slow <= SAILNET_REAL(0.0);
+                           after->slow <= SAILNET_REAL(0.0) && SAILNET_LEAST_RESERVE == SAILNET_REAL(0.0) && !SAILNET_AGES;
     const sailnet_state state = after->state;
     sailnet_command law;
     const sailnet_status of_law = checked_guidance(&state, command->beta, &law, 0);
@@ -242,7 +242,8 @@ static void check_reckoning(const sailnet_memory *before, const sailnet_memory *
     }
     if (!shown || before->unseen != SAILNET_REAL(0.0)) {
         PROMISED(is_same(&before->surprise, &after->surprise, sizeof after->surprise));
-        PROMISED(isnan(before->beta) || after->beta == used_beta(before->beta));
+        const sailnet_real kept = used_beta(before->beta);
+        PROMISED(isnan(before->beta) || after->beta == kept || (SAILNET_AGES && after->beta < kept));
     }
 }
 

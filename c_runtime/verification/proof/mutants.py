@@ -95,6 +95,11 @@ MUTANTS = (
     ),
     Mutant("what is slow trusted", "memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);", ""),
     Mutant(
+        "aged estimate trusted",
+        "memory->beta = sailnet_limited(&aged, SAILNET_OF_BETA);",
+        "memory->beta = aged;",
+    ),
+    Mutant(
         "any time held",
         "sailnet_limited(&command->time_of_flight, SAILNET_OF_PERIOD)",
         "command->time_of_flight",

@@ -1,4 +1,7 @@
-"""``python -m c_runtime.verification.targets``: build, run and check the flight file in emulation."""
+"""``python -m c_runtime.verification.targets``: build, run and check the flight file in emulation.
+
+``python -m c_runtime.verification.targets fly`` lets emulated processors steer whole flights instead.
+"""
 
 import argparse
 import json
@@ -9,18 +12,23 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from c_runtime.builds import LAYOUTS
+from c_runtime.verification.targets import fly
 from c_runtime.verification.targets.build import TargetError
 from c_runtime.verification.targets.machines import TARGETS, Target
-from c_runtime.verification.targets.measure import Bench, Measured, missing_tools
+from c_runtime.verification.targets.measure import Bench, Measured, left_out_of
 from c_runtime.verification.targets.reference import ReferenceGuidance
 from c_runtime.verification.targets.table import BLOCK, limits, table
 from sailnet.artefacts.files import fill_block, split_at_block, write_whole
 from sailnet.errors import SailnetError
 from sailnet.networks.guidance_networks import load_guidance_networks
+from sailnet.workers.interruption import run_command
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns its exit status."""
+    given = sys.argv[1:] if arguments is None else arguments
+    if given[:1] == ["fly"]:
+        return fly.main(given[1:])
     names = [target.name for target in TARGETS]
     parser = argparse.ArgumentParser(prog="python -m c_runtime.verification.targets", description=__doc__)
     parser.add_argument("exported", type=Path, help="folder written by python -m export")
@@ -38,16 +46,10 @@ def main(arguments: list[str] | None = None) -> int:
         help="a missing tool is an error (default where CI=true)",
     )
     parser.add_argument("--limits", action="store_true", help="a limit that is missed is an error")
-    options = parser.parse_args(arguments)
+    options = parser.parse_args(given)
 
     wanted = [target for target in TARGETS if target.name in options.targets]
-    left_out = {target.name: missing_tools(target) for target in wanted}
-    left_out = {name: tools for name, tools in left_out.items() if tools}
-    for target in wanted:
-        if target.name in left_out:
-            tools = ", ".join(left_out[target.name])
-            install = f"apt-get install {' '.join(target.packages)}"
-            print(f"targets: {target.name} left out, {tools} not found: {install}")
+    left_out = left_out_of(wanted)
     present = [target for target in wanted if target.name not in left_out]
     try:
         if options.table is not None:
@@ -121,4 +123,4 @@ def _summary(build: Measured) -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main, "the same command begins again"))

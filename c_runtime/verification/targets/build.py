@@ -33,6 +33,23 @@ class TargetError(SailnetError):
 
 
 @dataclass(frozen=True)
+class Main:
+    """A program around the flight file: its ``main``, and options of the compiler for that."""
+
+    source: Path
+    options: tuple[str, ...] = ()
+
+
+def golden_main(golden: Path) -> Main:
+    """Runs the golden vectors of a ``golden.h``, of the flight file's precision."""
+    return Main(HERE / "firmware" / "firmware.c", (f"-I{golden.parent}",))
+
+
+FLY = Main(HERE / "firmware" / "fly.c")
+"""Steers a flight, told of it over the console."""
+
+
+@dataclass(frozen=True)
 class Program:
     """A linked program.
 
@@ -109,7 +126,12 @@ def flight_flags(target: Target, chosen: Build, contract: bool) -> tuple[str, ..
 
 
 def build(
-    target: Target, exported: Path, chosen: Build, golden: Path, flags: tuple[str, ...], folder: Path
+    target: Target,
+    exported: Path,
+    chosen: Build,
+    main: Main,
+    flags: tuple[str, ...],
+    folder: Path,
 ) -> Program:
     """Compile and link in ``folder``.
 
@@ -117,7 +139,7 @@ def build(
         target: the processor.
         exported: folder written by ``python -m export``.
         chosen: the build of it.
-        golden: ``golden.h`` with golden vectors of the same precision.
+        main: what calls it.
         flags: for the flight file, from ``flight_flags``.
         folder: for what is compiled; made if need be.
 
@@ -132,8 +154,8 @@ def build(
     program = folder / "program"
     link(
         target,
-        [HERE / "firmware" / "firmware.c", flight],
-        [*defines, f"-I{exported}", f"-I{golden.parent}"],
+        [main.source, HERE / "firmware" / "console.c", flight],
+        [*defines, f"-I{exported}", *main.options],
         program,
     )
     callgraph = flight.with_suffix(".ci")

@@ -44,7 +44,18 @@ SMALL = ("-Os", "-fno-schedule-insns", "-fno-schedule-insns2")
 """Scheduling makes gcc move constants further away than short instructions reach, and spill registers."""
 
 ARM = ("gcc-arm-none-eabi", "qemu-system-arm")
-SEMIHOSTING = ("-display", "none", "-semihosting-config", "enable=on,target=native", "-kernel")
+BOARD = (
+    "-display",
+    "none",
+    "-monitor",
+    "none",
+    "-serial",
+    "stdio",
+    "-semihosting-config",
+    "enable=on",
+    "-kernel",
+)
+"""Of ARM: a serial port, and a debugger by which a program can end the emulation."""
 
 TARGETS = (
     Target(
@@ -53,7 +64,7 @@ TARGETS = (
         compiler="arm-none-eabi-gcc",
         machine=("-mthumb", "-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"),
         optimisation=SMALL,
-        emulator=("qemu-system-arm", "-M", "mps2-an386", *SEMIHOSTING),
+        emulator=("qemu-system-arm", "-M", "mps2-an386", *BOARD),
         folder="cortex_m",
         packages=ARM,
         precisions={"float32": 2.0},
@@ -64,7 +75,7 @@ TARGETS = (
         compiler="arm-none-eabi-gcc",
         machine=("-mthumb", "-mcpu=cortex-m7", "-mfloat-abi=hard", "-mfpu=fpv5-d16"),
         optimisation=SMALL,
-        emulator=("qemu-system-arm", "-M", "mps2-an500", *SEMIHOSTING),
+        emulator=("qemu-system-arm", "-M", "mps2-an500", *BOARD),
         folder="cortex_m",
         packages=ARM,
         precisions={"float32": 1.0, "float64": 1.5},

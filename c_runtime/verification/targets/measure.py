@@ -2,6 +2,7 @@
 
 import shutil
 import subprocess
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import get_args
@@ -9,7 +10,15 @@ from typing import get_args
 import numpy as np
 
 from c_runtime.builds import Build
-from c_runtime.verification.targets.build import HERE, Program, TargetError, build, flight_flags, write_golden
+from c_runtime.verification.targets.build import (
+    HERE,
+    Program,
+    TargetError,
+    build,
+    flight_flags,
+    golden_main,
+    write_golden,
+)
 from c_runtime.verification.targets.golden import (
     COMMAND_BOUNDS,
     STEERING_BOUNDS,
@@ -31,6 +40,16 @@ def missing_tools(target: Target) -> list[str]:
     """Programs that a target needs and that are not installed."""
     needed = [target.compiler, *target.emulator[:1], HOST.compiler, "readelf"]
     return [program for program in needed if shutil.which(program) is None]
+
+
+def left_out_of(targets: Sequence[Target]) -> dict[str, list[str]]:
+    """Tools that are missing, by the targets that are left out for it; each is told with its packages."""
+    missing = {target.name: missing_tools(target) for target in targets}
+    for target in targets:
+        if tools := missing[target.name]:
+            install = f"apt-get install {' '.join(target.packages)}"
+            print(f"targets: {target.name} left out, {', '.join(tools)} not found: {install}")
+    return {name: tools for name, tools in missing.items() if tools}
 
 
 def compile_plugin(folder: Path) -> Path:
@@ -182,7 +201,7 @@ class Bench:
         chosen = Build(precision, layout)
         flags = flight_flags(target, chosen, contract)
         folder = self._folder / precision / f"{target.name}-{layout}-{'fused' if contract else 'exact'}"
-        program = build(target, self._exported, chosen, self._header(precision), flags, folder)
+        program = build(target, self._exported, chosen, golden_main(self._header(precision)), flags, folder)
         plugin = self._plugin if target.emulator else None
         return program, run(target, program.path, precision, plugin)
 

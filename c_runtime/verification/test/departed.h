@@ -2,6 +2,11 @@
 #ifndef DEPARTED_H
 #define DEPARTED_H
 
+/* What is planned with far from the target where nothing has surprised. */
+#define PLANNED_BETA (SAILNET_BETA * (SAILNET_REAL(1.0) - SAILNET_LEAST_RESERVE))
+/* And by a sail that has departed: near the target the reserve is let go. */
+#define PLANNED_BY(memory, hold) ((memory).beta * (SAILNET_REAL(1.0) - sailnet_reserve(&(memory), (hold))))
+
 #include "states.h"
 
 /* Of many states in the domain, where the flight is not about to end: the farthest, or where the side matters most. */
@@ -12,7 +17,8 @@ static sailnet_state some_state(sailnet_real beta, int matters)
     for (int i = 0; i < 1000; i++) {
         const sailnet_state state = state_in_domain();
         sailnet_command command;
-        if (sailnet_guidance(&state, beta, &command) == SAILNET_OK && command.time_of_flight > R(0.02)) {
+        const int departs = sailnet_guidance(&state, PLANNED_BETA, &command) == SAILNET_OK;
+        if (departs && sailnet_guidance(&state, beta, &command) == SAILNET_OK && command.time_of_flight > R(0.02)) {
             const sailnet_real much =
                 matters ? sailnet_size(command.cone_angle * command.lambda_v) : command.time_of_flight;
             found = much > most ? state : found;
@@ -27,13 +33,22 @@ static sailnet_state far_from_the_target(sailnet_real beta)
     return some_state(beta, 0);
 }
 
+/* A flight begins. Of a sail that ages, with one that is worn already: what is learnt is tested of its own. */
+static void begin(sailnet_memory *memory)
+{
+    sailnet_start(memory);
+#if SAILNET_AGES
+    memory->worn = R(1.0);
+#endif
+}
+
 /* Steered once: nothing is learnt yet, and there is a last command. */
 static sailnet_memory departed(const sailnet_state *state, sailnet_real period)
 {
     sailnet_memory memory;
     sailnet_command command;
     (void)memset(&memory, 0, sizeof memory); /* its padding too */
-    sailnet_start(&memory);
+    begin(&memory);
     CHECK(sailnet_steer(&memory, state, period, &command) == SAILNET_OK && command.hold == period);
     return memory;
 }

@@ -10,6 +10,7 @@
 #include "learning.inc"
 #include "measured_attitude.inc"
 #include "batch.inc"
+#include "ageing.inc"
 
 int main(void)
 {
@@ -21,6 +22,7 @@ int main(void)
     test_learning();
     test_measured_attitude();
     test_batches();
+    test_ageing();
     printf("%s, %s: %s\n", SAILNET_MISSION, sizeof(sailnet_real) == 8 ? "float64" : "float32",
            failures == 0 ? "all passed" : "FAILED");
     return failures == 0 ? 0 : 1;

@@ -49,6 +49,7 @@ def _judged(exported: Exported, capsys: pytest.CaptureFixture[str], *more: objec
     return found
 
 
+@pytest.mark.exhaustive
 def test_commands_are_within_bounds_in_every_build(
     exported: Exported, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -101,6 +101,7 @@ void entry(const float tensor_state[1][3], float tensor_cone_angle[1], float ten
     return path
 
 
+@pytest.mark.exhaustive
 def test_every_build_and_peer_is_in_the_table(
     approach_exported: Exported, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:

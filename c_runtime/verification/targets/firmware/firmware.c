@@ -11,14 +11,10 @@
  * Instructions are counted from outside (count_instructions.c), between count_begin and count_end. Of
  * either kind the first call counted is of a function that does nothing: what calling costs.
  */
+#include "console.h"
 #include "golden.h"
-#include "platform.h"
-#include "sailnet_guidance.h"
 
-#include <string.h>
-
-/* Never inlined, specialised or removed. */
-#define APART __attribute__((noipa))
+#include <stddef.h>
 
 #define PAINT UINT32_C(0x5AA5C33C)
 #define PAINTED_WORDS 2048
@@ -45,19 +41,6 @@ typedef struct {
     uint32_t stack;   /* largest [bytes] */
     uint32_t retired; /* all calls together */
 } cost;
-
-void count_begin(void);
-void count_end(void);
-
-APART void count_begin(void)
-{
-    __asm__ volatile("");
-}
-
-APART void count_end(void)
-{
-    __asm__ volatile("" ::: "memory");
-}
 
 APART static sailnet_status no_law(const sailnet_state *state, sailnet_real beta, sailnet_command *command)
 {
@@ -102,37 +85,6 @@ APART static sailnet_status counted(law guidance, steering steer, const call *wi
     const uint32_t used = (uint32_t)((uintptr_t)top - (uintptr_t)word);
     most->stack = used > most->stack ? used : most->stack;
     return status;
-}
-
-static sailnet_real number(golden_bits bits)
-{
-    sailnet_real value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static void print_number(uint32_t value)
-{
-    char digits[12];
-    char *first = &digits[11];
-    *first = '\0';
-    do {
-        *--first = (char)('0' + value % 10);
-        value /= 10;
-    } while (value > 0);
-    platform_print(first);
-}
-
-static void print_bits(sailnet_real value)
-{
-    char digits[2 * sizeof value + 2] = {' '};
-    golden_bits bits;
-    memcpy(&bits, &value, sizeof bits);
-    for (uint32_t i = 2 * sizeof value; i > 0; i--) {
-        digits[i] = "0123456789abcdef"[bits & 15];
-        bits >>= 4;
-    }
-    platform_print(digits);
 }
 
 /* Whether all four numbers are within their bounds of the reference, and the status is the same. */

@@ -5,6 +5,8 @@
 #include <stdint.h>
 
 void platform_print(const char *text);
+/* The next letter from the other side of the console; waits for it. */
+char platform_read(void);
 /* Ends the emulation. The verdict is in what was printed, as not every machine has an exit status. */
 void platform_stop(void);
 /* Instructions the processor itself has counted; 0 where it counts none. */

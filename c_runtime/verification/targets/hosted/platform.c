@@ -8,6 +8,13 @@ void platform_print(const char *text)
     (void)fputs(text, stdout);
 }
 
+char platform_read(void)
+{
+    (void)fflush(stdout); /* which it answers */
+    const int letter = getchar();
+    return letter == EOF ? '\0' : (char)letter;
+}
+
 void platform_stop(void)
 {
 }

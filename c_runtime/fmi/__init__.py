@@ -1,0 +1,1 @@
+"""An exported guidance as a Functional Mock-up Unit, for simulators that take FMI 3.0."""

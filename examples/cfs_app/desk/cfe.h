@@ -1,0 +1,64 @@
+/* In place of cFE's own header: the few names of it that the app uses, so that it runs on a desk. Not for flight. */
+#ifndef CFE_H
+#define CFE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef int32_t int32;
+typedef uint16_t uint16;
+typedef uint32_t uint32;
+typedef int32 CFE_Status_t;
+typedef size_t CFE_MSG_Size_t;
+typedef uint16 CFE_MSG_FcnCode_t;
+typedef uint32 CFE_SB_PipeId_t;
+typedef struct {
+    uint32 Value;
+} CFE_SB_MsgId_t;
+
+typedef struct {
+    uint32 id, size;
+    CFE_MSG_FcnCode_t code;
+} CFE_MSG_Message_t;
+typedef struct {
+    CFE_MSG_Message_t Msg;
+} CFE_MSG_CommandHeader_t, CFE_MSG_TelemetryHeader_t;
+typedef union {
+    CFE_MSG_Message_t Msg;
+    long long aligned;
+} CFE_SB_Buffer_t;
+
+#define CFE_SUCCESS ((CFE_Status_t)0)
+#define CFE_SB_PEND_FOREVER (-1)
+#define CFE_SB_INVALID_MSG_ID ((CFE_SB_MsgId_t){0})
+#define CFE_MSG_PTR(header) (&(header).Msg)
+#define CFE_EVS_EventFilter_BINARY 0
+enum { CFE_ES_RunStatus_APP_RUN = 1, CFE_ES_RunStatus_APP_EXIT = 2, CFE_ES_RunStatus_APP_ERROR = 3 };
+enum { CFE_EVS_EventType_INFORMATION = 2, CFE_EVS_EventType_ERROR = 3 };
+
+static inline CFE_SB_MsgId_t CFE_SB_ValueToMsgId(uint32 value)
+{
+    return (CFE_SB_MsgId_t){value};
+}
+
+static inline uint32 CFE_SB_MsgIdToValue(CFE_SB_MsgId_t id)
+{
+    return id.Value;
+}
+
+CFE_Status_t CFE_EVS_Register(const void *filters, uint16 count, uint16 scheme);
+CFE_Status_t CFE_EVS_SendEvent(uint16 id, uint16 type, const char *text, ...);
+CFE_Status_t CFE_SB_CreatePipe(CFE_SB_PipeId_t *pipe, uint16 depth, const char *name);
+CFE_Status_t CFE_SB_Subscribe(CFE_SB_MsgId_t id, CFE_SB_PipeId_t pipe);
+CFE_Status_t CFE_SB_ReceiveBuffer(CFE_SB_Buffer_t **buffer, CFE_SB_PipeId_t pipe, int32 timeout);
+CFE_Status_t CFE_SB_TransmitMsg(const CFE_MSG_Message_t *message, bool count_it);
+void CFE_SB_TimeStampMsg(CFE_MSG_Message_t *message);
+CFE_Status_t CFE_MSG_Init(CFE_MSG_Message_t *message, CFE_SB_MsgId_t id, CFE_MSG_Size_t size);
+CFE_Status_t CFE_MSG_GetMsgId(const CFE_MSG_Message_t *message, CFE_SB_MsgId_t *id);
+CFE_Status_t CFE_MSG_GetSize(const CFE_MSG_Message_t *message, CFE_MSG_Size_t *size);
+CFE_Status_t CFE_MSG_GetFcnCode(const CFE_MSG_Message_t *message, CFE_MSG_FcnCode_t *code);
+bool CFE_ES_RunLoop(uint32 *run);
+void CFE_ES_ExitApp(uint32 run);
+
+#endif
