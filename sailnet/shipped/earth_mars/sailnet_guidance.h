@@ -87,6 +87,13 @@ typedef float sailnet_real;
 #define SAILNET_FORCE_LINEAR SAILNET_REAL(0.0)
 #define SAILNET_FORCE_ACROSS SAILNET_REAL(0.0)
 
+/* Whether the sail is known to age: sunlight takes LOSS of beta in the end, half of that by each DOSE of it, which is
+   the integral of 1/r^2 over time [TU/AU^2]. What is planned with is left after FORESIGHT of the time to go. */
+#define SAILNET_AGES 0
+#define SAILNET_DEGRADATION_LOSS SAILNET_REAL(0.0)
+#define SAILNET_DEGRADATION_DOSE SAILNET_REAL(6.283185307179586)
+#define SAILNET_FORESIGHT SAILNET_REAL(0.15)
+
 /* How sailnet_steer learns what the sail does: the time over which beta is forgotten, and that of the tangential
    force and of how far periods differ from what was expected [TU]; the largest difference, relative to SAILNET_BETA,
    by which one period counts; the force along the normal below which a period says nothing, which is cos^2 of the cone
@@ -104,11 +111,12 @@ typedef float sailnet_real;
 #define SAILNET_LARGEST_OFFSET SAILNET_REAL(0.15)
 
 /* The reserve: the part of beta that sailnet_steer does not plan with. Of the tangential force; of what is slow in
-   the surprises, as a standard deviation; of what is white in them, times the root of the periods left; its bound;
+   the surprises, as a standard deviation; of what is white in them, times the root of the periods left; its bounds;
    and the time of flight [TU] from which on it shrinks to nothing. */
 #define SAILNET_RESERVE_TANGENTIAL SAILNET_REAL(0.51)
 #define SAILNET_RESERVE_SLOW SAILNET_REAL(2.6)
 #define SAILNET_RESERVE_WHITE SAILNET_REAL(4.0)
+#define SAILNET_LEAST_RESERVE SAILNET_REAL(0.0)
 #define SAILNET_LARGEST_RESERVE SAILNET_REAL(0.105)
 #define SAILNET_LET_GO SAILNET_REAL(0.165)
 
@@ -164,6 +172,9 @@ typedef struct {
     sailnet_real stake;          /* of lambda_v: above 0 if the last command was not the networks' sign */
     sailnet_real regret;         /* time lost by not reversing [TU] */
     sailnet_real unseen;         /* time since the last valid state [TU] */
+#if SAILNET_AGES
+    sailnet_real worn; /* share of SAILNET_DEGRADATION_LOSS that is lost */
+#endif
     uint32_t periods;            /* states steered by so far */
 } sailnet_memory;
 

@@ -1188,8 +1188,8 @@ SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet
 
 /*
  * What one more period tells, by how much further the velocity changed than predicted: beta along the normal, the
- * tangential force across it, and how far such surprises differ. Changes are compared, not states: they are rounded
- * finer. What is not finite counts for nothing, what is large for the bound.
+ * tangential force across it, and how far such surprises differ. Changes are rounded finer than states. What is not
+ * finite counts for nothing, what is large for the bound.
  */
 SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
 {
@@ -1236,14 +1236,13 @@ SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
     const sailnet_real reserve =
         SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
-    const sailnet_real bounded = sailnet_clamped(reserve, R(0.0), SAILNET_LARGEST_RESERVE);
+    const sailnet_real bounded = sailnet_clamped(reserve, SAILNET_LEAST_RESERVE, SAILNET_LARGEST_RESERVE);
     return bounded * sailnet_clamped(tau * (R(1.0) / SAILNET_LET_GO), R(0.0), R(1.0));
 }
 
 /*
- * The sign of the command. Where both are almost equally fast the networks' may change every period: the sail keeps
- * its side until that has cost more than a reversal is worth. The other loses time at the rate 2 |f_t lambda_v|, which
- * is the difference of the Hamiltonian.
+ * The sign of the command. Where both are almost equally fast the sail keeps its side until that has cost more than a
+ * reversal is worth. The other loses time at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian.
  */
 SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
 {
@@ -1360,7 +1359,7 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
     memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
-        /* It is within: the clamp tells so to an analyser, which takes a comparison with a NaN for undecided. */
+        /* It is within: the clamp tells so to an analyser. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
         sailnet_predict(memory, &change);
         known = sailnet_known(memory, state, &change);
@@ -1370,7 +1369,13 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
     memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
     memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
     const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
-    const sailnet_real plan = memory->beta * (R(1.0) - lost) * (R(1.0) - sailnet_reserve(memory, hold));
+    sailnet_real share = R(1.0) - lost;
+#if SAILNET_AGES
+    if (known != NULL) {
+        share *= sailnet_aged(memory, known);
+    }
+#endif
+    const sailnet_real plan = memory->beta * share * (R(1.0) - sailnet_reserve(memory, hold));
     const uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
     command->beta = memory->beta;
     sailnet_status status = SAILNET_INVALID_INPUT;
