@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-from tests.tools import CHROMIUM
+from benchmarks.driven_browser import CHROMIUM
 
 
 def browse(profile: Path, *arguments: str) -> str:

@@ -21,6 +21,7 @@ from sailnet.report import comparison, need_pictures
 from sailnet.report.campaign_page import write_report
 from sailnet.report.reproduction import FILE, Reproduction, reproduction_record
 from sailnet.report.section5 import every_period, flown_cases, section5_of, two_network_plan
+from sailnet.workers.interruption import run_command
 
 NETWORKS = ("tau", "lambda_v", "alpha_pre", "lambda_v_printed", "alpha_pre_eq23", "alpha")
 
@@ -123,4 +124,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main, "the same command goes on"))

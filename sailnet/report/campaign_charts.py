@@ -33,6 +33,11 @@ FEWEST = 50
 """Flights of a series below which it has no distribution worth a curve."""
 
 
+def without_curves(scores: list[Score]) -> list[str]:
+    """Series and periods of which no distribution is drawn, since they have too few flights."""
+    return [_label(score, scores) for score in scores if score.arrived.of < FEWEST]
+
+
 def campaign_charts(results: Results, scores: list[Score]) -> list[Chart]:
     """Every chart of a campaign that has something to show."""
     many = [score for score in scores if score.arrived.of >= FEWEST]
@@ -188,21 +193,23 @@ def _curve(number: int, name: str, label: str) -> Curve:
 
 def _gaps(results: Results, scores: list[Score]) -> Chart | None:
     columns: dict[str, Array] = {}
-    curves = []
+    curves, left_out = [], []
     for number, score in enumerate(scores):
         gap = time_above_optimum(results, results.rows(score.series, score.period))
         if len(gap) < FEWEST:
+            left_out.append(_label(score, scores))
             continue
         value, level = _distribution(np.maximum(100.0 * gap, LEAST_GAP))
         columns |= {f"gap_{number}": value, f"share_{number}": level}
         curves.append(_curve(number, "gap", _label(score, scores)))
     if not curves:
         return None
+    said = f" Not drawn, for fewer than {FEWEST} known optima: {', '.join(left_out)}." if left_out else ""
     return Chart(
         "gaps",
         "Time above the optimum",
         "Of all flights, against the shortest time of the sail that flew, with what was still to go; those "
-        f"that never came near count as the longest. What is below {LEAST_GAP:g} % is drawn there.",
+        f"that never came near count as the longest. What is below {LEAST_GAP:g} % is drawn there.{said}",
         "time above the optimum of the sail that flew [%]",
         "flights [%]",
         curves,

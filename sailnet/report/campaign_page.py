@@ -17,11 +17,10 @@ from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, score_record, scores_of
 from sailnet.campaign.tables import Table, percent, score_tables
 from sailnet.guidance.interface import Guidance
-from sailnet.mission.disturbances import switched_on
-from sailnet.physics.optics import OPTICS
+from sailnet.mission.disturbances import worded
 from sailnet.physics.units import AU, AU_PER_TU, DAY, TU
 from sailnet.report.both_laws import both_laws_shown
-from sailnet.report.campaign_charts import campaign_charts
+from sailnet.report.campaign_charts import FEWEST, campaign_charts, without_curves
 from sailnet.report.charts import Chart, for_page, page_columns, write_csv, write_picture
 from sailnet.report.comparison import Row, flight_rows
 from sailnet.report.compressed_flights import TOGETHER, Flight, compress_flights
@@ -116,6 +115,8 @@ def write_report(
         kilometres=AU / 1e3,
         metres_per_second=AU_PER_TU,
         conditions=_conditions(results),
+        fewest=FEWEST,
+        without_curves=without_curves(scores),
         rows=rows,
         charts=charts,
         laws=laws,
@@ -207,19 +208,8 @@ def _precision(results: Results) -> str:
 
 def _conditions(results: Results) -> list[tuple[str, str]]:
     """What disturbs each series, in words."""
-    described = []
-    for series in results.plan.whole:
-        on = switched_on(series.disturbances(results.mission, results.plan.seed))
-        known = {json.dumps(asdict(optics)): name for name, optics in OPTICS.items()}
-        if "optics" in on:
-            on["optics"] = known.get(json.dumps(on["optics"]), on["optics"])
-        words = [f"{name} = {_value(value)}" for name, value in on.items() if name != "seed"]
-        described.append((series.name, ", ".join(words) or "nothing"))
-    return described
-
-
-def _value(value: object) -> str:
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    mission, seed = results.mission, results.plan.seed
+    return [(series.name, worded(series.disturbances(mission, seed))) for series in results.plan.whole]
 
 
 def _write_files(

@@ -201,19 +201,37 @@ def draw_chart(axes: Any, chart: Chart) -> None:
         _legend(axes, columns=2)
 
 
+def draw_charts(figure: Any, charts: Sequence[Chart], columns: int = 1) -> None:
+    """Draw charts side by side on a matplotlib figure, which becomes as large as they need."""
+    rows = -(-len(charts) // columns)
+    words = max((len(np.asarray(c.columns[c.curves[0].x])) for c in charts if c.rows), default=0)
+    figure.set_size_inches(6.4 * columns, max(4.4, 0.42 * words + 1.4) * rows)
+    places = figure.subplots(rows, columns, squeeze=False).ravel()
+    for axes, chart in zip_longest(places, charts):
+        if chart is None:
+            axes.set_visible(False)
+        else:
+            draw_chart(axes, chart)
+
+
 def write_picture(path: Path, charts: Sequence[Chart], columns: int = 1) -> None:
     """Write charts side by side as a PNG for print."""
     import matplotlib as mpl
     from matplotlib.figure import Figure
 
-    rows = -(-len(charts) // columns)
     with mpl.rc_context(STYLE):
-        words = max((len(np.asarray(c.columns[c.curves[0].x])) for c in charts if c.rows), default=0)
-        figure = Figure(figsize=(6.4 * columns, max(4.4, 0.42 * words + 1.4) * rows), layout="constrained")
-        places = figure.subplots(rows, columns, squeeze=False).ravel()
-        for axes, chart in zip_longest(places, charts):
-            if chart is None:
-                axes.set_visible(False)
-            else:
-                draw_chart(axes, chart)
+        figure = Figure(layout="constrained")
+        draw_charts(figure, charts, columns)
         write_whole(path, lambda beside: figure.savefig(beside, format="png", dpi=160))
+
+
+def shown_figure(charts: Sequence[Chart], columns: int = 1) -> Any:
+    """Charts side by side as a figure of ``matplotlib.pyplot``, which a notebook shows by itself."""
+    import matplotlib as mpl
+    import matplotlib.pyplot as plt
+
+    # Outside of the style: with its first figure a notebook sets what the style would put back.
+    figure = plt.figure(layout="constrained")
+    with mpl.rc_context(STYLE):
+        draw_charts(figure, charts, columns)
+    return figure

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sailnet.expert.fastest import sample_many
+from sailnet.expert.optima import sample_many
 from sailnet.flight.closed_loop import History
 from sailnet.guidance.interface import GuidanceStatus
 from sailnet.mission.mission import Mission
@@ -48,7 +48,8 @@ def flight_templates(mission: Mission) -> list[Chart]:
                 Curve("target_x", "target_y", "target orbit", colour=GREY, width=1.0),
                 optimal("optimum_x", "optimum_y", "optimum"),
                 Curve("x", "y", "flown", colour=NETWORK),
-                Curve("ends_x", "ends_y", "", "points", colour=NETWORK, width=7.0),
+                Curve("start_x", "start_y", "departure", "points", colour=GREY, width=8.0),
+                Curve("end_x", "end_y", "end", "points", colour=NETWORK, width=8.0),
                 Curve("sun_x", "sun_y", "", "points", colour="#f2b705", width=11.0),
             ],
             equal=True,
@@ -174,7 +175,8 @@ def flight_columns(
     wrong = history.seen - history.ruv
     if np.abs(np.nan_to_num(wrong)).max() > 0.0 or np.isnan(wrong).any():
         columns |= {f"seen_{name}": column for name, column in zip("ruv", wrong.T, strict=True)}
-    if np.abs(history.attitude - history.cone_angle).max() > 1e-9:
+    # A flight that ends on the target holds its last command for no time at all.
+    if np.abs(history.attitude - history.cone_angle)[:-1].max(initial=0.0) > 1e-9:
         columns["attitude"] = np.degrees(history.attitude)
     unknown = history.status == GuidanceStatus.INVALID_INPUT
     if unknown.any():
@@ -195,7 +197,7 @@ def flight_columns(
     bound = np.full(2, mission.sail.max_cone_angle)
     columns |= {"span": span, "bound_high": bound, "bound_low": -bound}
     columns |= {"tolerance": np.full(2, mission.flight.arrival_tolerance)}
-    columns |= {"ends_x": x[[0, -1]], "ends_y": y[[0, -1]]}
+    columns |= {"start_x": x[:1], "start_y": y[:1], "end_x": x[-1:], "end_y": y[-1:]}
     if optimum is not None:
         step = 1 if points is None else 4
         angle = optimum.angle[::step]

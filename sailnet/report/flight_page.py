@@ -1,17 +1,17 @@
 """Pages with interactive charts, self-contained, and the page and the picture of one flight."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from sailnet.artefacts.files import write_whole
-from sailnet.errors import SailnetError
-from sailnet.expert.fastest import Extremal
+from sailnet.errors import SailnetError, reason
+from sailnet.expert.optima import Extremal
 from sailnet.flight.closed_loop import History
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
-from sailnet.report.charts import for_page, write_picture
+from sailnet.report.charts import Chart, for_page, write_picture
 from sailnet.report.flight_charts import flight_charts, flight_columns
 from sailnet.report.optimum import Optimum
 from sailnet.report.page import FOLDER, render
@@ -45,24 +45,29 @@ def write_flight_picture(path: Path, mission: Mission, columns: Mapping[str, Arr
     write_picture(path, flight_charts(mission, columns), columns=2)
 
 
-def write_flight_page(
-    path: Path, mission: Mission, columns: Mapping[str, Array], title: str, facts: Mapping[str, str]
+def write_charts_page(
+    path: Path, charts: Sequence[Chart], title: str, about: str, facts: Mapping[str, str], command: str = ""
 ) -> None:
-    """The charts of one flight as a page."""
-    charts = flight_charts(mission, columns)
+    """Charts as a page, with facts above them and below them the command that writes it again."""
     text = chart_page(
         "flight.html.jinja",
         {"charts": [for_page(chart) for chart in charts], "flights": {"rows": []}},
         charts=charts,
         title=title,
+        about=about,
         facts=facts,
-        mission=mission,
+        command=command,
     )
     write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))
 
 
 def plot_flight(
-    path: Path, mission: Mission, history: History, extremal: Extremal | None, facts: Mapping[str, str]
+    path: Path,
+    mission: Mission,
+    history: History,
+    extremal: Extremal | None,
+    facts: Mapping[str, str],
+    command: str = "",
 ) -> None:
     """Show one flight.
 
@@ -72,6 +77,7 @@ def plot_flight(
         history: of the flight.
         extremal: the optimum from the same start, if there is one.
         facts: about the flight, for the page.
+        command: that flies it again, for the page.
 
     Raises:
         SailnetError: the file cannot be written.
@@ -82,6 +88,7 @@ def plot_flight(
         if path.suffix == ".png":
             write_flight_picture(path, mission, columns)
         else:
-            write_flight_page(path, mission, columns, "One flight", facts)
+            about = f"{mission.title}, flown in closed loop."
+            write_charts_page(path, flight_charts(mission, columns), "One flight", about, facts, command)
     except OSError as error:
-        raise SailnetError(f"cannot write {path}: {error}") from error
+        raise SailnetError(f"cannot write {path}: {reason(error)}") from error

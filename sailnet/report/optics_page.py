@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from sailnet.artefacts.files import write_whole
-from sailnet.errors import SailnetError
+from sailnet.errors import SailnetError, reason
 from sailnet.physics.arrays import Array
 from sailnet.physics.force_facts import ForceFacts, force_at
 from sailnet.report.charts import PALETTE, Chart, Curve, for_page
@@ -116,4 +116,4 @@ def write_optics_page(path: Path, sails: Mapping[str, ForceFacts], rows: Sequenc
     try:
         write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))
     except OSError as error:
-        raise SailnetError(f"cannot write {path}: {error}") from error
+        raise SailnetError(f"cannot write {path}: {reason(error)}") from error

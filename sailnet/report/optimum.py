@@ -5,9 +5,24 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.integrate import cumulative_simpson
 
-from sailnet.expert.fastest import Extremal, sample
+from sailnet.artefacts.named_columns import NamedColumns
+from sailnet.expert.optima import Extremal, sample
 from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import attitude
 from sailnet.physics.transfer import Transfer
+
+COLUMNS = {
+    "r": "AU", "u": "AU/TU", "v": "AU/TU",
+    "lambda_r": "TU/AU", "lambda_u": "TU^2/AU", "lambda_v": "TU^2/AU", "cone_angle": "rad",
+}  # fmt: skip
+"""Of an optimum, and their units."""
+
+COLUMNS_IN_SPACE = {
+    "r": "AU", "latitude": "rad", "u": "AU/TU", "v": "AU/TU", "w": "AU/TU",
+    "lambda_r": "TU/AU", "lambda_latitude": "TU/rad", "lambda_u": "TU^2/AU", "lambda_v": "TU^2/AU",
+    "lambda_w": "TU^2/AU", "cone_angle": "rad", "clock_angle": "rad",
+}  # fmt: skip
+"""Of one in three dimensions."""
 
 
 @dataclass(frozen=True)
@@ -18,9 +33,19 @@ class Optimum:
     columns: Array
 
     @staticmethod
-    def of(transfer: Transfer, extremal: Extremal) -> "Optimum":
+    def of(transfer: Transfer, extremal: Extremal, count: int = 501) -> "Optimum":
         """An extremal of the expert, sampled."""
-        return Optimum(*sample(transfer, extremal))
+        time, columns = sample(transfer, extremal, count)
+        if len(extremal.state) == 5:
+            cone, clock = attitude(columns[:, 5:10], columns[:, 10])
+            columns = np.column_stack([columns[:, :10], cone, clock])
+        return Optimum(time, columns)
+
+    def named(self) -> NamedColumns:
+        """Everything by name and with units, the time first."""
+        units = (COLUMNS if self.columns.shape[1] == len(COLUMNS) else COLUMNS_IN_SPACE).items()
+        named = {name: (unit, column) for (name, unit), column in zip(units, self.columns.T, strict=True)}
+        return NamedColumns({"time": ("TU", self.time), **named})
 
     @property
     def angle(self) -> Array:

@@ -17,7 +17,8 @@
       made.marker = { color: curve.colour, size: curve.width };
     } else {
       made.line = { color: curve.colour, width: curve.width, dash: curve.dash ? "dash" : "solid",
-                    shape: curve.kind === "steps" ? "hv" : "linear" };
+                    // Simplified, a plateau would slope towards the point after it.
+                    simplify: false, shape: curve.kind === "steps" ? "hv" : "linear" };
     }
     if (curve.low) {
       const low = columns[curve.low], high = columns[curve.high];
@@ -28,8 +29,17 @@
     return made;
   }
 
+  // Of the page's style, which knows whether it is light or dark.
+  const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const inColours = () => ({ "font.color": colour("--ink"), paper_bgcolor: colour("--paper"), plot_bgcolor: colour("--paper"),
+                             "xaxis.gridcolor": colour("--line"), "yaxis.gridcolor": colour("--line") });
+
+  // A finger on a chart scrolls the page; what a mouse drags is zoomed.
+  const finger = matchMedia("(pointer: coarse)").matches;
+
   function axis(title, logarithmic) {
-    const made = { title: { text: title, standoff: 8 }, automargin: true, gridcolor: "#e6e6e6", zeroline: false,
+    const made = { title: { text: title, standoff: 8 }, automargin: true, gridcolor: colour("--line"), zeroline: false,
                    linecolor: "#8c8c8c", ticks: "outside", tickcolor: "#8c8c8c", exponentformat: "power" };
     if (logarithmic) made.type = "log";
     return made;
@@ -73,11 +83,11 @@
   function draw(place, chart, columns) {
     const curves = chart.curves.filter((curve) => columns[curve.x] && columns[curve.y]);
     const layout = {
-      margin: { l: 56, r: 12, t: 30, b: 44 }, autosize: true, hovermode: "closest", dragmode: "zoom",
-      font: { family: 'system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif', size: 12, color: "#1d2730" },
+      margin: { l: 56, r: 12, t: 30, b: 44 }, autosize: true, hovermode: "closest", dragmode: finger ? false : "zoom",
+      font: { family: 'system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif', size: 12, color: colour("--ink") },
       xaxis: axis(chart.x, chart.logarithmic.includes("x")), yaxis: axis(chart.y, chart.logarithmic.includes("y")),
       legend: { orientation: "h", x: 0, yref: "container", y: 0, yanchor: "bottom", font: { size: 11 } },
-      paper_bgcolor: "#fff", plot_bgcolor: "#fff",
+      paper_bgcolor: colour("--paper"), plot_bgcolor: colour("--paper"),
     };
     const narrow = place.clientWidth < 480;
     for (const side of [layout.xaxis, layout.yaxis]) side.title.text = wrapped(side.title.text, narrow ? 34 : 60);
@@ -230,6 +240,7 @@
     target.scrollIntoView();
   }
 
+  dark.addEventListener("change", () => document.querySelectorAll("[data-drawn]").forEach((place) => Plotly.relayout(place, inColours())));
   document.querySelectorAll("details").forEach((part) => part.addEventListener("toggle", () => show(part)));
   window.addEventListener("hashchange", unfold);
   unfold();

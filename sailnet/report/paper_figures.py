@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from sailnet.expert.fastest import sample
 from sailnet.expert.nominal import solve_nominal
+from sailnet.expert.optima import sample
 from sailnet.flight.closed_loop import History
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array

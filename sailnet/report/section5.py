@@ -9,7 +9,8 @@ from sailnet.campaign.plan import Plan
 from sailnet.campaign.printed import CASES, GENERALISATION_FLIGHTS
 from sailnet.campaign.replay import replay
 from sailnet.campaign.results import Results
-from sailnet.expert.fastest import Extremal, solve
+from sailnet.expert.fastest import solve
+from sailnet.expert.optima import Extremal
 from sailnet.flight.closed_loop import Flights, History
 from sailnet.guidance.interface import Guidance
 from sailnet.physics.arrays import Array

@@ -19,6 +19,8 @@ from sailnet.report.both_laws import CASE, both_laws_charts, both_laws_shown, bo
 from sailnet.report.campaign_page import write_report
 from sailnet.report.section5 import section5_of
 
+pytestmark = pytest.mark.exhaustive
+
 MISSION = load_mission("earth_mars")
 GUIDANCE = load_guidance(MISSION)
 START = (1.05, 0.15, 1.03)

@@ -6,6 +6,8 @@ import hashlib
 import json
 import re
 import struct
+import subprocess
+import sys
 import zlib
 from dataclasses import replace
 from pathlib import Path
@@ -224,6 +226,7 @@ def test_the_page_is_self_contained_and_says_what_was_flown(flown: tuple[Results
     assert not re.findall(r"https?://", text)
     assert "A &lt;page&gt; &amp; more" in text
     assert text.count("</script>") == 3  # the name of a series ends none
+    assert re.search(r'<p id="without-curves">No distributions.* fewer than 50 flights: .*case', text)
     failed = int((results.flights["arrived"] == 0).sum())
     kept = int((results.flights["arrived"][results.kept] == 0).sum())
     assert f"{failed} flights failed; {kept} of them are here" in text
@@ -314,14 +317,14 @@ NOISY_FLIGHT = ("fly", "1.05", "0.15", "1.03", "--period", "0.02", "--beta-noise
 
 @pytest.mark.slow
 def test_fly_plots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    picture = tmp_path / "x" / "f.png"
+    picture = tmp_path / "f.png"
     assert main([*NOISY_FLIGHT, "--plot", str(picture)]) == 0
     with Image.open(picture) as drawn:
         assert min(drawn.size) > 1000
     assert main([*NOISY_FLIGHT, "--plot", "f.svg"]) == 1
     assert "FILE.png or FILE.html" in capsys.readouterr().err
     assert main([*NOISY_FLIGHT, "--plot", str(picture / "in" / "f.png")]) == 1
-    assert "cannot write" in capsys.readouterr().err
+    assert "--plot writes into a folder that is there" in capsys.readouterr().err
 
 
 @needs_browser()
@@ -358,7 +361,7 @@ def test_the_library_is_the_one_that_was_released() -> None:
     assert "plotly.js" in (LIBRARY.parent / "README.md").read_text("utf-8")
     assert "</script" not in LIBRARY.read_text("utf-8")
     assert "\\u003c/script" in chart_page(
-        "flight.html.jinja", {"x": "</script>"}, charts=[], title="t", facts={}, mission=MISSION
+        "flight.html.jinja", {"x": "</script>"}, charts=[], title="t", facts={}, about="a", command="c"
     )
 
 
@@ -404,6 +407,26 @@ def test_the_same_flights_by_several_guidances_are_one_table(
     (tmp_path / "law" / "scores.json").write_text("{}")
     with pytest.raises(CampaignError, match="fly the campaign again"):
         read_records(tmp_path)
+
+
+def test_tables_of_campaigns_that_were_not_flown_again_stay(
+    flown: tuple[Results, Path], tmp_path: Path
+) -> None:
+    """In the order of the names, and the second time nothing changes."""
+    record = json.loads((flown[1] / "scores.json").read_text("utf-8")) | {"campaign": "law"}
+    (tmp_path / "law").mkdir()
+    (tmp_path / "law" / "scores.json").write_text(json.dumps(record))
+    first, last = ("**A** (`actuation`, networks `x`)\n\na", "**W** (`wander`, networks `x`)\n\nw")
+    old = "**Law** (`law`, networks `x`)\n\nold"
+    own = campaign_tables(read_records(tmp_path))
+    text = tmp_path / "RESULTS.md"
+    for before in ([first, last], [first, old, last], [first, own, last]):
+        joined = "\n\n".join(before)
+        text.write_text(f"above\n<!-- campaigns -->\n{joined}\n<!-- /campaigns -->\nbelow\n")
+        command = [sys.executable, "-m", "sailnet.campaign.score_tables", str(tmp_path), str(text)]
+        subprocess.run(command, check=True)
+        expected = "\n\n".join([first, own, last])
+        assert text.read_text() == f"above\n<!-- campaigns -->\n{expected}\n<!-- /campaigns -->\nbelow\n"
 
 
 def test_a_block_of_the_readme_is_written_anew(tmp_path: Path) -> None:
