@@ -1,5 +1,10 @@
 """The ``sailnet`` command: one module a sub-command."""
 
-from sailnet.cli.command_line import main
+from collections.abc import Sequence
 
-__all__ = ["main"]
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line, of this process by default; returns the exit status."""
+    from sailnet.cli import command_line
+
+    return command_line.main(arguments)

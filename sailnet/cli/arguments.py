@@ -2,6 +2,9 @@
 
 import argparse
 import math
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -10,9 +13,11 @@ from sailnet.guidance.rules import EXPERT_RULES, LOOK_AHEAD_RULES
 from sailnet.mission.disturbances import Disturbance, catalogue, disturbance_from
 from sailnet.mission.mission import Mission
 from sailnet.physics.optics import OPTICS
+from sailnet.workers.executors import WAIT
 
 if TYPE_CHECKING:
     from sailnet.guidance.interface import Guidance
+    from sailnet.workers.executors import Workers
 
 Commands = Any
 """What ``add_subparsers`` gives; argparse does not name its type."""
@@ -39,6 +44,72 @@ def state_parser(nargs: Literal["?"] | None = None) -> argparse.ArgumentParser:
     parser.add_argument("u", metavar="U", type=float, nargs=nargs, help="radial speed [AU/TU]")
     parser.add_argument("v", metavar="V", type=float, nargs=nargs, help="transverse speed [AU/TU]")
     return parser
+
+
+def count(text: str) -> int:
+    """The value of an option that says how many: at least 1."""
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{number} is not a positive number")
+    return number
+
+
+def distribution(
+    parser: argparse.ArgumentParser,
+    workers: int = os.cpu_count() or 1,
+    of_workers: str = "processes (all cores)",
+) -> None:
+    """Add options that say who does the work.
+
+    Args:
+        parser: of the command.
+        workers: how many processes unless told.
+        of_workers: what the help says of them.
+    """
+    parser.add_argument("--workers", type=count, default=workers, metavar="N", help=of_workers)
+    parser.add_argument(
+        "--scheduler", metavar="ADDRESS", help="of Dask, e.g. tcp://host:8786, whose workers work"
+    )
+    parser.add_argument(
+        "--wait",
+        type=float,
+        default=WAIT,
+        metavar="S",
+        help="seconds that Dask may have no workers (%(default)g)",
+    )
+
+
+def existing_folder(option: str, file: Path) -> None:
+    """Make sure, before any work, that the folder is there which an option's file is to be written to.
+
+    Raises:
+        SailnetError: it is not.
+    """
+    if not file.parent.is_dir():
+        raise SailnetError(f"{option} writes into a folder that is there, and {file.parent} is not")
+
+
+@contextmanager
+def workers_of(options: argparse.Namespace, pieces: int) -> "Iterator[Workers | None]":
+    """Who works on this many pieces; None where this process does alone.
+
+    No more processes are started than have something to do: than there are pieces, or processor cores.
+
+    Args:
+        options: ``workers``, ``scheduler`` and ``wait``.
+        pieces: that can be worked on side by side.
+
+    Raises:
+        SailnetError: as :func:`sailnet.workers.executors.workers`.
+    """
+    useful = max(1, min(options.workers, pieces, os.cpu_count() or 1))
+    if useful == 1 and options.scheduler is None:
+        yield None
+        return
+    from sailnet.workers.executors import workers
+
+    with workers(useful, options.scheduler, wait=options.wait) as pool:
+        yield pool
 
 
 BOTH = "both"

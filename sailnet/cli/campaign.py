@@ -3,23 +3,23 @@
 import argparse
 import shlex
 from collections.abc import Mapping, Sequence
-from contextlib import nullcontext
 from pathlib import Path
 
+from sailnet.artefacts.ownership import LOCK, sole_owner
+from sailnet.campaign.batches import Job
 from sailnet.campaign.plan import Plan, guided_by, load_plan, single_precision
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import score_record, scores_of
 from sailnet.campaign.tables import Table, score_tables, side_by_side
 from sailnet.campaign.upper_bound import upper_bounds
-from sailnet.cli.arguments import BOTH, NETWORKS, guidance_of
-from sailnet.errors import SailnetError
+from sailnet.cli.arguments import BOTH, NETWORKS, guidance_of, workers_of
+from sailnet.errors import CampaignError, SailnetError, reason
 from sailnet.guidance.backends import exported_digest
 from sailnet.guidance.interface import Precision
 from sailnet.guidance.rules import EXPERT_RULES
 from sailnet.mission.disturbances import catalogue
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.report import need_pictures, report
-from sailnet.workers.executors import workers
 
 
 def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
@@ -62,6 +62,14 @@ def _flown(
     options: argparse.Namespace, mission: Mission, plan: Plan, name: str, precision: Precision
 ) -> tuple[dict[str, object], list[Table]]:
     """Fly in one precision; results and report under a name. What to answer, and the tables."""
+    lock, place = options.output / f".{name}{LOCK}", f"campaign {name} in {options.output}"
+    with sole_owner(lock, place, CampaignError):
+        return _flown_alone(options, mission, plan, name, precision)
+
+
+def _flown_alone(
+    options: argparse.Namespace, mission: Mission, plan: Plan, name: str, precision: Precision
+) -> tuple[dict[str, object], list[Table]]:
     chosen = argparse.Namespace(**{**vars(options), "precision": precision})
     guidance = guidance_of(chosen, mission, many=True)
     facts: dict[str, str] = {"precision": precision}
@@ -72,8 +80,8 @@ def _flown(
             facts["exported C"] = exported_digest(mission, options.networks, options.layout)
     stored: Path = options.output / f"{name}.h5"
     folder: Path = options.output / name
-    alone = options.workers == 1 and options.scheduler is None
-    with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:
+    job = Job(mission, guidance, plan.flown_by(mission), asks=options.optima is None)
+    with workers_of(options, len(job.batches)) as pool:
         results = fly_plan(
             mission,
             guidance,
@@ -94,7 +102,7 @@ def _flown(
             results, folder, guidance, command=_command(options, precision)
         )
     except (SailnetError, OSError) as error:
-        raise SailnetError(f"{stored} is written, but not its report: {error}") from error
+        raise SailnetError(f"{stored} is written, but not its report: {reason(error)}") from error
     if options.guidance != NETWORKS and not options.json:
         for table in upper_bounds(options.output, [plan.name]):
             print("\n".join([f"{table.title}:", *table.lines()]), end="\n\n")

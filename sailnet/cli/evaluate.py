@@ -1,21 +1,82 @@
 """``sailnet evaluate``: many closed-loop flights, or a whole campaign."""
 
 import argparse
-from contextlib import nullcontext
+import math
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from sailnet.cli.arguments import (
     BOTH,
     Commands,
     add_command,
     backend_parser,
+    distribution,
     disturbance_of,
     guidance_of,
     loop_parser,
+    workers_of,
 )
-from sailnet.cli.output import Result
+from sailnet.cli.output import (
+    Line,
+    Result,
+    in_unit,
+    number,
+    over_flights,
+    percent,
+    state,
+    state_in_si,
+    table,
+)
 from sailnet.errors import SailnetError
 from sailnet.mission.mission import load_mission
+
+if TYPE_CHECKING:
+    from sailnet.campaign.excess import Excess
+    from sailnet.flight.closed_loop import Flights
+    from sailnet.mission.mission import Mission
+
+FLIGHTS, PERIODS = in_unit("flights"), in_unit("periods")
+
+LINES = {
+    "flights": Line("flown from random starts", FLIGHTS),
+    "time_above_own_optimum": Line("time above the optimum of the sail that flew", over_flights(percent)),
+    "days_above_own_optimum": Line("days above it", over_flights(in_unit("days"))),
+    "first_approach": Line("home at the first approach, in 1.5 optima", FLIGHTS),
+    "counted_at_longest": Line("failed, counted as the longest flight", FLIGHTS),
+    "own_optimum_unknown": Line("without a known optimum, not counted", FLIGHTS),
+    "reversals": Line("reversals of the command, a flight", over_flights(number)),
+    "command_slew_deg": Line("slew of the command, a flight", over_flights(in_unit("deg"))),
+    "attitude_slew_deg": Line("slew of the sail, a flight", over_flights(in_unit("deg"))),
+    "command_rate_deg_per_hour": Line(
+        "rate of 99 % of the steps of a command", over_flights(in_unit("deg/h"))
+    ),
+    "arrived_attitude_kept": Line("arrived, always within the bound", FLIGHTS),
+    "attitude_beyond_bound": Line("cone angle flown ever beyond the bound", FLIGHTS),
+    "attitude_beyond_bound_periods": Line("beyond the bound for", PERIODS),
+    "largest_attitude_excess_deg": Line("beyond the bound by at most", in_unit("deg")),
+    "outside_domain": Line("ever outside what was trained for", FLIGHTS),
+    "outside_domain_periods": Line("outside for", PERIODS),
+    "beta_at_limit": Line("estimate of beta ever at its limit", FLIGHTS),
+    "beta_at_limit_periods": Line("at its limit for", PERIODS),
+    "without_navigation": Line("ever without navigation", FLIGHTS),
+    "without_navigation_periods": Line("without navigation for", PERIODS),
+    "reckoned": Line("ever steered by dead reckoning", FLIGHTS),
+    "reckoned_periods": Line("by dead reckoning for", PERIODS),
+    "periods_flown": Line("flown in all", PERIODS),
+    "arrived": Line("arrived", FLIGHTS),
+    "success_share": Line("arrived, of all", percent),
+    "confidence_interval": Line("95 % interval of that share", lambda ends: " to ".join(map(percent, ends))),
+    "error_quantiles": Line("error at the end", over_flights(state)),
+    "error_quantiles_km_mps": Line("error at the end, in SI", over_flights(state_in_si)),
+    "attitude_violations": Line("ever commanded beyond the bound", FLIGHTS),
+    "results": Line("results"),
+    "report": Line("report"),
+    "digest": Line("digest (SHA-256)"),
+    "float32": Line("in float32", table(str)),
+}
+
+OF_CAMPAIGNS = ("output", "restart", "overwrite", "optima")
+"""Options that say something about a campaign alone."""
 
 
 def add(commands: Commands) -> None:
@@ -31,19 +92,19 @@ def add(commands: Commands) -> None:
         "sailnet evaluate --campaign everything --precision both --workers 2; "
         "sailnet evaluate --campaign everything --guidance expert --flights 200",
     )
+    evaluate.set_defaults(lines=LINES)
     evaluate.add_argument(
         "--campaign",
         metavar="NAME",
         help="a ready campaign or a TOML file; its results and its report are written to --output",
     )
-    evaluate.add_argument(
-        "--output", type=Path, default=Path("campaigns"), metavar="DIR", help="(%(default)s)"
-    )
+    evaluate.add_argument("--output", type=Path, metavar="DIR", help="of a campaign (campaigns)")
     evaluate.add_argument("--restart", action="store_true", help="throw away what was flown before")
     evaluate.add_argument(
         "--overwrite",
         action="store_true",
-        help="replace a finished campaign of the same name, but another mission, file, networks or options",
+        help="replace a finished campaign of the same name, but another mission, file, networks, options or "
+        "software",
     )
     evaluate.add_argument(
         "--flights", type=int, metavar="N", help="how many (100, or what the campaign says for random starts)"
@@ -59,8 +120,7 @@ def add(commands: Commands) -> None:
         action="store_true",
         help="of random starts: do not ask the expert for the shortest times, which takes a minute",
     )
-    evaluate.add_argument("--workers", type=int, default=1, metavar="N", help="processes (%(default)s)")
-    evaluate.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler whose workers fly instead")
+    distribution(evaluate, 1, "processes, at most one for each core and 500 flights (%(default)s)")
 
 
 def run(options: argparse.Namespace) -> Result:
@@ -68,30 +128,44 @@ def run(options: argparse.Namespace) -> Result:
     if options.campaign is not None:
         from sailnet.cli.campaign import evaluate_campaign
 
+        if options.without_optima:
+            raise SailnetError(
+                "--without-optima is for random starts: put optima = 0 into the campaign's file"
+            )
+        options.output = options.output or Path("campaigns")
         return evaluate_campaign(options)
+    if given := [f"--{name}" for name in OF_CAMPAIGNS if getattr(options, name)]:
+        raise SailnetError(f"{', '.join(given)} is for campaigns: add --campaign NAME, or leave it out")
     if options.precision == BOTH:
         raise SailnetError("--precision both is for campaigns: say float64 or float32, or --campaign NAME")
-    from sailnet.campaign.behaviour import behaviour_of, behaviour_record
-    from sailnet.campaign.excess import excess_of, excess_record
+    from sailnet.campaign.excess import excess_of
     from sailnet.campaign.own_optima import optimal_times_of
-    from sailnet.campaign.random_flights import fly_random_starts
-    from sailnet.campaign.scores import attitude_violations, component_quantiles, in_si
-    from sailnet.campaign.shares import Share
-    from sailnet.workers.executors import workers
+    from sailnet.campaign.random_flights import BATCH, fly_random_starts
+    from sailnet.workers.progress import progress
 
     mission = load_mission(options.mission)
     guidance = guidance_of(options, mission, many=True)
     disturbance = disturbance_of(options, mission)
-    alone = options.workers == 1 and options.scheduler is None
-    with nullcontext() if alone else workers(options.workers, options.scheduler) as pool:
-        count = 100 if options.flights is None else options.flights
+    wanted = 100 if options.flights is None else options.flights
+    with workers_of(options, math.ceil(wanted / BATCH)) as pool:
         flights = fly_random_starts(
-            mission, guidance, count, disturbance, period=options.period, workers=pool
+            mission, guidance, wanted, disturbance, period=options.period, workers=pool
         )
     excess = None
     if not options.without_optima:
-        optics = mission.optics_flown(disturbance)
-        excess = excess_of(mission, flights, optimal_times_of(mission, flights, optics))
+        with progress(wanted, "flight", "shortest times"):
+            optima = optimal_times_of(mission, flights, disturbance)
+        excess = excess_of(mission, flights, optima)
+    return facts_of(mission, flights, excess)
+
+
+def facts_of(mission: "Mission", flights: "Flights", excess: "Excess | None") -> Result:
+    """How many flights went, by the names of ``LINES``."""
+    from sailnet.campaign.behaviour import behaviour_of, behaviour_record
+    from sailnet.campaign.excess import excess_record
+    from sailnet.campaign.scores import attitude_violations, component_quantiles, in_si
+    from sailnet.campaign.shares import Share
+
     arrived = Share.where(flights.arrived)
     quantiles = component_quantiles(flights, (0.5, 0.9, 0.95, 0.99, 1.0))
     return {

@@ -1,11 +1,21 @@
 """``sailnet guide``: one command from the networks."""
 
 import argparse
+import sys
 
 from sailnet.cli.arguments import Commands, add_command, backend_parser, guidance_of, state_of, state_parser
-from sailnet.cli.output import Result
+from sailnet.cli.output import Line, Result, angle, time
 from sailnet.errors import SailnetError
-from sailnet.mission.mission import load_mission
+from sailnet.mission.mission import derived_for, load_mission
+
+LINES = {
+    "cone_angle": Line("cone angle", angle),
+    "time_of_flight": Line("time of flight still to go, as predicted", time),
+    "status": Line("status"),
+}
+
+TOLD = ("sail.", "transfer.", "flight.", "generalisation.")
+"""Sections of a mission whose derived values a command depends on."""
 
 
 def add(commands: Commands) -> None:
@@ -19,6 +29,7 @@ def add(commands: Commands) -> None:
         backend_parser(),
         example="sailnet guide 1.05 0.15 1.03 --beta 0.15 --json",
     )
+    guide.set_defaults(lines=LINES)
     guide.add_argument("--beta", type=float, metavar="X", help="the sail's real one (default: the mission's)")
 
 
@@ -31,6 +42,9 @@ def run(options: argparse.Namespace) -> Result:
     from sailnet.guidance.interface import GuidanceStatus
 
     state = state_of(options)
+    if derived := derived_for(options.mission):
+        said = ", ".join(f"{key} = {derived[key]}" for key in derived if key.startswith(TOLD))
+        print(f"note: derived, as `sailnet mission show {options.mission}` tells: {said}", file=sys.stderr)
     guidance = guidance_of(options, load_mission(options.mission))
     low, high = guidance.beta_range
     if options.beta is not None and not low <= options.beta <= high:

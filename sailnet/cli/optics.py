@@ -3,9 +3,9 @@
 import argparse
 from pathlib import Path
 
-from sailnet.cli.arguments import Commands
+from sailnet.cli.arguments import Commands, existing_folder
 from sailnet.cli.output import Result
-from sailnet.errors import SailnetError
+from sailnet.errors import SailnetError, did_you_mean
 from sailnet.mission.mission import load_mission
 from sailnet.physics.optics import OPTICS, Optics
 
@@ -39,6 +39,7 @@ def run(options: argparse.Namespace) -> Result | int:
         raise SailnetError(f"--output writes FILE.html, not {options.output}")
     if options.output is not None:
         need_pictures()
+        existing_folder("--output", options.output)
     sails = {name: _known(name) for name in options.names}
     bounds = set(BOUNDS)
     if options.mission is not None:
@@ -61,6 +62,6 @@ def _known(name: str) -> Optics:
     if name not in OPTICS:
         raise SailnetError(
             f"there is no sail {name!r}: known are {', '.join(OPTICS)}; for coefficients of your own give "
-            "--mission FILE, whose [sail] has them as optics"
+            f"--mission FILE, whose [sail] has them as optics{did_you_mean(name, OPTICS)}"
         )
     return OPTICS[name]

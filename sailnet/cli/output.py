@@ -1,15 +1,105 @@
-"""What commands print: one JSON object for machines, aligned lines for people."""
+"""What commands print: one JSON object for machines, lines with names and units for people."""
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from sailnet.physics.units import DAY, TU
 
 Result = dict[str, object]
 """What a command found, by name."""
 
+Told = Callable[[Any], str]
+"""A value with its unit."""
 
-def readable(value: object) -> str:
-    """A value as people read it: eight digits, lists in a row, tables indented."""
-    if isinstance(value, float):
-        return f"{value:.8g}"
-    if isinstance(value, (list, tuple)):
-        return "  ".join(readable(item) for item in value)
-    if isinstance(value, dict):
-        return "\n".join([""] + [f"    {key:20s} {readable(item)}" for key, item in value.items()])
-    return str(value)
+NAME_WIDTH = 48
+
+
+@dataclass(frozen=True)
+class Line:
+    """How one of a command's results is shown to people.
+
+    Attributes:
+        name: what it is, in a few words.
+        told: the value with its unit; of None nothing but ``without`` is said.
+        without: for a value that there is not.
+    """
+
+    name: str
+    told: Told = str
+    without: str = "not known"
+
+    def text(self, value: object) -> str:
+        """The value for people."""
+        return self.without if value is None else self.told(value)
+
+
+Lines = Mapping[str, Line]
+"""Of a command, by the name in JSON."""
+
+
+def readable(result: Result, lines: Lines) -> dict[str, str]:
+    """Names and values of a result as people read them, in its order."""
+    return {lines[key].name: lines[key].text(value) for key, value in result.items()}
+
+
+def printed(result: Result, lines: Lines) -> str:
+    """A result as it is printed for people."""
+    return "\n".join(f"{name:{NAME_WIDTH}s} {value}" for name, value in readable(result, lines).items())
+
+
+def number(value: float) -> str:
+    """Without a unit, or in the unit that its name says."""
+    return f"{value:.8g}"
+
+
+def in_unit(unit: str) -> Told:
+    """In a unit, such as ``deg``."""
+    return lambda value: f"{value:.8g} {unit}"
+
+
+def time(value: float) -> str:
+    """Of a time [TU]."""
+    return f"{value:.8g} TU ({value * TU / DAY:.6g} days)"
+
+
+def angle(value: float) -> str:
+    """Of an angle [rad]."""
+    return f"{math.degrees(value):.8g} deg"
+
+
+def percent(value: float) -> str:
+    """Of a share or a relative number."""
+    return f"{100.0 * value:.6g} %"
+
+
+def yes_or_no(value: bool) -> str:
+    """Of a fact."""
+    return "yes" if value else "no"
+
+
+def components(names: Iterable[str], units: Iterable[str]) -> Told:
+    """Of several numbers in a row, each by its name and with its unit."""
+    known = list(zip(names, units, strict=True))
+    return lambda values: ", ".join(
+        f"{name} {value:.8g} {unit}" for (name, unit), value in zip(known, values, strict=True)
+    )
+
+
+state = components("ruv", ("AU", "AU/TU", "AU/TU"))
+state_in_space = components(("r", "latitude", "u", "v", "w"), ("AU", "rad", "AU/TU", "AU/TU", "AU/TU"))
+state_in_si = components("ruv", ("km", "m/s", "m/s"))
+
+
+def table(told: Told, name: Callable[[str], str] = str) -> Told:
+    """Of a mapping: a line each, indented."""
+    return lambda values: "".join(
+        f"\n    {name(key):{NAME_WIDTH - 4}s} {told(value)}" for key, value in values.items()
+    )
+
+
+def over_flights(told: Told) -> Told:
+    """Of the mean and of quantiles by level, as ``sailnet.campaign.shares.Spread`` records them."""
+    names = {"mean": "mean", "0.5": "median", "1": "worst"}
+    return table(told, lambda level: names.get(level) or f"of {100.0 * float(level):g} % at most")

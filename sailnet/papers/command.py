@@ -8,8 +8,6 @@ from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 
-from tqdm import tqdm
-
 from sailnet.artefacts.files import fill_block, split_at_block, write_whole
 from sailnet.artefacts.provenance import software
 from sailnet.errors import SailnetError
@@ -20,6 +18,7 @@ from sailnet.papers.tables import markdown, origin, tables, trial_table, trials_
 from sailnet.papers.trial import Trial
 from sailnet.report import report
 from sailnet.workers.executors import processes
+from sailnet.workers.progress import progress
 
 AGREEMENT = 1e-6
 """Ours and the check may differ by this, relatively: six digits."""
@@ -103,7 +102,7 @@ def _computed(parts: Sequence[Part], name: str | None, workers: int) -> tuple[li
     failures: list[str] = []
     with (
         _solved(parts, workers) as solved,
-        tqdm(total=len(parts), desc="papers", unit="part", file=sys.stderr, disable=None) as bar,
+        progress(len(parts), "part", "papers") as bar,
     ):
         bar.set_postfix_str(parts[0].name)
         for number, (part, found) in enumerate(zip(parts, solved, strict=True), start=1):

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
 
-from sailnet.errors import SailnetError
+from sailnet.errors import SailnetError, did_you_mean
 from sailnet.papers import bbsr, delta, ponn, sail, trial
 from sailnet.papers.row import Row
 from sailnet.papers.trial import Trial
@@ -74,7 +74,7 @@ def chosen(parts: Sequence[Part], name: str | None) -> list[Part]:
         problems = dict.fromkeys(problem for part in parts for problem in part.problems)
         raise SailnetError(
             f"no paper or problem is called {name}; the papers are {', '.join(papers)},"
-            f" the problems {', '.join(problems)}"
+            f" the problems {', '.join(problems)}{did_you_mean(name or '', problems)}"
         )
     for part in found:
         part.check()

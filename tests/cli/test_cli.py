@@ -5,6 +5,7 @@ import json
 import re
 import subprocess
 import sys
+import warnings
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import asdict
 from importlib import resources
@@ -223,7 +224,7 @@ def test_fly_counts_what_the_guidance_said() -> None:
     assert (counts["arrived"], counts["reckoned"] > 10, counts["ok"] > 500) == (1, True, True)
     assert _json("fly", "1", "0", "1", "--beta-bias", "-0.21")["statuses"]["at_limit"] > 500
     lines = _run("fly", "1", "0", "1", *outages).stdout.splitlines()
-    assert ["reckoned", str(counts["reckoned"])] in [line.split() for line in lines]
+    assert ["reckoned", str(counts["reckoned"]), "periods"] in [line.split() for line in lines]
 
 
 @pytest.mark.slow
@@ -299,6 +300,15 @@ def test_evaluate_can_leave_the_expert_alone() -> None:
             ("evaluate", "--campaign", "law", "--guidance", "look-ahead", "--precision", "both"),
             "look-ahead flies in one precision at a time",
         ),
+        (("fly", "1", "0", "1", "--plot", "no/such/folder/x.html"), "no/such/folder is not"),
+        (("optics", "ideal", "--output", "no/such/folder/x.html"), "no/such/folder is not"),
+        (("info", "no.h5"), "cannot open data set no.h5: no such file or directory\n"),
+        (("evaluate", "--workers", "0"), "0 is not a positive number"),
+        (("evaluate", "--workers", "-1"), ": -1 is not a positive number"),
+        (("evaluate", "--workers", "x"), "invalid count value: 'x'"),
+        (("evaluate", "--flights", "2", "--output", "out"), "--output is for campaigns"),
+        (("evaluate", "--restart", "--overwrite", "--optima", "x.h5"), "--restart, --overwrite, --optima is"),
+        (("evaluate", "--campaign", "law", "--without-optima"), "put optima = 0 into the campaign's file"),
         (("evaluate", "--flights", "0"), "flights"),
         (("evaluate", "--flights", "-3"), "flights"),
     ],
@@ -308,6 +318,15 @@ def test_bad_input_is_explained(arguments: tuple[str, ...], says: str) -> None:
     assert done.returncode != 0
     assert done.stdout == ""
     assert says in done.stderr
+
+
+@pytest.mark.slow
+def test_a_state_too_far_off_to_compute_with_is_refused_in_words() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        done = _run("solve", "1e30", "0", "1")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("error: no extremal")
 
 
 @pytest.mark.parametrize("state", [("1e300", "0", "1"), ("5", "3", "-7")])

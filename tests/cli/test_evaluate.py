@@ -2,6 +2,9 @@
 
 import json
 import shutil
+from argparse import Namespace
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib import resources
 from pathlib import Path
 
@@ -10,7 +13,9 @@ import pytest
 from sailnet import report
 from sailnet.campaign.results import open_results
 from sailnet.cli import main
+from sailnet.cli.arguments import workers_of
 from sailnet.report import campaign_page
+from sailnet.workers import executors
 
 
 def error_of(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
@@ -24,7 +29,7 @@ def test_the_command_explains_what_it_cannot_do(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out = ("--output", str(tmp_path / "out"))
-    assert "known are acceptance, actuation, bad-days, beta-bias" in error_of(
+    assert "known are acceptance, actuation, ageing, bad-days, beta-bias" in error_of(
         capsys, "--campaign", "weather", *out
     )
     assert "cannot read campaign" in error_of(capsys, "--campaign", str(tmp_path / "no.toml"), *out)
@@ -45,8 +50,28 @@ def test_the_command_explains_what_it_cannot_do(
     monkeypatch.undo()
     (tmp_path / "file").write_text("in the way")
     said = error_of(capsys, "--campaign", "paper", "--output", str(tmp_path / "file" / "x"))
-    assert said.startswith(f"error: cannot write results {tmp_path / 'file' / 'x' / 'paper.h5'}")
+    assert said.startswith(f"error: cannot write campaign paper in {tmp_path / 'file' / 'x'}: ")
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("wanted", "pieces", "started"), [(1000, 3, 3), (2, 3, 2), (1000, 1, None), (1, 9, None), (4, 0, None)]
+)
+def test_no_more_processes_start_than_have_something_to_do(
+    wanted: int, pieces: int, started: int | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    @contextmanager
+    def counted(count: int, _: str | None, *, wait: float) -> Iterator[int]:
+        assert wait == 600.0
+        yield count
+
+    monkeypatch.setattr(executors, "workers", counted)
+    options = Namespace(workers=wanted, scheduler=None, wait=600.0)
+    for cores, expected in ((64, started), (2, None if started is None else 2)):
+        monkeypatch.setattr("os.cpu_count", lambda cores=cores: cores)
+        with workers_of(options, pieces) as pool:
+            found: object = pool
+        assert found == expected
 
 
 @pytest.mark.slow
@@ -72,7 +97,7 @@ def test_a_finished_campaign_is_not_replaced_unasked(
     assert len(open_results(tmp_path / "out" / "small.h5").flights["number"]) == 3
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_both_precisions_are_flown_one_after_the_other(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -71,7 +71,10 @@ def test_a_mission_adds_its_sail_and_its_bound(tmp_path: Path, capsys: pytest.Ca
         (("jpl", "foil"), "no sail 'foil': known are ideal, jpl, nasa; for coefficients of your own"),
         (("--output", "optics.png"), "--output writes FILE.html, not optics.png"),
         (("--mission", "nowhere.toml"), "nowhere.toml"),
-        (("--output", "/dev/null/optics.html"), "cannot write /dev/null/optics.html"),
+        (
+            ("--output", "/dev/null/optics.html"),
+            "--output writes into a folder that is there, and /dev/null is not",
+        ),
     ],
 )
 def test_what_cannot_be_shown_is_refused(

@@ -62,7 +62,7 @@ def test_fastest_transfer_by_shooting_and_by_collocation() -> None:
     assert 1.0 - first["m"][-1] == pytest.approx(burnt, rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_every_figure_has_two_values_that_agree() -> None:
     rows = delta.rows()
     assert {row.printed for row in rows} == {

@@ -15,7 +15,7 @@ from sailnet.papers import dionysus
 from sailnet.physics.arrays import Array
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_dionysus_from_random_costates() -> None:
     draw = np.random.default_rng(3).uniform(-1.0, 1.0, 6) * dionysus.SCALE
     solution = dionysus.solve(draw, samples=2000)

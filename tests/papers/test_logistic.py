@@ -33,7 +33,7 @@ def by_quadrature(eps: float) -> float:
     return float(fsolve(conditions, [*(100.0 * begin), 52.0], xtol=1e-12)[3])
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_extremals_of_paper_002_and_their_limit() -> None:
     found = logistic.series()
     times, costs = [one.final_time for one in found], [one.cost for one in found]

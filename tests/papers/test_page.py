@@ -27,6 +27,8 @@ from sailnet.report.flight_page import LIBRARY
 from tests.browser import told
 from tests.tools import needs_browser
 
+pytestmark = pytest.mark.exhaustive
+
 
 def _stalled() -> list[Row]:
     raise ConvergenceError("shooting of <kite> stalled", {"boundary": 0.5})

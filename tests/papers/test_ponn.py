@@ -5,7 +5,7 @@ import pytest
 from sailnet.papers import ponn as papers
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_printed_figures_and_their_verdicts() -> None:
     rows = papers.intercept_rows(starts=2) + papers.bounded_rows()
     verdicts = {(row.problem, row.quantity): row.verdict for row in rows}

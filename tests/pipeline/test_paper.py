@@ -15,6 +15,8 @@ from tests.browser import told
 from tests.tools import needs_browser
 from tests.toy_pipeline import python, toy_mission
 
+pytestmark = pytest.mark.exhaustive
+
 TOY = {
     # Few bins of states are soon indexed for the optima beside the random starts.
     "r": "[1.0, 1.02]",

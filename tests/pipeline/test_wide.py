@@ -10,7 +10,7 @@ import pytest
 
 from c_runtime.verification.bench.__main__ import main as bench
 from c_runtime.verification.bench.exported_c import NATIVE
-from export.__main__ import main as export
+from export.command import main as export
 from export.ship import main as ship
 from sailnet.campaign.results import open_results
 from sailnet.campaign.scores import scores_of
@@ -26,6 +26,7 @@ TOY = {
     "levels": "2",
     "starts": "16",
     "approaches": "80",
+    "around": "0",
     "hidden": "[8, 8]",
     "train_samples": "1500",
     "curvature_samples": "800",
@@ -74,6 +75,7 @@ def test_the_networks_read_approach_coordinates_and_know_their_sails(toy: Path) 
     assert tau[0] != pytest.approx(tau[1], rel=1e-3)  # they look at the sail
 
 
+@pytest.mark.exhaustive
 def test_the_c_steers_like_the_reference_with_onnx(toy: Path) -> None:
     ends = []
     for backend in ("c", "onnx"):
@@ -111,13 +113,15 @@ def test_no_networks_no_acceptance(toy: Path, tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.exhaustive
 def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(
     toy: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     readme, results, paper = tmp_path / "README.md", tmp_path / "RESULTS.md", tmp_path / "report.json"
     readme.write_text("before\n<!-- summary -->\nstale figures\n<!-- /summary -->\nafter\n")
+    block = f"acceptance {load_mission(toy / 'toy.toml').name}"
     results.write_text(
-        "<!-- acceptance -->\nstale figures\n<!-- /acceptance -->\n<!-- paper -->\n<!-- /paper -->\n"
+        f"<!-- {block} -->\nstale figures\n<!-- /{block} -->\n<!-- paper -->\n<!-- /paper -->\n"
     )
     row = {"quantity": "|x|", "paper": "1", "here": "2", "note": ""}
     facts = {"machine": "m", "date": "d", "revision": "r"}

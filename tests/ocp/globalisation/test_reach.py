@@ -13,7 +13,7 @@ from sailnet.ocp.problems import earth_dionysus
 from sailnet.papers import dionysus
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_moving_the_target_reaches_what_newton_does_not() -> None:
     problem = earth_dionysus.least_effort()
     draws = np.random.default_rng(7).uniform(-1.0, 1.0, (3, 6)) * dionysus.SCALE

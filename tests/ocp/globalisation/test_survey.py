@@ -15,7 +15,7 @@ def exact(smooth: Solution) -> Solution:
     return shooting.solve(problem, sharp, options=shooting.Options(Exact()))
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_first_reorientation_and_its_decoy() -> None:
     problem = reorientation.problem()
     starts = shooting.RandomCostates(1.0, seed=2, starts=30)

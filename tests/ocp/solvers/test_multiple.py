@@ -20,7 +20,7 @@ from sailnet.ocp.problems import goddard, reorientation
 from tests.ocp.posed import differences
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_second_reorientation_has_no_digit_more() -> None:
     problem = reorientation.problem(three_torques=False)
     smooth = shooting.solve(problem, [-0.25, -2.16, -0.07, -2.22], options=shooting.Options(L2Norm(), 0.1))

@@ -57,7 +57,7 @@ def test_mars_landing(landing: Solution) -> None:
     assert landing.residuals["dynamics"] > 1e-3 > 1e-7 > exact.residuals["dynamics"]
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_earth_mars_after_the_split() -> None:
     problem = earth_mars.problem()
     smooth = ponn.solve(
