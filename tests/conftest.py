@@ -1,6 +1,7 @@
 """Solutions and artefacts that several tests read and that take seconds to make."""
 
 import os
+import signal
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,9 +11,11 @@ from filelock import FileLock
 
 from data.box import box_shard
 from sailnet.dataset import Block, write_dataset
-from sailnet.expert.fastest import Extremal, Optima, solve, solve_states
+from sailnet.expert.fastest import solve, solve_states
 from sailnet.expert.nominal import Nominal, solve_nominal
+from sailnet.expert.optima import Extremal, Optima
 from sailnet.mission.mission import Mission, load_mission
+from sailnet.mission.sections import Degradation
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import Network, save_network
 from sailnet.physics.optics import OPTICS
@@ -41,15 +44,37 @@ SLOW = {
     "flown",
     "expected",
     "scheduler",
+    "fmu",
 }
 """Fixtures, of tests here and in modules, that take seconds: who asks for one is slow."""
+
+
+ANOTHER_FORM = {"paper_exported", "jpl_exported"}
+"""Exports beside that of the form which ships: half a minute each, of what that one covers in part."""
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
-        if isinstance(item, pytest.Function) and not SLOW.isdisjoint(item.fixturenames):
+        if not isinstance(item, pytest.Function):
+            continue
+        if not SLOW.isdisjoint(item.fixturenames):
             item.add_marker("slow")
+        forms = {f"{form}_exported" for form in _parameters(item).values() if isinstance(form, str)}
+        if not ANOTHER_FORM.isdisjoint(forms.union(item.fixturenames)):
+            item.add_marker("exhaustive")
+
+
+def _parameters(item: pytest.Function) -> dict[str, object]:
+    """Of the fixtures that exports come from."""
+    given = item.callspec.params if hasattr(item, "callspec") else {}
+    return {name: given[name] for name in ("exported", "exported_of_any_sail") if name in given}
+
+
+def pytest_configure() -> None:
+    """What a shell starts in the background ignores Ctrl-C, and so would the commands that are tested."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")
@@ -126,8 +151,9 @@ def approach_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory
 
 @pytest.fixture(scope="session")
 def jpl_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Exported:
-    """Networks in approach coordinates for a sail that is not ideal."""
-    jpl = mission.with_optics(OPTICS["jpl"])
+    """Networks in approach coordinates for a sail that is not ideal, and known to age."""
+    ages = {"degradation": Degradation(loss=0.2)}
+    jpl = mission.with_optics(OPTICS["jpl"]).model_copy(update=ages)
     return _export("jpl", random_guidance(approach=True, mission=jpl), jpl, tmp_path_factory)
 
 

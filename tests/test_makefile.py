@@ -23,9 +23,9 @@ DONE = (
 
 STEPS = {
     "setup": "pip install",
-    "dataset": "-m data ",
-    "train": "-m training ",
-    "export": "-m export ",
+    "dataset": "sailnet data ",
+    "train": "sailnet train ",
+    "export": "sailnet export ",
     "bench": "-m c_runtime.verification.bench ",
 }
 """What tells each step among the commands that ``make`` says it would run."""
@@ -94,3 +94,20 @@ def test_a_change_does_again_what_depends_on_it(copy: Path, changed: str, expect
         assert again(copy, "bench") == expected
     finally:
         os.utime(path, (1e9, 1e9))
+
+
+def test_a_mission_file_of_one_s_own_is_tracked_and_built_under_its_name(copy: Path, tmp_path: Path) -> None:
+    mine = tmp_path / "mine.toml"
+    mine.touch()
+    os.utime(mine, (1e9, 1e9))
+    done = [copy / name.replace("earth_mars", "mine") for name in DONE if "earth_mars" in name]
+    for path in done:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.touch()
+        os.utime(path, (1.1e9, 1.1e9))
+    assert again(copy, "bench", f"MISSION={mine}") == set()
+    os.utime(mine, (1.2e9, 1.2e9))
+    assert again(copy, "bench", f"MISSION={mine}") == ALL
+    # A quick one has a folder of its own.
+    os.utime(mine, (1e9, 1e9))
+    assert again(copy, "bench", f"MISSION={mine}", "SIZE=quick") == ALL
