@@ -23,6 +23,8 @@ class Mutant:
     layout: str = ""
     precision: str = ""
     """Where these are not empty, only such builds are concerned."""
+    ages: bool = False
+    """The guard is in files of sails that are known to age alone."""
 
     def concerns(self, build: Build) -> bool:
         """Whether this mutant changes that build."""
@@ -98,6 +100,7 @@ MUTANTS = (
         "aged estimate trusted",
         "memory->beta = sailnet_limited(&aged, SAILNET_OF_BETA);",
         "memory->beta = aged;",
+        ages=True,
     ),
     Mutant(
         "any time held",

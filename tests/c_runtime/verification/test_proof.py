@@ -23,8 +23,11 @@ def test_commands_are_bounded_and_finite(exported_of_any_sail: Exported, build: 
 
 @with_frama_c
 @pytest.mark.parametrize("mutant", MUTANTS, ids=lambda mutant: mutant.name)
-def test_a_guard_less_breaks_the_proof(approach_exported: Exported, tmp_path: Path, mutant: Mutant) -> None:
-    assert mutate(approach_exported.folder, mutant, tmp_path)
+def test_a_guard_less_breaks_the_proof(
+    request: pytest.FixtureRequest, tmp_path: Path, mutant: Mutant
+) -> None:
+    exported: Exported = request.getfixturevalue("jpl_exported" if mutant.ages else "approach_exported")
+    assert mutate(exported.folder, mutant, tmp_path)
     build = next(BUILDS[name] for name in ("f64", "f64_host", "f32_host") if mutant.concerns(BUILDS[name]))
     assert caught(tmp_path, build)
 

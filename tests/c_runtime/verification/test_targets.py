@@ -193,7 +193,8 @@ def test_a_whole_run_rewrites_the_table_of_a_readme(
     written = readme.read_text()
     assert written.startswith(before + BEGIN)
     assert written.endswith(END + after)
-    table_rows = [line for line in written.splitlines() if line.startswith(f"| {target.title} |")]
+    table = written.removeprefix(before).removesuffix(after)
+    table_rows = [line for line in table.splitlines() if line.startswith(f"| {target.title} |")]
     assert len(table_rows) == len(target.precisions)
     row = json.loads((tmp_path / "targets.json").read_text())["rows"][-1]
     assert f"({row['instructions']['guidance']['most']:,})" in table_rows[-1]
