@@ -17,7 +17,7 @@ from export.model_card import TRIO, Facts, accepted_by, made_by, model_card
 from export.picture import draw_departure
 from export.write import export
 from sailnet import SailnetError, load_mission
-from sailnet.artefacts.files import fill_block, write_whole
+from sailnet.artefacts.files import fill_block, write_text, write_whole
 from sailnet.artefacts.ownership import LOCK, sole_owner
 from sailnet.campaign.acceptance import CAMPAIGN, acceptance_table, headline_table
 from sailnet.campaign.results import open_results
@@ -78,7 +78,7 @@ def ship(
         source = folder / f"{name}.safetensors"
         write_whole(package / source.name, partial(shutil.copyfile, source))
     card = model_card(networks, accepted, timings, agreement)
-    write_whole(package / "MODEL_CARD.md", lambda beside: beside.write_text(card, encoding="utf-8"))
+    write_text(package / "MODEL_CARD.md", card)
     origin = accepted_by(accepted)
     if readme is not None:
         fill_block(readme, "summary", "\n".join([origin, "", *headline_table(accepted)]))

@@ -84,6 +84,9 @@ class Lockstep:
             "memory.attitude": bound,
         }
         self._scales["cone_angle"] = bound
+        # When a sail is nearest: of what is missing, far from the target, hardly any lies along a step, and
+        # what is rounded of the rest is some times as much of the step. These networks end flights anywhere.
+        self._scales["hold"] = self._scales["memory.held"] = 1.0
         self.compared = self.undecided = 0
 
     def memory(self) -> Memory:

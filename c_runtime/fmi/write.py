@@ -15,8 +15,8 @@ from c_runtime.fmi.description import build_description, model_description
 from c_runtime.fmi.variables import header, variables
 from c_runtime.shared_library import CompilerError, Library, compile_library, find_compiler
 from sailnet.artefacts.checksums import verify_checksum
-from sailnet.artefacts.files import write_whole
-from sailnet.errors import SailnetError, reason
+from sailnet.artefacts.files import write_whole, writing
+from sailnet.errors import SailnetError
 from sailnet.guidance.interface import Precision
 from sailnet.mission.mission import Mission
 
@@ -77,10 +77,8 @@ def write_fmu(mission: Mission, exported: Path, precision: Precision, target: Pa
         _pack(content, whole)
         if problems := validate_fmu(str(whole)):
             raise SailnetError(f"FMPy finds fault with the FMU: {'; '.join(problems)}")
-        try:
+        with writing(target):
             write_whole(target, lambda beside: beside.write_bytes(whole.read_bytes()))
-        except OSError as error:
-            raise SailnetError(f"cannot write {target}: {reason(error)}") from error
     return {
         "file": str(target),
         "mission": mission.name,

@@ -13,7 +13,7 @@ from sailnet.guidance.exported_files import SUFFIXES
 from sailnet.guidance.interface import Commands, Precision, Steered, as_attitudes, as_betas, as_states
 from sailnet.mission.mission import Mission
 
-API_VERSION = 5
+API_VERSION = 6
 
 COMMAND_FIELDS = ("cone_angle", "time_of_flight", "beta", "hold", "lambda_v")
 """Members of ``sailnet_command``, in order."""

@@ -27,6 +27,9 @@ class Memory:
     slewing: Array
     stake: Array
     regret: Array
+    late: Array
+    wait: Array
+    waited: Array
     unseen: Array
     worn: Array
     periods: NDArray[np.int64]

@@ -7,7 +7,6 @@ both are held equal by test.
 """
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,8 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Steered, as_attitudes
 from sailnet.guidance.memory import Memory
 from sailnet.guidance.rules import LARGEST_PERIOD, SteeringRules, rules_of
+from sailnet.guidance.side import Change, SideKeeping
 from sailnet.physics.arrays import Array
-from sailnet.physics.dynamics import Coefficients, runge_kutta_step
+from sailnet.physics.dynamics import Coefficients, runge_kutta_change
 from sailnet.physics.real_law import force_curve
 
 
@@ -44,12 +44,12 @@ class ReferenceSteering:
     *Age.* If the mission says how its sail ages, the estimate does so with it, and the networks read the
     share of it that is left after some part of the time to go.
 
-    *A side.* Where the networks' command reverses the sail, it keeps its side until that has cost it as
-    much time as patience allows, by the difference of the Hamiltonian.
+    *A side.* See :class:`sailnet.guidance.side.SideKeeping`.
 
-    The flight ends when the predicted time of flight is no longer than a period or the mission's
-    threshold: the last command is held for that time. It also ends where it stands if the sail is within
-    the arrival tolerance and the predicted time no longer falls: it is past the nearest point.
+    *The end.* The flight ends when the predicted time of flight is no longer than a period or the mission's
+    threshold, the longer of both: the last command is held until, on the straight line of one such step, the
+    target is nearest. The networks' time is not as good as that. It also ends where it stands if the sail is
+    within the arrival tolerance and the predicted time no longer falls: it is past the nearest point.
 
     Args:
         guidance: gives the commands.
@@ -63,7 +63,7 @@ class ReferenceSteering:
         self._turn_rate = mission.flight.turn_rate
         self._force: Coefficients = mission.sail.optics.force
         self._degradation = mission.degradation
-        self._patience = rules.patience(mission.problem.phi_max, self._turn_rate)
+        self._side = SideKeeping(mission, rules)
         self._memory = Memory.started(count, float(np.clip(mission.sail.beta, *guidance.beta_range)))
 
     def steer(
@@ -88,7 +88,7 @@ class ReferenceSteering:
         angle = command.cone_angle.copy()
         if change is not None:
             with np.errstate(all="ignore"):
-                angle = self._kept_side(memory, change, command, valid)
+                angle = self._side.kept(memory, change, command, valid)
             status, hold = self._end(memory, known, command, status, hold)
         low, high = self._guidance.beta_range
         left = valid & (status != GuidanceStatus.ARRIVED)
@@ -98,6 +98,10 @@ class ReferenceSteering:
         told = np.where(valid, self._told(memory, angle), angle)
         self._remember(memory, known, angle, hold, command.time_of_flight, valid)
         memory.attitude = np.where(valid, told + memory.offset, memory.attitude)
+        last = valid & (status == GuidanceStatus.ARRIVED) & (hold > 0.0)
+        if last.any():
+            hold = np.where(last, self._until_nearest(memory), hold)
+            memory.held = np.where(last, hold, memory.held)
         self._memory.put(sails, memory)
         return Steered(told, hold, command.time_of_flight, memory.beta, command.lambda_v, status)
 
@@ -126,7 +130,7 @@ class ReferenceSteering:
         """Commands for some of the sails, to be held so long [TU]."""
         return self._guidance.command(states, beta)
 
-    def _known(self, memory: Memory, shown: Array) -> tuple[Array, "_Change"]:
+    def _known(self, memory: Memory, shown: Array) -> tuple[Array, Change]:
         """States to steer by: those shown, or where the sails must be; NaN where neither is known."""
         seen = np.asarray(np.isfinite(shown).all(axis=1))
         change = self._predicted(memory)
@@ -136,15 +140,15 @@ class ReferenceSteering:
         lost = (memory.held <= 0.0) | (memory.unseen > self._rules.longest_reckoning)
         return np.where(seen[:, None], shown, np.where(lost[:, None], np.nan, reckoned)), change
 
-    def _predicted(self, memory: Memory) -> "_Change":
+    def _predicted(self, memory: Memory) -> Change:
         before = np.zeros((4, len(memory.state)))
         before[[0, 2, 3]] = memory.state.T
         sails = memory.attitude, memory.beta, memory.held, memory.tangential
-        by = (runge_kutta_step(before, *sails, self._force) - before)[[0, 2, 3]].T
+        by = runge_kutta_change(before, *sails, self._force)[[0, 2, 3]].T
         force = force_curve(memory.attitude, np.array(self._force))[0]
-        return _Change(by, np.cos(memory.attitude), np.sin(memory.attitude), force)
+        return Change(by, np.cos(memory.attitude), np.sin(memory.attitude), force)
 
-    def _learn(self, memory: Memory, shown: Array, change: "_Change", seen: NDArray[np.bool_]) -> None:
+    def _learn(self, memory: Memory, shown: Array, change: Change, seen: NDArray[np.bool_]) -> None:
         rules, beta = self._rules, self._guidance.mission.sail.beta
         cosine, sine, held = change.cosine, change.sine, memory.held
         normal = change.force[0] * cosine + change.force[1] * sine
@@ -196,37 +200,29 @@ class ReferenceSteering:
         kept: Array = bounded * np.minimum(tau / rules.let_go, 1.0)
         return kept
 
-    def _kept_side(
-        self, memory: Memory, change: "_Change", command: Commands, valid: NDArray[np.bool_]
-    ) -> Array:
-        """(n,) the cone angle, mirrored where the sail stays on its side."""
-        ratio = self._guidance.mission.problem.target_radius / memory.state[:, 0]
-        rate = 2.0 * memory.stake * ratio**2 * change.force[1] * np.sign(change.sine)
-        regret = np.nan_to_num(memory.regret + memory.held * rate, nan=0.0)
-        regret = np.clip(regret, 0.0, LARGEST_PERIOD)
-        angle = command.cone_angle
-        step = np.abs(angle - memory.cone_angle)
-        reverses = (angle * memory.cone_angle < 0.0) & (step > self._rules.reversal)
-        size = np.abs(command.lambda_v)
-        # What staying costs must be known.
-        stays = reverses & (regret < self._patience) & np.isfinite(size)
-        memory.stake = np.where(valid, np.where(stays, size, -size), memory.stake)
-        memory.regret = np.where(valid, np.where(reverses & ~stays, 0.0, regret), memory.regret)
-        return np.where(stays, -angle, angle)
-
     def _end(
         self, memory: Memory, known: Array, command: Commands, status: NDArray[np.int32], hold: Array
     ) -> tuple[NDArray[np.int32], Array]:
-        """Status, ``ARRIVED`` where the flight ends, and for how long to hold."""
+        """Status, ``ARRIVED`` where the flight ends, and for how long to hold at most."""
         mission, tau = self._guidance.mission, command.time_of_flight
         inside = status <= GuidanceStatus.ARRIVED
         status = np.where(inside, np.int32(GuidanceStatus.OK), status)
-        last = inside & (tau <= np.maximum(hold, mission.flight.arrival_threshold))
+        longest = np.maximum(hold, mission.flight.arrival_threshold)
+        last = inside & (tau <= longest)
         error = np.abs(known - mission.problem.target_state).max(axis=1)
         past = inside & ~last & (error <= mission.flight.arrival_tolerance)
         past &= (memory.periods > 0) & (tau >= memory.time_of_flight)
         status = np.where(last | past, np.int32(GuidanceStatus.ARRIVED), status)
-        return status, np.where(last, np.maximum(tau, 0.0), np.where(past, 0.0, hold))
+        return status, np.where(last, np.minimum(longest, LARGEST_PERIOD), np.where(past, 0.0, hold))
+
+    def _until_nearest(self, memory: Memory) -> Array:
+        """(n,) for how long to hold the command that is remembered [TU]: at most what is."""
+        missing = self._guidance.mission.problem.target_state - memory.state
+        with np.errstate(all="ignore"):
+            by = self._predicted(memory).by
+            share = (missing * by).sum(axis=1) / (by * by).sum(axis=1)
+        until: Array = memory.held * np.nan_to_num(np.clip(share, 0.0, 1.0), nan=0.0)
+        return until
 
     def _remember(
         self, memory: Memory, known: Array, angle: Array, hold: Array, tau: Array, valid: NDArray[np.bool_]
@@ -240,17 +236,6 @@ class ReferenceSteering:
         memory.held = np.where(valid, hold, 0.0)
         memory.time_of_flight = np.where(valid, tau, memory.time_of_flight)
         memory.periods += valid
-
-
-@dataclass(frozen=True)
-class _Change:
-    """What the last period did: changes of (r, u, v), (n, 3); the direction of the normal; and the force of
-    the mission's sail, (2, n) radial and transverse, per beta / r^2."""
-
-    by: Array
-    cosine: Array
-    sine: Array
-    force: Array
 
 
 def _wear(halvings: Array) -> Array:

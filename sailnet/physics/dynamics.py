@@ -127,10 +127,7 @@ def _runge_kutta_4(state: list[Expression], step: Expression, coefficients: Coef
     k2 = slope(advance(step / 2.0, k1))
     k3 = slope(advance(step / 2.0, k2))
     k4 = slope(advance(step, k3))
-    return [
-        x + step / 6.0 * (a + 2.0 * b + 2.0 * c + d)
-        for x, a, b, c, d in zip(state, k1, k2, k3, k4, strict=True)
-    ]
+    return [step / 6.0 * (a + 2.0 * b + 2.0 * c + d) for a, b, c, d in zip(k1, k2, k3, k4, strict=True)]
 
 
 @cache
@@ -143,7 +140,7 @@ def _compiled_step(coefficients: Coefficients) -> Any:
     )
 
 
-def runge_kutta_step(
+def runge_kutta_change(
     states: Array,
     alpha: ArrayLike,
     beta: ArrayLike,
@@ -151,7 +148,7 @@ def runge_kutta_step(
     tangential: ArrayLike = 0.0,
     coefficients: Coefficients = IDEAL,
 ) -> Array:
-    """One fourth-order Runge-Kutta step of Eq. (1), the cone angle held.
+    """By how much states change in one fourth-order Runge-Kutta step of Eq. (1), the cone angle held.
 
     Args:
         states: (4, n) rows r, theta, u, v.
@@ -163,8 +160,20 @@ def runge_kutta_step(
             compiled.
 
     Returns:
-        (4, n) states at the end.
+        (4, n) changes, rounded finer than states are.
     """
     inputs = np.empty((8, states.shape[1]))
     inputs[:4], inputs[4], inputs[5], inputs[6], inputs[7] = states, alpha, beta, step, tangential
     return np.asarray(_compiled_step(coefficients)(inputs))
+
+
+def runge_kutta_step(
+    states: Array,
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    step: ArrayLike,
+    tangential: ArrayLike = 0.0,
+    coefficients: Coefficients = IDEAL,
+) -> Array:
+    """(4, n) states after :func:`runge_kutta_change`, which has the arguments."""
+    return states + runge_kutta_change(states, alpha, beta, step, tangential, coefficients)

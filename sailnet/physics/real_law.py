@@ -137,18 +137,30 @@ def _last_angle(coefficients: Array, phi_max: float, mirrored: NDArray[np.bool_]
     from scipy.optimize.elementwise import find_root
 
     count = len(coefficients)
-    end, slope, bend = force_curve(np.full(count, phi_max), coefficients)
-    end[1] = np.where(mirrored, -end[1], end[1])
+    curve = force_curve(np.full(count, phi_max), coefficients)
+    end = np.array([curve[0, 0], np.where(mirrored, -curve[0, 1], curve[0, 1])])
+
+    def turning(angle: Array, *rows: Array) -> Array:
+        return _turning(force_curve(angle, np.column_stack(rows)))
 
     def off_tangent(angle: Array, *rows: Array) -> Array:
         force, slope, _ = force_curve(angle, np.column_stack(rows[:3]))
         return np.asarray(slope[0] * (rows[4] - force[1]) - slope[1] * (rows[3] - force[0]))
 
     last = np.full(count, phi_max)
-    jumps = np.flatnonzero(mirrored | (slope[0] * bend[1] - slope[1] * bend[0] < 0.0))
+    jumps = np.flatnonzero(mirrored | (_turning(curve) < 0.0))
     if len(jumps):
-        # At the very end both factors vanish.
-        near = np.full(len(jumps), phi_max * (1.0 - 1e-3))
-        rows = (*coefficients[jumps].T, *end[:, jumps])
-        last[jumps] = find_root(off_tangent, (np.zeros(len(jumps)), near), args=rows).x
+        rows, first = (*coefficients[jumps].T, *end[:, jumps]), np.zeros(len(jumps))
+        # The tangent touches where the curve does not bend inwards yet; at its very end both factors vanish.
+        bend = find_root(turning, (first, last[jumps]), args=rows[:3])
+        near = np.where(bend.success, bend.x, phi_max)
+        touch = find_root(off_tangent, (first, near), args=rows)
+        # Where the curve has hardly bent, rounding hides on which side of it the tangent passes.
+        last[jumps] = np.where(touch.success, touch.x, near)
     return last
+
+
+def _turning(curve: Array) -> Array:
+    """(n,) of points of :func:`force_curve`: negative where the curve bends inwards."""
+    _, slope, bend = curve
+    return np.asarray(slope[0] * bend[1] - slope[1] * bend[0])

@@ -1,4 +1,5 @@
 import dataclasses
+import errno
 import json
 import re
 import shutil
@@ -12,7 +13,7 @@ import onnxruntime
 import pytest
 
 from c_runtime.builds import BUILDS
-from c_runtime.shared_library import compile_libraries
+from c_runtime.shared_library import CompilerError, compile_libraries
 from export.agreement import Sails, in_torch, sign_network
 from export.command import main
 from export.errors import ExportError
@@ -364,6 +365,45 @@ def test_a_failure_half_way_leaves_the_old_files(
     monkeypatch.setattr("export.write.write_onnx", lambda *_: None)
     assert main([str(tmp_path / "networks"), str(target), "--overwrite"]) == 1
     assert snapshot(target) == snapshot(exported.folder)
+
+
+@pytest.mark.parametrize(
+    "failure",
+    [OSError(errno.ENOSPC, "No space left on device"), CompilerError("ld: x.so: No space left on device")],
+)
+def test_a_full_disk_is_told_with_the_target_and_what_was_needed(
+    failure: Exception, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    save_guidance(random_guidance(seed=8), tmp_path / "networks")
+
+    def fill(source: Path, _: Path) -> None:
+        (source / "big").write_bytes(b"x" * 5_000_000)
+        raise failure
+
+    monkeypatch.setattr("export.write.compile_libraries", fill)
+    assert main([str(tmp_path / "networks"), str(tmp_path / "target")]) == 1
+    said = capsys.readouterr().err
+    assert said.startswith(
+        f"export: cannot write to {tmp_path / 'target'}: no space left on device: more than 5"
+    )
+    assert re.fullmatch(r".* MB needed, .* free\n", said)
+    assert not (tmp_path / "target").exists() or snapshot(tmp_path / "target") == {}
+
+
+def test_a_full_disk_at_the_very_end_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    save_guidance(random_guidance(seed=8), tmp_path / "networks")
+
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("export.write.export", lambda *_, **__: [])
+    monkeypatch.setattr(Path, "write_bytes", full)
+    assert main([str(tmp_path / "networks"), str(tmp_path / "target")]) == 1
+    said = capsys.readouterr().err
+    assert said.startswith(f"export: cannot write {tmp_path / 'target' / MADE_OF}: no space left on device: ")
+    assert re.fullmatch(r".* needed, .* free\n", said)
 
 
 def test_a_target_that_cannot_be_written_is_an_error(

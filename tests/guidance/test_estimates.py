@@ -12,6 +12,7 @@ from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.interface import Precision, Steering
 from sailnet.guidance.rules import RULES
 from sailnet.guidance.steering import ReferenceSteering
+from sailnet.mission.sections import Degradation
 from sailnet.physics.dynamics import runge_kutta_step
 from sailnet.physics.optics import OPTICS, Optics
 from tests.conftest import Exported
@@ -197,3 +198,25 @@ def test_attitudes_of_another_shape_are_refused(attitudes: object) -> None:
     for steering in (guidance.steering(1), ReferenceSteering(guidance, 1)):
         with pytest.raises(GuidanceError, match="attitudes"):
             steering.steer(departed()[[0, 2, 3]].T, PERIOD, ONE, attitudes)  # type: ignore[arg-type]
+
+
+def test_what_is_known_of_a_sail_s_age_is_what_sunlight_took() -> None:
+    """Half of what it takes in the end by each dose; so the estimate falls, where nothing else is learnt."""
+    told, radius, periods = Told(cone_angle=0.5), 1.2, 400
+    loss, dose = 0.2, 1.5
+    told.mission = MISSION.model_copy(update={"degradation": Degradation(loss=loss, dose=dose)})
+    steering = ReferenceSteering(told, 1)
+    for _ in range(periods):
+        # Between what is seen there are gaps, so that nothing is learnt.
+        steering._memory.unseen[:] = PERIOD
+        steered = steering.steer([(radius, 0.0, 0.9)], PERIOD, ONE)
+    halvings = (periods - 1) * PERIOD / radius**2 / dose
+    worn = 1.0 - 0.5**halvings
+    assert 0.3 < worn < 0.8
+    assert steering._memory.worn[0] == pytest.approx(worn, rel=1e-3)
+    assert steered.beta[0] == pytest.approx(BETA * (1.0 - loss * worn), rel=1e-3)
+    # It is planned with a sail that is older by a part of the time to go.
+    ahead = RULES.foresight * told.time_of_flight / (radius * MISSION.problem.target_radius) / dose
+    later = 1.0 - 0.5 ** (halvings + ahead)
+    assert told.asked[-1] == pytest.approx(BETA * (1.0 - loss * later), rel=1e-3)
+    assert told.asked[-1] < steered.beta[0] * 0.998

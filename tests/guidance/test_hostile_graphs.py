@@ -6,11 +6,13 @@ from importlib import resources
 from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
 import onnx
 import pytest
 
 from sailnet.artefacts.checksums import write_checksums
 from sailnet.errors import GuidanceError
+from sailnet.guidance.graph_file import MOST_NODES, read_graph
 from sailnet.guidance.onnx_graphs import OnnxGuidance
 from sailnet.mission.mission import load_mission
 
@@ -133,3 +135,28 @@ def test_what_ships_is_taken(tmp_path: Path) -> None:
     path.write_bytes(model.SerializeToString())
     write_checksums([path], tmp_path / "SHA256SUMS")
     assert OnnxGuidance(MISSION, path).precision == "float64"
+
+
+def twice(field: bytes, of: onnx.TensorProto) -> bytes:
+    """A file with one constant that says a field once more."""
+    tensor: bytes = of.SerializeToString() + field
+    graph = b"\x2a" + bytes([len(tensor)]) + tensor
+    return b"\x3a" + bytes([len(graph)]) + graph
+
+
+@pytest.mark.parametrize(
+    ("number", "field"), [(2, b"\x10\x0b"), (8, b"\x42\x03two"), (9, b"\x4a\x08" + bytes(8))]
+)
+def test_a_constant_says_its_type_its_name_and_its_values_once(number: int, field: bytes) -> None:
+    """Readers of protocol buffers take the last of several: what we looked at would not be what runs."""
+    constant = onnx.numpy_helper.from_array(np.array(1.0), "one")
+    assert read_graph(twice(b"", constant)).constants["one"].shape == ()
+    with pytest.raises(ValueError, match=f"a constant says field {number} twice"):
+        read_graph(twice(field, constant))
+
+
+def test_too_many_nodes_are_counted() -> None:
+    model = onnx.ModelProto()
+    model.graph.node.extend(onnx.helper.make_node("Neg", ["a"], ["b"]) for _ in range(MOST_NODES + 1))
+    with pytest.raises(ValueError, match=f"it has {MOST_NODES + 1} nodes; sailnet's have at most"):
+        read_graph(model.SerializeToString())

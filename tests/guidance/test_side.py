@@ -7,7 +7,7 @@ from sailnet.campaign.printed import CASES
 from sailnet.expert.optima import Extremal, sample
 from sailnet.flight.closed_loop import fly
 from sailnet.guidance.backends import load_guidance
-from sailnet.guidance.rules import RULES
+from sailnet.guidance.rules import EXPERT_RULES, LOOK_AHEAD_RULES, PLAIN, RULES
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.optics import OPTICS
 from sailnet.physics.transfer import Transfer
@@ -99,3 +99,49 @@ def test_a_small_step_across_zero_is_no_reversal() -> None:
     for angle in (0.3 * RULES.reversal, -0.3 * RULES.reversal, 0.3 * RULES.reversal):
         told.cone_angle = angle
         assert steering.steer([(RADIUS, 0.0, 0.9)], PERIOD, ONE).cone_angle[0] == angle
+
+
+def of_a_late_sail(reversals: int, tau: list[float]) -> list[int]:
+    """Periods between reversals, asked for in every period, of a sail whose time to go is this, then this."""
+    told = Told(lambda_v=1e3)
+    steering, turned = ReferenceSteering(told, 1), []
+    before = told.cone_angle
+    for period in range(4000):
+        told.cone_angle, told.time_of_flight = -before, tau[period % len(tau)]
+        angle = steering.steer([(RADIUS, 0.0, 0.9)], PERIOD, ONE).cone_angle[0]
+        if angle * before < 0.0:
+            turned.append(period)
+            before = angle
+        if len(turned) > reversals:
+            return np.diff(turned).tolist()
+    raise AssertionError(f"reversed {len(turned)} times only")
+
+
+def test_a_sail_that_is_not_late_reverses_as_often_as_it_is_worth_it() -> None:
+    falls = [20.0 - PERIOD * k for k in range(4000)]
+    assert of_a_late_sail(100, falls) == [2] * 100
+
+
+def test_a_sail_that_is_late_waits_after_every_other_reversal() -> None:
+    # The time to go never falls: late by the period each, less what is forgotten.
+    waits = of_a_late_sail(60, [1.0])
+    first = next(i for i, wait in enumerate(waits) if wait > 2)
+    assert sum(waits[:first]) * PERIOD <= RULES.late_tolerated * 1.2
+    assert waits[first] * PERIOD >= 0.9 * RULES.wait * RULES.late_tolerated
+    longest = round(RULES.largest_wait / PERIOD)
+    assert sorted(waits[-20:]) == pytest.approx([2] * 10 + [longest] * 10, abs=1)
+    assert all(min(pair) == 2 for pair in zip(waits[-20:], waits[-19:], strict=False))
+
+
+def test_a_wait_is_some_times_as_long_as_the_sail_is_late() -> None:
+    """It falls by half of what passes: late is half the time over which that is forgotten, in the end."""
+    late = 0.5 * RULES.late_memory
+    alternating = [20.0 - 0.5 * PERIOD * k for k in range(4000)]
+    waits = of_a_late_sail(60, alternating)
+    assert max(waits[-20:]) * PERIOD == pytest.approx(min(RULES.wait * late, RULES.largest_wait), rel=0.02)
+
+
+def test_rules_without_a_wait_never_wait() -> None:
+    """The plain law, the look-ahead and the expert without a reserve take every turn at once."""
+    for rules in (PLAIN, *LOOK_AHEAD_RULES.values(), EXPERT_RULES["expert-without-reserve"]):
+        assert (rules.largest_patience, rules.largest_wait) == (0.0, 0.0)

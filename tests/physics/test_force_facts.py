@@ -61,6 +61,18 @@ def test_the_law_meets_a_bound_where_the_best_angle_does(name: str, degrees: flo
     assert met.jumps == (grid[best] < phi_max - 1e-3)
 
 
+def test_a_sail_that_gains_next_to_nothing_gains_most_within_a_degree_of_the_sun() -> None:
+    """Its mirror hardly outweighs the heat of its back; its transverse force goes as sin cos (a cos - b)."""
+    sail = Optics(0.25 + 2e-5, 1.0, 0.0, 1.0, 2 / 3, 2 / 3)
+    a, b = 2.0 * sail.reflectivity, (1.0 - sail.reflectivity) * sail.back_lambertian
+    # Where the derivative, 3 a cos^3 - 2 b cos^2 - 2 a cos + b, vanishes first.
+    widest = math.acos(max(np.roots([3.0 * a, -2.0 * b, -2.0 * a, b]).real))
+    assert 0.0 < math.degrees(widest) < 1.0
+    facts = ForceFacts.of(sail, ())
+    assert facts.widest_useful == pytest.approx(widest, rel=1e-6)
+    assert facts.largest_transverse == pytest.approx(push(astuple(sail), widest)[1], rel=1e-6)
+
+
 def test_a_sail_that_only_radiates_gains_nothing_by_turning() -> None:
     black = Optics(reflectivity=0.0)
     assert push(astuple(black), np.linspace(0.0, 1.5, 1000))[1].max() == 0.0

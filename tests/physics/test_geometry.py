@@ -26,6 +26,9 @@ FORMS = {
     "unconstrained": dataclasses.replace(EXACT, phi_max=math.pi / 2),
     "real": dataclasses.replace(EXACT, optics=OPTICS["jpl"]),
 }
+WIDE = dataclasses.replace(FORMS["real"], phi_max=math.radians(89.0))
+"""So wide a bound that the cone angle jumps to it, and back."""
+
 JUMPING = np.array([-20.81666, 7.31994, -45.17494])
 """Arrival costates in the plane whose extremal jumps at about 5.2 TU."""
 
@@ -141,10 +144,20 @@ def test_the_plane_s_jump_is_the_limit_of_fast_turns(northward: float) -> None:
     assert np.abs(turn[[1, 4]]).max() <= 10.0 * northward
 
 
-@pytest.mark.parametrize("form", ["exact", "real"])
-@pytest.mark.parametrize("duration", [4.0, 6.5])
-def test_the_tangents_in_space_are_derivatives_across_a_turn_too(form: str, duration: float) -> None:
-    transfer = FORMS[form]
+@pytest.mark.parametrize(
+    ("transfer", "duration", "turns"),
+    [
+        pytest.param(EXACT, 4.0, 0, id="exact"),
+        pytest.param(EXACT, 6.5, 1, id="exact, turned"),
+        pytest.param(FORMS["real"], 4.0, 0, id="real"),
+        pytest.param(FORMS["real"], 6.5, 0, id="real, later"),
+        pytest.param(WIDE, 10.2, 1, id="wide, jumped to the bound"),
+        pytest.param(WIDE, 12.0, 1, id="wide, jumped back"),
+    ],
+)
+def test_the_tangents_in_space_are_derivatives_across_every_event(
+    transfer: Transfer, duration: float, turns: int
+) -> None:
     costates = np.array([-20.8, 1.0, 7.3, -45.2, 0.5])
     engine = propagator(transfer, variational=True, components=5)
     along = np.random.default_rng(5).normal(size=(5, 4))
@@ -153,7 +166,7 @@ def test_the_tangents_in_space_are_derivatives_across_a_turn_too(form: str, dura
     start = np.concatenate([target_of(transfer, 5), costates])
     engine.start(transfer, np.tile(start[:, None], engine.lanes), tangents)
     engine.integrator.propagate_until([duration] * engine.lanes)
-    assert engine.jumps[0] == (form == "exact" and duration > 6.0)
+    assert engine.jumps[0] == turns
     step = 2e-5
     moved = np.concatenate([costates + step * along.T, costates - step * along.T])
     ends = propagate_extremals(transfer, moved, [0.0, duration]).states[:, 1]

@@ -269,6 +269,8 @@ static void check_steer(sailnet_memory *memory, const sailnet_state *state, sail
         PROMISED(timed && is_state_finite(&memory->state));
         PROMISED(!valid || is_same(&memory->state, state, sizeof *state));
         PROMISED(memory->regret >= SAILNET_REAL(0.0) && memory->regret <= SAILNET_LARGEST_PERIOD);
+        PROMISED(memory->late >= SAILNET_REAL(0.0) && memory->late <= SAILNET_LARGEST_PERIOD);
+        PROMISED(memory->wait >= SAILNET_REAL(0.0) && memory->wait <= SAILNET_LARGEST_WAIT);
         PROMISED(isfinite(memory->slewing) || isinf(before.slewing) || isnan(before.slewing));
         check_against_the_law(&command, status, memory, period);
         check_reckoning(&before, memory, valid);

@@ -102,11 +102,7 @@ MUTANTS = (
         "memory->beta = aged;",
         ages=True,
     ),
-    Mutant(
-        "any time held",
-        "sailnet_limited(&command->time_of_flight, SAILNET_OF_PERIOD)",
-        "command->time_of_flight",
-    ),
+    Mutant("held beyond the step", "sailnet_clamped(share, R(0.0), R(1.0))", "share"),
     Mutant(
         "any period held", "hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);", "hold = period;"
     ),

@@ -18,7 +18,7 @@ from c_runtime.verification.targets.machines import TARGETS, Target
 from c_runtime.verification.targets.measure import Bench, Measured, left_out_of
 from c_runtime.verification.targets.reference import ReferenceGuidance
 from c_runtime.verification.targets.table import BLOCK, limits, table
-from sailnet.artefacts.files import fill_block, split_at_block, write_whole
+from sailnet.artefacts.files import fill_block, split_at_block, write_text
 from sailnet.errors import SailnetError
 from sailnet.networks.guidance_networks import load_guidance_networks
 from sailnet.workers.interruption import run_command
@@ -67,9 +67,7 @@ def main(arguments: list[str] | None = None) -> int:
             "rows": [build.to_json() for build in measured],
         }
         stored = json.dumps(report, indent=1) + "\n"
-        write_whole(
-            options.build / "targets.json", lambda beside: beside.write_text(stored, encoding="utf-8")
-        )
+        write_text(options.build / "targets.json", stored)
         if options.table is not None and not failed:
             if left_out:
                 raise TargetError("the table would be without some targets: it stays as it was")

@@ -12,7 +12,7 @@ from c_runtime.verification.targets.flights_table import table
 from c_runtime.verification.targets.flown import Flown, Range, Sail
 from c_runtime.verification.targets.machines import TARGETS, Target
 from c_runtime.verification.targets.measure import compile_plugin, left_out_of
-from sailnet.artefacts.files import fill_block, split_at_block, write_whole
+from sailnet.artefacts.files import fill_block, split_at_block, write_text
 from sailnet.artefacts.provenance import software
 from sailnet.errors import SailnetError
 from sailnet.mission.disturbances import disturbance_from
@@ -60,7 +60,7 @@ def main(arguments: list[str]) -> int:
             "rows": [one.to_json() for one in flown],
         }
         stored = json.dumps(told, indent=1) + "\n"
-        write_whole(options.build / STORED, lambda beside: beside.write_text(stored, "utf-8"))
+        write_text(options.build / STORED, stored)
         if options.table is not None and not failed:
             if left_out:
                 raise TargetError("the table would be without some targets: it stays as it was")

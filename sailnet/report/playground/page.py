@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet import __version__
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_text, writing
 from sailnet.campaign.printed import CASES, NOISE_START
 from sailnet.errors import SailnetError, reason
 from sailnet.flight.plant import OPTICS_COEFFICIENTS, rules
@@ -150,8 +150,6 @@ def _digest_of(compiled: bytes) -> str:
 def write_playground(path: Path, command: str = "sailnet playground", documentation: str = "") -> int:
     """Write the page; returns its size in bytes. Arguments and errors as for :func:`playground_page`."""
     text = playground_page(command, documentation)
-    try:
-        write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))
-    except OSError as error:
-        raise SailnetError(f"cannot write {path}: {reason(error)}") from error
+    with writing(path):
+        write_text(path, text)
     return len(text.encode("utf-8"))

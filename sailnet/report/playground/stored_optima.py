@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_text
 from sailnet.artefacts.provenance import software
 from sailnet.expert.fastest import solve_states
 from sailnet.mission.mission import Mission, load_mission
@@ -111,7 +111,7 @@ def main() -> int:
     parser.add_argument("--output", type=Path, default=OPTIMA, metavar="FILE", help="(%(default)s)")
     options = parser.parse_args()
     text = json.dumps(solve_grid(load_mission("earth_mars")), separators=(",", ":"))
-    write_whole(options.output, lambda beside: beside.write_text(text, encoding="utf-8"))
+    write_text(options.output, text)
     print(f"{options.output}: {len(text)} bytes, {len(starts())} starts, {len(SHARES)} values of beta")
     return 0
 

@@ -1055,8 +1055,24 @@ SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_
 }
 
 /*
+ * How late the sail is: by how much its time to go did not fall as time passed, less what of that is forgotten. And how
+ * long it still waits.
+ */
+SAILNET_INLINE void sailnet_time_passes(sailnet_memory *memory, const sailnet_command *command)
+{
+    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
+    memory->wait = sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT);
+    /* What came of something else says nothing. */
+    const sailnet_real behind =
+        held > R(0.0) ? (command->time_of_flight - memory->time_of_flight) + held : R(0.0);
+    const sailnet_real late = (memory->late - held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late) + behind;
+    memory->late = sailnet_limited(&late, SAILNET_OF_PERIOD);
+}
+
+/*
  * The sign of the command. Where both are almost equally fast the sail keeps its side until that has cost more than a
- * reversal is worth. The other loses time at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian.
+ * reversal is worth. The other loses time at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian. A sail that
+ * is late has turned over in vain: after every other reversal it waits, for on both sides alike it would circle.
  */
 SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
 {
@@ -1067,18 +1083,24 @@ SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change
                                                      sailnet_size(change->sine);
     memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
     memory->stake = -sailnet_size(command->lambda_v);
+    sailnet_time_passes(memory, command);
     const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);
     if ((command->cone_angle * memory->cone_angle < R(0.0)) && (step > SAILNET_REVERSAL)) {
-        if (memory->regret < SAILNET_PATIENCE) {
+        if ((memory->regret < SAILNET_PATIENCE) || (memory->wait > R(0.0))) {
             command->cone_angle = -command->cone_angle;
             memory->stake = -memory->stake;
         } else {
+            memory->wait = R(0.0);
+            if ((memory->late > SAILNET_LATE_TOLERATED) && (memory->waited <= R(0.0))) {
+                memory->wait = sailnet_clamped(SAILNET_WAIT * memory->late, R(0.0), SAILNET_LARGEST_WAIT);
+            }
+            memory->waited = memory->wait;
             memory->regret = R(0.0);
         }
     }
 }
 
-/* How the flight goes on with a command: the status, and how long to hold it. */
+/* How the flight goes on with a command: the status, and how long to hold it at most. */
 SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_t seen, sailnet_real plan,
                                            const sailnet_command *command, sailnet_real *hold)
 {
@@ -1087,7 +1109,7 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
     const sailnet_real tau = command->time_of_flight;
     const sailnet_real longest = *hold > SAILNET_ARRIVAL_THRESHOLD ? *hold : SAILNET_ARRIVAL_THRESHOLD;
     if ((inside != 0) && (tau <= longest)) {
-        *hold = sailnet_limited(&command->time_of_flight, SAILNET_OF_PERIOD);
+        *hold = sailnet_limited(&longest, SAILNET_OF_PERIOD);
         status = SAILNET_ARRIVED;
     } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) &&
                (tau >= memory->time_of_flight)) {
@@ -1101,6 +1123,22 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
         /* It is the law's. */
     }
     return status;
+}
+
+/*
+ * For how long to hold the last command: on the straight line of one predicted step, until the target is nearest. By
+ * then the time of flight is below what the networks know it to.
+ */
+SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
+{
+    sailnet_change change;
+    sailnet_predict(memory, &change);
+    const sailnet_state *const from = &memory->state;
+    const sailnet_state *const by = &change.by;
+    const sailnet_real forward =
+        (SAILNET_TARGET_R - from->r) * by->r + (SAILNET_TARGET_U - from->u) * by->u + (SAILNET_TARGET_V - from->v) * by->v;
+    const sailnet_real share = forward / (by->r * by->r + by->u * by->u + by->v * by->v);
+    return memory->held * sailnet_clamped(share, R(0.0), R(1.0));
 }
 
 void sailnet_start(sailnet_memory *memory)
@@ -1209,6 +1247,10 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         command->cone_angle = sailnet_told(memory, command->cone_angle);
         memory->attitude = command->cone_angle + memory->offset;
         memory->held = hold;
+        if ((status == SAILNET_ARRIVED) && (hold > R(0.0))) {
+            hold = sailnet_until_nearest(memory);
+            memory->held = hold;
+        }
         memory->time_of_flight = command->time_of_flight;
         if (memory->periods < UINT32_MAX) {
             memory->periods++;

@@ -31,7 +31,7 @@
 extern "C" {
 #endif
 
-#define SAILNET_API_VERSION 5
+#define SAILNET_API_VERSION 6
 #define SAILNET_VERSION "0.2.0"
 #define SAILNET_MISSION "earth_mars_nasa"
 #define SAILNET_SAIL "nasa"
@@ -126,6 +126,15 @@ typedef float sailnet_real;
 #define SAILNET_REVERSAL SAILNET_REAL(0.35)
 #define SAILNET_PATIENCE SAILNET_REAL(0.00368616406038182)
 
+/* A sail is late by how much its predicted time to go did not fall as time passed; that is forgotten over the first
+   [TU]. If it is late by more than the second [TU], every other reversal is the last for as many times that as the
+   third, but for no longer than the fourth [TU]: beside the target, where the time to go jumps, it would else turn
+   over for ever. */
+#define SAILNET_LATE_MEMORY SAILNET_REAL(0.5)
+#define SAILNET_LATE_TOLERATED SAILNET_REAL(0.1)
+#define SAILNET_WAIT SAILNET_REAL(3.0)
+#define SAILNET_LARGEST_WAIT SAILNET_REAL(1.5)
+
 /* Without a valid state the sail is steered for so long [TU], some 29 days, by where it must be. */
 #define SAILNET_LONGEST_RECKONING SAILNET_REAL(0.5)
 
@@ -171,6 +180,9 @@ typedef struct {
     sailnet_real slewing;        /* how long the sail still turned as the period began [TU] */
     sailnet_real stake;          /* of lambda_v: above 0 if the last command was not the networks' sign */
     sailnet_real regret;         /* time lost by not reversing [TU] */
+    sailnet_real late;           /* by how much the time to go has not fallen of late as time passed [TU] */
+    sailnet_real wait;           /* for how long there is no reversal [TU] */
+    sailnet_real waited;         /* the same as it was at the last reversal [TU] */
     sailnet_real unseen;         /* time since the last valid state [TU] */
 #if SAILNET_AGES
     sailnet_real worn; /* share of SAILNET_DEGRADATION_LOSS that is lost */
@@ -219,8 +231,8 @@ void sailnet_measured(sailnet_memory *memory, sailnet_real cone_angle);
 /*
  * Once a guidance period of `period` [TU], at most SAILNET_LARGEST_PERIOD: learn from how the sail answered to the
  * last command, command, and say how long to hold. The command's `beta` is the estimate; what the command is planned
- * with is that less the reserve. `hold` is the period, or less when the flight ends (SAILNET_ARRIVED), and at most
- * the longer of the period and the threshold.
+ * with is that less the reserve. `hold` is the period, but when the flight ends (SAILNET_ARRIVED): then it is the time
+ * until the sail is nearest the target, on a straight line, and at most the longer of the period and the threshold.
  *
  * Bad days. Without a valid state (NaN, infinity, a null pointer) the last one is carried forward by what the sail
  * was told and what was learnt of it, and the command is for that (SAILNET_RECKONED, or SAILNET_ARRIVED), for at most

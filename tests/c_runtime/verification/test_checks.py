@@ -148,6 +148,50 @@ MUTANTS = {
         "memory->regret < R(9.0)",
         "failed: ",
     ),
+    "late by any time": Mutant(
+        "fuzz", "sailnet_time_passes", "sailnet_limited(&late, SAILNET_OF_PERIOD)", "late", "memory->late"
+    ),
+    "a wait of any length": Mutant(
+        "fuzz",
+        "sailnet_time_passes",
+        "sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT)",
+        "memory->wait - held",
+        "memory->wait",
+    ),
+    "late for ever": Mutant(
+        "test",
+        "sailnet_time_passes",
+        "held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late",
+        "R(0.0)",
+        "one.late",
+    ),
+    "late across a gap": Mutant(
+        "test",
+        "sailnet_time_passes",
+        "held > R(0.0) ? (command->",
+        "held >= R(0.0) ? (command->",
+        "failed: ",
+    ),
+    "a wait on both sides": Mutant(
+        "test", "sailnet_keep_side", "(memory->waited <= R(0.0))", "(memory->waited <= R(9.0))", "failed: "
+    ),
+    "a wait of who is hardly late": Mutant(
+        "test",
+        "sailnet_keep_side",
+        "memory->late > SAILNET_LATE_TOLERATED",
+        "memory->late > R(0.0)",
+        "failed: ",
+    ),
+    "a reversal while it waits": Mutant(
+        "test", "sailnet_keep_side", "(memory->wait > R(0.0))", "(memory->wait > R(9.0))", "failed: "
+    ),
+    "an end as the networks say": Mutant(
+        "test",
+        "sailnet_until_nearest",
+        "return memory->held * sailnet_clamped(share, R(0.0), R(1.0));",
+        "return sailnet_clamped(memory->time_of_flight + R(0.0) * share, R(0.0), memory->held);",
+        "missed(memory, hold)",
+    ),
     "a side kept for a small step": Mutant(
         "test", "sailnet_keep_side", "(step > SAILNET_REVERSAL)", "(step > R(0.0))", "failed: "
     ),

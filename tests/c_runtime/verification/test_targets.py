@@ -86,7 +86,8 @@ def test_flight_file_runs_as_the_reference_says(bench: Bench, target: Target) ->
             assert 0.7 * reserved <= calls.stack <= reserved + 16
             assert calls.counts is not None
             # One multiplication and addition for each weight; at the target the tube is not asked.
-            assert 2700 < calls.counts.mean <= calls.counts.most < 1.02 * calls.counts.mean
+            # The call that ends a flight predicts one step more.
+            assert 2700 < calls.counts.mean <= calls.counts.most < 1.03 * calls.counts.mean
             assert (calls.counts.retired == calls.counts.total) == target.retires
         if target.fuses:
             fused = bench.measure(target, precision, "flight", True)

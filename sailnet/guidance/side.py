@@ -1,0 +1,88 @@
+"""Which side of the Sun line the thrust is on, where both are almost equally fast."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sailnet.guidance.interface import Commands
+from sailnet.guidance.memory import Memory
+from sailnet.guidance.rules import LARGEST_PERIOD, SteeringRules
+from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
+
+
+@dataclass(frozen=True)
+class Change:
+    """What the last period did.
+
+    Attributes:
+        by: changes of (r, u, v), (n, 3) [AU, AU/TU].
+        cosine: of the direction of the normal, (n,).
+        sine: the same.
+        force: of the mission's sail, (2, n), radial and transverse, per beta / r^2.
+    """
+
+    by: Array
+    cosine: Array
+    sine: Array
+    force: Array
+
+
+class SideKeeping:
+    """The sign of the cone angle: a reversal waits until it is worth it.
+
+    *Patience.* Where the networks' command reverses the sail, it keeps its side until that has cost it as
+    much time as patience allows, at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian.
+
+    *Lateness.* Beside the target the time to go jumps. What the networks learn of that is smooth: on the edge
+    they promise the same time for ever, and a sail that follows them turns over for ever. Such a sail is
+    late: its time to go T does not fall as time passes. With h the period and m the memory,
+
+        late <- late (1 - h / m) + (T - T_before + h),    between 0 and the longest period.
+
+    If it is later than tolerated, a reversal is the last for some times as long as it is late: it leaves the
+    edge, and comes back to the target from elsewhere. The reversal after that has no wait: one that waited on
+    both sides alike would circle.
+
+    Args:
+        mission: what is flown.
+        rules: the numbers.
+    """
+
+    def __init__(self, mission: Mission, rules: SteeringRules) -> None:
+        self._target_radius, self._rules = mission.problem.target_radius, rules
+        self._patience = rules.patience(mission.problem.phi_max, mission.flight.turn_rate)
+
+    def kept(self, memory: Memory, change: Change, command: Commands, valid: NDArray[np.bool_]) -> Array:
+        """(n,) the cone angle, mirrored where the sail stays on its side; the memory follows where valid."""
+        rules = self._rules
+        ratio = self._target_radius / memory.state[:, 0]
+        rate = 2.0 * memory.stake * ratio**2 * change.force[1] * np.sign(change.sine)
+        regret = np.nan_to_num(memory.regret + memory.held * rate, nan=0.0)
+        regret = np.clip(regret, 0.0, LARGEST_PERIOD)
+        late, wait = self._time_passes(memory, command)
+        angle = command.cone_angle
+        step = np.abs(angle - memory.cone_angle)
+        reverses = (angle * memory.cone_angle < 0.0) & (step > rules.reversal)
+        size = np.abs(command.lambda_v)
+        # What staying costs must be known.
+        stays = reverses & ((regret < self._patience) | (wait > 0.0)) & np.isfinite(size)
+        turns = reverses & ~stays
+        waits = (late > rules.late_tolerated) & (memory.waited <= 0.0)
+        begun = np.where(waits, np.minimum(rules.wait * late, rules.largest_wait), 0.0)
+        memory.stake = np.where(valid, np.where(stays, size, -size), memory.stake)
+        memory.regret = np.where(valid, np.where(turns, 0.0, regret), memory.regret)
+        memory.late = np.where(valid, late, memory.late)
+        memory.wait = np.where(valid, np.where(turns, begun, wait), memory.wait)
+        memory.waited = np.where(valid & turns, begun, memory.waited)
+        return np.where(stays, -angle, angle)
+
+    def _time_passes(self, memory: Memory, command: Commands) -> tuple[Array, Array]:
+        """How late the sails are, and how long they still wait [TU]."""
+        held = np.clip(memory.held, 0.0, LARGEST_PERIOD)
+        wait = np.clip(memory.wait - held, 0.0, self._rules.largest_wait)
+        # What came of something else says nothing.
+        behind = np.where(held > 0.0, command.time_of_flight - memory.time_of_flight + held, 0.0)
+        late = np.nan_to_num(memory.late * (1.0 - held / self._rules.late_memory) + behind, nan=0.0)
+        return np.clip(late, 0.0, LARGEST_PERIOD), wait
