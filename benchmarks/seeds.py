@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from export.write import export
-from sailnet.artefacts.files import fill_block, write_whole
+from sailnet.artefacts.files import fill_block, write_text
 from sailnet.artefacts.provenance import software
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.run import fly_plan
@@ -138,7 +138,7 @@ def main() -> int:
                 records.append(measure(options.dataset, folder, seed, options.flights, pool, optima))
                 optima = folder / RESULTS
         text = json.dumps(records, indent=1)
-        write_whole(options.folder / "spread.json", lambda beside: beside.write_text(text, encoding="utf-8"))
+        write_text(options.folder / "spread.json", text)
         made = software()
         lines = [*table(records), "", f"{made['machine']}, {made['date']}, revision {made['revision']}."]
         if options.text:

@@ -3,54 +3,56 @@
 import argparse
 import sys
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from data.generate import generate
-from data.recipes import RECIPES, prepare
-from sailnet.artefacts.provenance import environment_of, software
-from sailnet.artefacts.resumable import Parts, claim
+from sailnet.artefacts.ownership import reserved
 from sailnet.cli.arguments import count, distribution
-from sailnet.dataset import Block, open_dataset, write_dataset
+from sailnet.cli.spelling import HelpfulParser
 from sailnet.errors import DatasetError, SailnetError
-from sailnet.expert.feasibility import refuse_infeasible
-from sailnet.mission.mission import Mission, load_mission
 from sailnet.mission.sizes import SIZES, sized
-from sailnet.physics.propagation import TOLERANCE
-from sailnet.workers.executors import workers
 from sailnet.workers.interruption import going_on
 from sailnet.workers.progress import progress
+
+if TYPE_CHECKING:
+    from sailnet.artefacts.resumable import Parts
+    from sailnet.dataset import Block
+    from sailnet.mission.mission import Mission
+
+RECIPES = ("wide", "domain", "box")
 
 PACKAGES = ("data",)
 """Whose source workers elsewhere must have, beside sailnet's."""
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+def parser() -> argparse.ArgumentParser:
+    """What the command understands."""
+    made = HelpfulParser(
         prog="sailnet data",
         description="Generate optimal trajectories of a mission into an HDF5 data set.",
         epilog="example: sailnet data build/earth_mars/wide.h5 --mission earth_mars",
     )
-    parser.add_argument("output", type=Path, help="the HDF5 file to write")
-    parser.add_argument("--mission", default="earth_mars", help="mission name or TOML file")
-    parser.add_argument("--recipe", choices=RECIPES, default=RECIPES[0], help="(default: %(default)s)")
-    parser.add_argument(
+    made.add_argument("output", type=Path, help="the HDF5 file to write")
+    made.add_argument("--mission", default="earth_mars", help="mission name or TOML file")
+    made.add_argument("--recipe", choices=RECIPES, default=RECIPES[0], help="(default: %(default)s)")
+    made.add_argument(
         "--size",
         choices=SIZES,
         default="full",
         help="quick: the package's small recipe, wide only (%(default)s)",
     )
-    parser.add_argument("--trajectories", type=count, help="instead of the mission's number")
-    distribution(parser)
-    parser.add_argument("--restart", action="store_true", help="begin anew, whatever there is")
-    parser.add_argument(
+    made.add_argument("--trajectories", type=count, help="instead of the mission's number")
+    distribution(made)
+    made.add_argument("--restart", action="store_true", help="begin anew, whatever there is")
+    made.add_argument(
         "--overwrite", action="store_true", help="replace a finished data set of another mission or recipe"
     )
-    parser.add_argument("--quiet", action="store_true", help="no progress bar")
-    return parser
+    made.add_argument("--quiet", action="store_true", help="no progress bar")
+    return made
 
 
-def _watched(blocks: Iterator[Block], total: int, quiet: bool) -> Iterator[Block]:
+def _watched(blocks: "Iterator[Block]", total: int, quiet: bool) -> "Iterator[Block]":
     with progress(total, "trajectory", "data set", quiet=quiet) as bar:
         for block in blocks:
             yield block
@@ -63,6 +65,8 @@ def _finished(options: argparse.Namespace, run: Mapping[str, object]) -> bool:
     Raises:
         DatasetError: it is there, and something else.
     """
+    from sailnet.dataset import open_dataset
+
     if options.restart or not options.output.exists():
         return False
     try:
@@ -78,7 +82,15 @@ def _finished(options: argparse.Namespace, run: Mapping[str, object]) -> bool:
     return bool(made == run)
 
 
-def _run(options: argparse.Namespace, mission: Mission, parts: Parts, run: Mapping[str, object]) -> None:
+def _run(options: argparse.Namespace, mission: "Mission", parts: "Parts", run: Mapping[str, object]) -> None:
+    from data.generate import generate
+    from data.recipes import prepare
+    from sailnet.artefacts.provenance import software
+    from sailnet.dataset import open_dataset, write_dataset
+    from sailnet.expert.feasibility import refuse_infeasible
+    from sailnet.physics.propagation import TOLERANCE
+    from sailnet.workers.executors import workers
+
     started = time.perf_counter()
     if options.recipe != "box" and not parts.finished():
         refuse_infeasible(mission)
@@ -100,24 +112,35 @@ def _run(options: argparse.Namespace, mission: Mission, parts: Parts, run: Mappi
     print(f"{options.output}: {made_trajectories} trajectories in {seconds:.1f} s")
 
 
+def _make(options: argparse.Namespace, folder: Path, found: "Callable[[Parts], object]") -> None:
+    # The expert takes a second to load: whoever comes second to a file has been sent away by now.
+    from sailnet.artefacts.provenance import environment_of
+    from sailnet.artefacts.resumable import kept_parts
+    from sailnet.mission.mission import load_mission
+
+    mission = sized(load_mission(options.mission), options.size)
+    made_of = {"mission": mission.digest("generalisation", "dataset"), "recipe": options.recipe}
+    made_of |= environment_of("data.recipes")
+    run = {**made_of, "trajectories": options.trajectories}
+    with kept_parts(folder, made_of, options.restart) as parts:
+        found(parts)
+        if _finished(options, run):
+            print(f"{options.output} is there already, made by the same run")
+        else:
+            _run(options, mission, parts, run)
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns the exit status: 0, or 1 when it cannot be done."""
-    options = _parser().parse_args(arguments)
-    parts: Parts | None = None
+    options = parser().parse_args(arguments)
+    known: list[Parts] = []
 
     def waiting() -> str:
-        return parts.waiting("shard", "shards") if parts else ""
+        return known[0].waiting("shard", "shards") if known else ""
 
     try:
-        mission = sized(load_mission(options.mission), options.size)
-        made_of = {"mission": mission.digest("generalisation", "dataset"), "recipe": options.recipe}
-        made_of |= environment_of("data.recipes")
-        run = {**made_of, "trajectories": options.trajectories}
-        with going_on(waiting), claim(options.output, made_of, options.restart) as parts:
-            if _finished(options, run):
-                print(f"{options.output} is there already, made by the same run")
-            else:
-                _run(options, mission, parts, run)
+        with going_on(waiting), reserved(options.output) as folder:
+            _make(options, folder, known.append)
     except SailnetError as error:
         print(f"error: {error}", file=sys.stderr)
         if kept := waiting():

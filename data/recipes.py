@@ -12,8 +12,6 @@ from sailnet.expert.nominal import solve_nominal
 from sailnet.mission.mission import Mission
 from sailnet.mission.recipes import DomainRecipe, WideRecipe
 
-RECIPES = ("wide", "domain", "box")
-
 
 @dataclass(frozen=True)
 class Prepared:

@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,15 @@ import sailnet  # noqa: E402
 project = "sailnet"
 author = "the authors of sailnet"
 release = version = sailnet.__version__
-extensions = ["excerpts", "interfaces", "playground", "myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+extensions = [
+    "excerpts",
+    "interfaces",
+    "playground",
+    "links",
+    "myst_nb",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+]
 templates_path: list[str] = []
 exclude_patterns = ["_build"]
 highlight_language = "none"
@@ -42,6 +51,10 @@ nb_execution_in_temp = True
 nb_execution_raise_on_error = True
 nb_execution_timeout = 1800
 nb_merge_streams = True
+
+ARRAY_LIKE = re.compile(
+    r"[\w.~]*_Buffer \| .*?_NestedSequence\[[\w.~]*complex \| [\w.~]*bytes \| [\w.~]*str\]"
+)
 
 autodoc_member_order = "bysource"
 autodoc_typehints_format = "short"
@@ -76,5 +89,10 @@ def setup(app: Any) -> None:
         if what in ("property", "attribute"):
             lines[:] = written[name]
 
+    def spelt(app: Any, what: str, name: str, it: object, options: object, given: str, back: str) -> Any:
+        # NumPy's ArrayLike is an alias whose name is lost when annotations are read.
+        return ARRAY_LIKE.sub("ArrayLike", given or "") or None, back
+
+    app.connect("autodoc-process-signature", spelt)
     app.connect("autodoc-process-docstring", before, priority=400)
     app.connect("autodoc-process-docstring", after, priority=600)

@@ -4,32 +4,22 @@ A page has `{commands}` or `{disturbances}` alone on a line.
 """
 
 import argparse
-import contextlib
-import importlib
-import io
 import os
-import sys
 from typing import Any
-from unittest import mock
 
 from sailnet.cli.command_line import parser, sub_commands
+from sailnet.cli.stage import STAGES
 from sailnet.mission.disturbances import catalogue
-
-MODULES = ("data", "training", "export")
+from sailnet.workers.stages import parser_of
 
 
 def commands() -> str:
-    """Each sub-command of ``sailnet``, and the modules of the pipeline, as they explain themselves."""
+    """Each sub-command of ``sailnet``, as it explains itself."""
     whole = parser()
     parts = [_fenced(whole.format_help())]
     for name, one in sub_commands(whole).items():
-        parts.append(f"## sailnet {name}\n\n{_told(one)}")
-    for module in MODULES:
-        printed = io.StringIO()
-        asked = mock.patch.object(sys, "argv", [module, "--help"])
-        with asked, contextlib.redirect_stdout(printed), contextlib.suppress(SystemExit):
-            importlib.import_module(f"{module}.command").main()
-        parts.append(f"## python -m {module}\n\n{_fenced(printed.getvalue())}")
+        told = parser_of(STAGES[name][0]) if name in STAGES else one
+        parts.append(f"## sailnet {name}\n\n{_told(told)}")
     return "\n\n".join(parts)
 
 

@@ -6,55 +6,61 @@ import sys
 from pathlib import Path
 
 from export.errors import ExportError
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_text, writing
 from sailnet.artefacts.ownership import LOCK, sole_owner
+from sailnet.cli.spelling import HelpfulParser
 from sailnet.errors import SailnetError
 
 
-def main(arguments: list[str] | None = None) -> int:
-    """Run the command; returns its exit status."""
-    parser = argparse.ArgumentParser(
+def parser() -> argparse.ArgumentParser:
+    """What the command understands."""
+    made = HelpfulParser(
         prog="sailnet export",
         description="Export the three guidance networks as ONNX graphs, as one C99 file with its header, "
         "and as the shared libraries compiled from it. The target folder changes only if all succeeds.",
         epilog="example: sailnet export build/networks build/export --mission earth_mars",
     )
-    parser.add_argument(
+    made.add_argument(
         "networks",
         type=Path,
         metavar="NETWORKS_DIR",
         help="folder of tau, alpha_pre and lambda_v (.safetensors)",
     )
-    parser.add_argument("target", type=Path, metavar="OUT_DIR", help="folder to write to")
-    parser.add_argument(
+    made.add_argument("target", type=Path, metavar="OUT_DIR", help="folder to write to")
+    made.add_argument(
         "--mission",
         default="earth_mars",
         help="name of a shipped mission or a .toml file (default: %(default)s)",
     )
-    parser.add_argument(
+    made.add_argument(
         "--baseline",
         type=Path,
         metavar="FILE",
         help="alpha.safetensors: a network that gives the signed cone angle itself; adds baseline_f64.onnx",
     )
-    parser.add_argument(
+    made.add_argument(
         "--plain-law",
         action="store_true",
         help="for comparison: C without memory of side, reserve, tangential force and reckoning; "
         "sailnet evaluate --campaign law --networks OUT_DIR flies it",
     )
-    parser.add_argument(
+    made.add_argument(
         "--degradation",
         type=float,
         metavar="LOSS",
         help="the sail is known to age: sunlight takes this share of beta in the end, half of it by each "
         "dose of 2 pi TU/AU^2; instead of the mission's [degradation]",
     )
-    parser.add_argument(
+    made.add_argument(
         "--resume", action="store_true", help="keep an export of the same networks by the same software"
     )
-    parser.add_argument("--overwrite", action="store_true", help="replace any other that is there")
-    options = parser.parse_args(arguments)
+    made.add_argument("--overwrite", action="store_true", help="replace any other that is there")
+    return made
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command; returns its exit status."""
+    options = parser().parse_args(arguments)
     try:
         with sole_owner(options.target / LOCK, f"an export in {options.target}", ExportError):
             written = _export(options)
@@ -88,5 +94,6 @@ def _export(options: argparse.Namespace) -> list[Path]:
         shutil.rmtree(leftover)
     (options.target / MADE_OF).unlink(missing_ok=True)
     written = export(options.networks, options.target, mission, options.baseline, rules=rules)
-    write_whole(options.target / MADE_OF, lambda beside: beside.write_text(origin))
+    with writing(options.target / MADE_OF, ExportError):
+        write_text(options.target / MADE_OF, origin)
     return written

@@ -11,7 +11,8 @@ from export.to_c import write_c
 from export.to_onnx import Graph, Inputs, write_onnx
 from export.torch_networks import TorchBaseline, torch_guidance
 from sailnet.artefacts.checksums import write_checksums
-from sailnet.errors import NetworkError
+from sailnet.artefacts.room import room_told
+from sailnet.errors import NetworkError, reason
 from sailnet.guidance.exported_files import graph_name
 from sailnet.guidance.facts import GuidanceFacts, describe
 from sailnet.guidance.rules import SteeringRules
@@ -67,12 +68,12 @@ def export(
             )
     try:
         target.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=target, prefix=UNFINISHED) as name:
+        with tempfile.TemporaryDirectory(dir=target, prefix=UNFINISHED) as name, room_told(Path(name)):
             return _write_and_move(networks, alpha, mission, Path(name), target, progress, rules)
     except CompilerError as error:
         raise ExportError(str(error)) from error
     except OSError as error:
-        raise ExportError(f"cannot write to {target}: {error}") from error
+        raise ExportError(f"cannot write to {target}: {reason(error)}") from error
 
 
 def _write_and_move(

@@ -43,7 +43,7 @@ MOMENTS = {
 }
 
 if __name__ == "__main__":
-    patch("data.command.prepare", _prepared).start()
+    patch("data.recipes.prepare", _prepared).start()
     if moment := os.environ.get("KILL_AT"):
         patch(*MOMENTS[moment]).start()
     sys.exit(run_command(data.command.main, "nothing is finished"))

@@ -1,5 +1,6 @@
 """The state of an unfinished training run, as an npz file that executes nothing when loaded."""
 
+import io
 import json
 import zipfile
 from dataclasses import dataclass
@@ -9,7 +10,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_whole, writing
 from sailnet.errors import NetworkError, reason
 from training.checkpoint_checks import read_members
 from training.levenberg_marquardt import Iterate
@@ -44,7 +45,11 @@ class Progress:
 
 
 def save_checkpoint(progress: Progress, run: str, path: Path) -> None:
-    """Write a checkpoint of the run identified by ``run``; whole or not at all."""
+    """Write a checkpoint of the run identified by ``run``; whole or not at all.
+
+    Raises:
+        NetworkError: it cannot be written (full disk, no permission).
+    """
     at = progress.iterate
     numbers = {
         "schema": SCHEMA,
@@ -58,18 +63,18 @@ def save_checkpoint(progress: Progress, run: str, path: Path) -> None:
         "history": progress.history,
     }
 
-    def write(beside: Path) -> None:
-        with beside.open("wb") as stream:
-            # JSON keeps every float64 exactly.
-            np.savez(
-                stream,
-                state=np.array(json.dumps(numbers)),
-                parameters=at.parameters.cpu().numpy(),
-                scale=at.scale.cpu().numpy(),
-                best=progress.best.cpu().numpy(),
-            )
-
-    write_whole(path, write)
+    stream = io.BytesIO()
+    # JSON keeps every float64 exactly.
+    np.savez(
+        stream,
+        state=np.array(json.dumps(numbers)),
+        parameters=at.parameters.cpu().numpy(),
+        scale=at.scale.cpu().numpy(),
+        best=progress.best.cpu().numpy(),
+    )
+    content = stream.getvalue()
+    with writing(f"checkpoint {path}", NetworkError):
+        write_whole(path, lambda beside: beside.write_bytes(content), size=len(content))
 
 
 def run_of(path: Path) -> str | None:

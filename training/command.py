@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sailnet.artefacts.ownership import LOCK, sole_owner
+from sailnet.cli.spelling import HelpfulParser
 from sailnet.errors import NetworkError, SailnetError
 from sailnet.workers.interruption import going_on
 
@@ -17,8 +18,9 @@ if TYPE_CHECKING:
     from sailnet.networks.network import Network
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+def parser() -> argparse.ArgumentParser:
+    """What the command understands."""
+    made = HelpfulParser(
         prog="sailnet train",
         description="Train guidance networks on a data set, by Levenberg-Marquardt.",
         epilog="examples: sailnet train build/earth_mars/box.h5 build/earth_mars/networks\n"
@@ -26,38 +28,36 @@ def _parser() -> argparse.ArgumentParser:
         "          sailnet train dataset.h5 out --resume",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("dataset", type=Path, help="the HDF5 file")
-    parser.add_argument("output", type=Path, help="folder for NAME.safetensors and NAME.history.json")
-    parser.add_argument(
-        "--mission", help="mission whose training recipe to use (default: the data set's own)"
-    )
-    parser.add_argument(
+    made.add_argument("dataset", type=Path, help="the HDF5 file")
+    made.add_argument("output", type=Path, help="folder for NAME.safetensors and NAME.history.json")
+    made.add_argument("--mission", help="mission whose training recipe to use (default: the data set's own)")
+    made.add_argument(
         "--network",
         action="append",
         metavar="NAME",
         help="train this one; repeatable (default: all of the data set's kind)",
     )
-    parser.add_argument("--epochs", type=int, help="instead of the mission's number")
-    parser.add_argument("--seed", type=int, help="instead of the mission's seed")
-    parser.add_argument("--device", default="cpu", help="torch device: cpu (default) or cuda")
-    parser.add_argument(
+    made.add_argument("--epochs", type=int, help="instead of the mission's number")
+    made.add_argument("--seed", type=int, help="instead of the mission's seed")
+    made.add_argument("--device", default="cpu", help="torch device: cpu (default) or cuda")
+    made.add_argument(
         "--resume",
         action="store_true",
         help="go on with what the same command left, and keep what it finished",
     )
-    parser.add_argument(
+    made.add_argument(
         "--overwrite",
         action="store_true",
         help="replace networks and checkpoints of other runs, or begin anew",
     )
-    parser.add_argument(
+    made.add_argument(
         "--workers",
         type=int,
         default=os.cpu_count() or 1,
         help="networks trained at once (default: all cores)",
     )
-    parser.add_argument("--quiet", action="store_true", help="no progress bars")
-    return parser
+    made.add_argument("--quiet", action="store_true", help="no progress bars")
+    return made
 
 
 def _recipe(options: argparse.Namespace) -> "tuple[Mission, str]":
@@ -114,13 +114,13 @@ def _way_on(options: argparse.Namespace) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns the exit status."""
-    parser = _parser()
-    options = parser.parse_args(arguments)
+    understood = parser()
+    options = understood.parse_args(arguments)
     for name in ("epochs", "workers"):
         if getattr(options, name) is not None and getattr(options, name) < 1:
-            parser.error(f"--{name} must be at least 1")
+            understood.error(f"--{name} must be at least 1")
     if options.seed is not None and options.seed < 0:
-        parser.error("--seed must not be negative")
+        understood.error("--seed must not be negative")
     started = time.perf_counter()
     try:
         place = f"networks in {options.output}"

@@ -11,7 +11,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_text, writing
 from sailnet.artefacts.provenance import software
 from sailnet.dataset import open_dataset
 from sailnet.errors import NetworkError
@@ -214,7 +214,9 @@ def train_network(
         provenance | judge(network, target, samples),
     )
     text = json.dumps({"network": target.name, "stopped_by": reason, "epochs": progress.history})
-    write_whole(folder / f"{target.name}.history.json", lambda beside: beside.write_text(text))
+    history = folder / f"{target.name}.history.json"
+    with writing(history, NetworkError):
+        write_text(history, text)
     save_network(network, finished)
     checkpoint.unlink(missing_ok=True)
     return network

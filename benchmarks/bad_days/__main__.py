@@ -14,7 +14,7 @@ from benchmarks.bad_days.disks import fill
 from benchmarks.bad_days.kills import kill_at_random
 from benchmarks.bad_days.work import ROOT, Work, works
 from benchmarks.bad_days.writers import second_writer
-from sailnet.artefacts.files import fill_block, write_whole
+from sailnet.artefacts.files import fill_block, write_text
 from sailnet.artefacts.provenance import software
 from sailnet.errors import SailnetError
 
@@ -77,7 +77,7 @@ def run_all(folder: Path, options: argparse.Namespace) -> Records:
 
 
 def _keep(records: Records, path: Path) -> None:
-    write_whole(path, lambda beside: beside.write_text(json.dumps(records, indent=1)))
+    write_text(path, json.dumps(records, indent=1))
 
 
 def _days(
@@ -148,15 +148,19 @@ def table(records: Records) -> list[str]:
     if disks := records.get("disks"):
         lines += [
             "",
-            "| a disk that fills | sizes [kB] | full at | said so with the path | half looks whole | same "
-            "content with room | what it says |",
-            "|---|---|---|---|---|---|---|",
+            "| a disk that fills | sizes [kB] | full at | said so with the path | said how much was "
+            "needed and is free | half looks whole | same content with room | what it says |",
+            "|---|---|---|---|---|---|---|---|",
         ]
         for name, days in disks.items():
             full = [day for day in days if day["status"]]
             sizes = ", ".join(str(int(str(day["size"])) // 1000) for day in days)
             cells = [name, sizes, f"{len(full)} of {len(days)}", f"{_count(full, 'told')} of {len(full)}"]
-            cells += [_count(full, "whole"), f"{_count(days, 'same')} of {len(days)}"]
+            cells += [
+                f"{_count(full, 'reckoned')} of {len(full)}",
+                _count(full, "whole"),
+                f"{_count(days, 'same')} of {len(days)}",
+            ]
             lines.append(_row([*cells, full[-1]["said"] if full else ""]))
     return lines
 

@@ -15,7 +15,7 @@ from benchmarks.bad_days.kills import descendants
 from benchmarks.bad_days.work import ROOT, Work
 from sailnet.errors import SailnetError
 
-WAIT = 12.0
+WAIT = 30.0
 """Seconds that a command is told to wait for workers."""
 
 LONGEST = 300.0

@@ -1,5 +1,6 @@
 """A disk that fills: what is said, and that the same command goes on once there is room."""
 
+import re
 import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -14,13 +15,14 @@ def fill(work: Work, folder: Path, expected: str, size: int) -> dict[str, object
 
     Returns:
         ``size``, ``status``, ``whole`` (the product looked complete though the command failed), ``told``
-        (an error with a path below the disk, and that it is full), what it ``said``, and whether the content
-        was the ``same`` in the end.
+        (an error with a path below the disk, and that it is full), ``reckoned`` (how much was needed and how
+        much is free), what it ``said``, and whether the content was the ``same`` in the end.
     """
     with mounted(folder, size) as disk:
         status, said, _ = work.complete(disk)
         lines = [line for line in said.splitlines() if "error" in line or "export:" in line]
         full = any(words in said.lower() for words in ("no space left", "disk is full"))
+        reckoned = status == 0 or re.search(r" needed, .* free|take some .* there are ", said) is not None
         told = status == 0 or (full and str(disk) in said and "Traceback" not in said)
         try:
             whole = work.digest(disk) == expected
@@ -35,6 +37,7 @@ def fill(work: Work, folder: Path, expected: str, size: int) -> dict[str, object
         "status": status,
         "whole": whole,
         "told": told,
+        "reckoned": reckoned,
         "said": "; ".join(lines)[-300:],
         "same": same,
     }

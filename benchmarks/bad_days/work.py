@@ -140,7 +140,27 @@ def works(folder: Path) -> list[Work]:
             ".many.h5.parts/lock",
             spreads=True,
         ),
+        Work(
+            "pipeline",
+            lambda into: [
+                *("sailnet.cli", "pipeline", mission, "--output", str(into / "x")),
+                *("--flights", "10", "--json"),
+            ],
+            lambda into: _pipeline(into / "x", dataset_digest),
+            "x/.lock",
+        ),
     ]
+
+
+def _pipeline(folder: Path, dataset_digest: Callable[[Path], str]) -> str:
+    """Of what every step made."""
+    flown = folder / "wide"
+    return " ".join((
+        dataset_digest(folder / "wide.h5"),
+        _networks(flown / "networks"),
+        exported_digest(load_mission(folder / "mission.toml"), flown / "export"),
+        open_results(flown / "acceptance.h5").digest,
+    ))  # fmt: skip
 
 
 def _networks(folder: Path) -> str:

@@ -3,7 +3,7 @@
 import hashlib
 from pathlib import Path
 
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_text
 from sailnet.artefacts.untrusted import read_bounded
 from sailnet.errors import GuidanceError, reason
 
@@ -16,7 +16,7 @@ MOST_OF_A_LIST = 1 << 20
 def write_checksums(files: list[Path], sums: Path) -> None:
     """Write the list of ``files``, all in the folder of ``sums``."""
     text = "".join(f"{_sha256(file)}  {file.name}\n" for file in sorted(files))
-    write_whole(sums, lambda beside: beside.write_text(text))
+    write_text(sums, text)
 
 
 def verify_checksum(file: Path, sums: Path) -> bytes:

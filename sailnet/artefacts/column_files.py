@@ -100,21 +100,22 @@ def write_columns(
         _put_text(file, schema=layout.schema, provenance=origin, **texts)
         _put_text(file, sha256=content_digest(file, layout), provenance_sha256=_text_digest(origin))
 
-    def write(beside: Path) -> None:
-        # v110: only since this version of the format does every piece of metadata carry a checksum; without
-        # one HDF5 can crash or hang on a single flipped bit.
-        if layout.small:
-            with h5py.File(beside.name, "w", libver="v110", driver="core", backing_store=False) as file:
-                fill(file)
-                file.flush()
-                beside.write_bytes(file.id.get_file_image())
-        else:
-            # No chunk cache: rows go straight to the file, without another copy.
-            with h5py.File(beside, "w", libver="v110", rdcc_nbytes=0) as file:
-                fill(file)
+    # v110: only since this version of the format does every piece of metadata carry a checksum; without
+    # one HDF5 can crash or hang on a single flipped bit.
+    def stream(beside: Path) -> None:
+        # No chunk cache: rows go straight to the file, without another copy.
+        with h5py.File(beside, "w", libver="v110", rdcc_nbytes=0) as file:
+            fill(file)
 
     try:
-        write_whole(path, write, scratch)
+        if layout.small:
+            with h5py.File(path.name, "w", libver="v110", driver="core", backing_store=False) as file:
+                fill(file)
+                file.flush()
+                image = file.id.get_file_image()
+            write_whole(path, lambda beside: beside.write_bytes(image), scratch, size=len(image))
+        else:
+            write_whole(path, stream, scratch)
     except (OSError, RuntimeError) as error:  # h5py raises either when HDF5 cannot write
         raise layout.error(f"cannot write {layout.kind} {path}: {error}") from error
 

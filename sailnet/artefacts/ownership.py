@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from datetime import datetime
 from pathlib import Path
 
-from sailnet.errors import SailnetError, reason
+from sailnet.errors import DatasetError, SailnetError, reason
 
 LOCK = ".lock"
 """Name of the lock of a whole folder, in that folder."""
@@ -53,6 +53,24 @@ def sole_owner(lock: Path, place: str, error: type[SailnetError] = SailnetError)
         if folder_made:
             with suppress(OSError):  # it has something in it
                 lock.parent.rmdir()
+
+
+@contextmanager
+def reserved(output: Path, kind: str = "data set") -> Iterator[Path]:
+    """Reserve a file that is about to be made; yields the folder for its unfinished parts, beside it.
+
+    Args:
+        output: the file.
+        kind: of file, for messages.
+
+    Raises:
+        DatasetError: the place cannot be written, or another run is at it.
+    """
+    folder = output.parent / f".{output.name}.parts"
+    if output.is_dir():
+        raise DatasetError(f"cannot write {kind} {output}: it is a folder; name a file in it")
+    with sole_owner(folder / "lock", f"{kind} {output}", DatasetError):
+        yield folder
 
 
 def _take(lock: Path) -> int | None:

@@ -11,8 +11,6 @@ from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
 
-import heyoka
-
 import sailnet
 
 
@@ -54,6 +52,8 @@ def environment_of(*modules: str) -> dict[str, str]:
 
 
 def _versions() -> dict[str, str]:
+    import heyoka  # half a second: whoever comes second into a place has been sent away by now
+
     versions = {name: version(name) for name in ("heyoka", "numpy", "scipy")}
     return {**versions, "SIMD width": str(heyoka.recommended_simd_size())}
 

@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save_file
 
-from sailnet.artefacts.files import write_whole
-from sailnet.artefacts.ownership import sole_owner
-from sailnet.errors import DatasetError
+from sailnet.artefacts.files import write_text, write_whole
+from sailnet.artefacts.ownership import reserved
+from sailnet.errors import DatasetError, reason
 
 SUFFIX = ".safetensors"
 
@@ -57,9 +57,12 @@ class Parts:
         facts = {"run": self.run, "number": str(number), "crc32": _checksum(columns)}
         try:
             # Not durable: after a power cut the checksum tells, and the part is made again.
-            write_whole(self._path(number), lambda beside: save_file(columns, beside, facts), durable=False)
+            write_whole(
+                self._path(number), lambda beside: save_file(columns, beside, facts), durable=False,
+                size=sum(column.nbytes for column in columns.values()),
+            )  # fmt: skip
         except (OSError, SafetensorError) as error:
-            raise DatasetError(f"cannot write {self._path(number)}: {error}") from error
+            raise DatasetError(f"cannot write {self._path(number)}: {reason(error)}") from error
 
     def ensure(self, number: int, make: Callable[[int], Columns]) -> None:
         """Make and store one part, unless it is there: a worker may be lost before it can say so.
@@ -164,8 +167,6 @@ def claim(
 ) -> Iterator[Parts]:
     """Reserve ``output`` for this run, with the parts that an earlier run of the same finished.
 
-    The folder of parts goes when the block ends; after an error the finished parts stay.
-
     Args:
         output: the file to be made.
         run: everything the parts depend on.
@@ -173,25 +174,38 @@ def claim(
         kind: of file, for messages.
 
     Raises:
-        DatasetError: the place cannot be written, another run is at it, or the parts there were made
-            of something else.
+        DatasetError: as :func:`sailnet.artefacts.ownership.reserved` and :func:`kept_parts`.
     """
-    folder = output.parent / f".{output.name}.parts"
-    if output.is_dir():
-        raise DatasetError(f"cannot write {kind} {output}: it is a folder; name a file in it")
-    with sole_owner(folder / "lock", f"{kind} {output}", DatasetError):
-        if restart:
-            _clear(folder)
-        text = json.dumps(dict(run), indent=1, sort_keys=True)
-        _check_run(folder, dict(run), text)
-        parts = Parts(folder, f"{zlib.crc32(text.encode()):08x}")
-        try:
-            yield parts
-        except BaseException:
-            if not parts.finished():
-                shutil.rmtree(folder, ignore_errors=True)
-            raise
-        shutil.rmtree(folder, ignore_errors=True)
+    with reserved(output, kind) as folder, kept_parts(folder, run, restart) as parts:
+        yield parts
+
+
+@contextmanager
+def kept_parts(folder: Path, run: Mapping[str, str], restart: bool = False) -> Iterator[Parts]:
+    """The parts that an earlier run of the same finished in a folder that is reserved.
+
+    The folder goes when the block ends; after an error the finished parts stay.
+
+    Args:
+        folder: of the parts, as :func:`sailnet.artefacts.ownership.reserved` gives it.
+        run: everything the parts depend on.
+        restart: throw away what an earlier run left.
+
+    Raises:
+        DatasetError: the folder cannot be written, or the parts there were made of something else.
+    """
+    if restart:
+        _clear(folder)
+    text = json.dumps(dict(run), indent=1, sort_keys=True)
+    _check_run(folder, dict(run), text)
+    parts = Parts(folder, f"{zlib.crc32(text.encode()):08x}")
+    try:
+        yield parts
+    except BaseException:
+        if not parts.finished():
+            shutil.rmtree(folder, ignore_errors=True)
+        raise
+    shutil.rmtree(folder, ignore_errors=True)
 
 
 def _check_run(folder: Path, run: dict[str, str], text: str) -> None:
@@ -199,10 +213,10 @@ def _check_run(folder: Path, run: dict[str, str], text: str) -> None:
     try:
         if not facts.exists():
             _clear(folder)
-            write_whole(facts, lambda beside: beside.write_text(text))
+            write_text(facts, text)
         found = json.loads(facts.read_text())
     except OSError as error:
-        raise DatasetError(f"cannot write to {folder}: {error}") from error
+        raise DatasetError(f"cannot write to {folder}: {reason(error)}") from error
     except ValueError:
         found = {}
     if found != run:

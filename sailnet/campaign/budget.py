@@ -1,9 +1,9 @@
 """What a campaign will take of memory and disk, so that one that cannot end is not begun."""
 
 import os
-import shutil
 from pathlib import Path
 
+from sailnet.artefacts.room import free_room
 from sailnet.campaign.plan import Plan
 from sailnet.errors import CampaignError
 from sailnet.mission.mission import Mission
@@ -38,14 +38,14 @@ def refuse_too_large(plan: Plan, mission: Mission, output: Path) -> None:
         )
     flights = sum(series.count for series, _ in flown)
     needed = {
-        "memory": (flights * FLIGHT_BYTES, _memory()),
-        "disk": (flights * FLIGHT_ON_DISK, _disk(output.parent)),
+        "memory": (flights * FLIGHT_BYTES, _memory(), ""),
+        "disk": (flights * FLIGHT_ON_DISK, free_room(output.parent), f" for {output}"),
     }
-    for what, (bytes_, there) in needed.items():
+    for what, (bytes_, there, file) in needed.items():
         if bytes_ > there:
             raise CampaignError(
                 f"campaign {plan.name!r} flies {flights:,} flights, which take some {_size(bytes_)} "
-                f"of {what}; there are {_size(there)}: fly fewer (--flights), or the series one by one"
+                f"of {what}{file}; there are {_size(there)}: fly fewer (--flights), or the series one by one"
             )
 
 
@@ -55,9 +55,3 @@ def _size(number: int) -> str:
 
 def _memory() -> int:
     return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
-
-
-def _disk(folder: Path) -> int:
-    while not folder.exists():
-        folder = folder.parent
-    return shutil.disk_usage(folder).free

@@ -1,4 +1,7 @@
-"""Options and arguments that several sub-commands share, and what they mean."""
+"""Options and arguments that several sub-commands share, and what they mean.
+
+This module imports nothing that takes long: ``data`` reads its arguments with it before it loads the expert.
+"""
 
 import argparse
 import math
@@ -11,12 +14,12 @@ from typing import TYPE_CHECKING, Any, Literal
 from sailnet.errors import SailnetError
 from sailnet.guidance.rules import EXPERT_RULES, LOOK_AHEAD_RULES
 from sailnet.mission.disturbances import Disturbance, catalogue, disturbance_from
-from sailnet.mission.mission import Mission
 from sailnet.physics.optics import OPTICS
 from sailnet.workers.executors import WAIT
 
 if TYPE_CHECKING:
     from sailnet.guidance.interface import Guidance
+    from sailnet.mission.mission import Mission
     from sailnet.workers.executors import Workers
 
 Commands = Any
@@ -143,7 +146,7 @@ def backend_parser(*more: str) -> argparse.ArgumentParser:
     return parser
 
 
-def guidance_of(options: argparse.Namespace, mission: Mission, *, many: bool = False) -> "Guidance":
+def guidance_of(options: argparse.Namespace, mission: "Mission", *, many: bool = False) -> "Guidance":
     """The guidance that the options of :func:`backend_parser` name.
 
     Args:
@@ -194,7 +197,7 @@ def loop_parser() -> argparse.ArgumentParser:
     return parser
 
 
-def disturbance_of(options: argparse.Namespace, mission: Mission) -> Disturbance:
+def disturbance_of(options: argparse.Namespace, mission: "Mission") -> Disturbance:
     """What the options of :func:`loop_parser` say, on top of the mission's own."""
     names = ["seed", *(quantity.name for quantity in catalogue())]
     given = {name: getattr(options, name) for name in names}

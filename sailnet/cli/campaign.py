@@ -4,22 +4,20 @@ import argparse
 import shlex
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from sailnet.artefacts.ownership import LOCK, sole_owner
-from sailnet.campaign.batches import Job
 from sailnet.campaign.plan import Plan, guided_by, load_plan, single_precision
-from sailnet.campaign.run import fly_plan
-from sailnet.campaign.scores import score_record, scores_of
-from sailnet.campaign.tables import Table, score_tables, side_by_side
-from sailnet.campaign.upper_bound import upper_bounds
 from sailnet.cli.arguments import BOTH, NETWORKS, guidance_of, workers_of
 from sailnet.errors import CampaignError, SailnetError, reason
-from sailnet.guidance.backends import exported_digest
-from sailnet.guidance.interface import Precision
 from sailnet.guidance.rules import EXPERT_RULES
 from sailnet.mission.disturbances import catalogue
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.report import need_pictures, report
+
+if TYPE_CHECKING:
+    from sailnet.campaign.tables import Table
+    from sailnet.guidance.interface import Precision
 
 
 def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
@@ -50,7 +48,9 @@ def evaluate_campaign(options: argparse.Namespace) -> dict[str, object]:
     return result
 
 
-def _print_tables(options: argparse.Namespace, tables: Mapping[str, Sequence[Table]]) -> None:
+def _print_tables(options: argparse.Namespace, tables: "Mapping[str, Sequence[Table]]") -> None:
+    from sailnet.campaign.tables import side_by_side
+
     if options.json:
         return
     flown_by = " and ".join(tables)
@@ -59,8 +59,8 @@ def _print_tables(options: argparse.Namespace, tables: Mapping[str, Sequence[Tab
 
 
 def _flown(
-    options: argparse.Namespace, mission: Mission, plan: Plan, name: str, precision: Precision
-) -> tuple[dict[str, object], list[Table]]:
+    options: argparse.Namespace, mission: Mission, plan: Plan, name: str, precision: "Precision"
+) -> "tuple[dict[str, object], list[Table]]":
     """Fly in one precision; results and report under a name. What to answer, and the tables."""
     lock, place = options.output / f".{name}{LOCK}", f"campaign {name} in {options.output}"
     with sole_owner(lock, place, CampaignError):
@@ -68,8 +68,16 @@ def _flown(
 
 
 def _flown_alone(
-    options: argparse.Namespace, mission: Mission, plan: Plan, name: str, precision: Precision
-) -> tuple[dict[str, object], list[Table]]:
+    options: argparse.Namespace, mission: Mission, plan: Plan, name: str, precision: "Precision"
+) -> "tuple[dict[str, object], list[Table]]":
+    # Plant and graphs take a second to load: whoever comes second has been sent away by now.
+    from sailnet.campaign.batches import Job
+    from sailnet.campaign.run import fly_plan
+    from sailnet.campaign.scores import score_record, scores_of
+    from sailnet.campaign.tables import score_tables
+    from sailnet.campaign.upper_bound import upper_bounds
+    from sailnet.guidance.backends import exported_digest
+
     chosen = argparse.Namespace(**{**vars(options), "precision": precision})
     guidance = guidance_of(chosen, mission, many=True)
     facts: dict[str, str] = {"precision": precision}
@@ -115,7 +123,7 @@ def _flown_alone(
     return result | {"digest": results.digest}, tables
 
 
-def _command(options: argparse.Namespace, precision: Precision) -> str:
+def _command(options: argparse.Namespace, precision: "Precision") -> str:
     """What flies the same campaign again, wherever it writes to."""
     defaults = {"mission": "earth_mars", "guidance": NETWORKS, "backend": "c", "precision": "float64"}
     words = ["sailnet", "evaluate", "--campaign", options.campaign]

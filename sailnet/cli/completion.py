@@ -32,8 +32,10 @@ def add(commands: Commands) -> None:
 def run(_options: argparse.Namespace) -> int:
     """Print the script."""
     from sailnet.cli.command_line import parser, sub_commands
+    from sailnet.cli.stage import STAGES
+    from sailnet.workers.stages import parser_of
 
-    named = sub_commands(parser())
+    named = {**sub_commands(parser()), **{name: parser_of(one) for name, (one, _) in STAGES.items()}}
     cases, choices = [], []
     for name, one in named.items():
         cases.append(_case(name, one._option_string_actions))

@@ -19,6 +19,7 @@ from sailnet.cli.arguments import (
 from sailnet.cli.output import (
     Line,
     Result,
+    counted,
     in_unit,
     number,
     over_flights,
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
     from sailnet.flight.closed_loop import Flights
     from sailnet.mission.mission import Mission
 
-FLIGHTS, PERIODS = in_unit("flights"), in_unit("periods")
+FLIGHTS, PERIODS = counted("flight"), counted("period")
 
 LINES = {
     "flights": Line("flown from random starts", FLIGHTS),

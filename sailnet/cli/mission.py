@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_text, writing
 from sailnet.cli.arguments import Commands, existing_folder
 from sailnet.errors import SailnetError
 from sailnet.mission.derived import CONE_ANGLE
@@ -75,10 +75,8 @@ def _new(options: argparse.Namespace) -> int:
     if output is None:
         print(text, end="")
         return 0
-    try:
-        write_whole(output, lambda beside: beside.write_text(text, encoding="utf-8"))
-    except OSError as error:
-        raise SailnetError(f"cannot write {output}: {error}") from error
+    with writing(output):
+        write_text(output, text)
     print(f"{output} is written; next: sailnet pipeline {output} --size quick")
     return 0
 

@@ -51,7 +51,7 @@ def run(options: argparse.Namespace) -> Result | int:
     records = {name: optics_record(one) for name, one in facts.items()}
     rows = optics_rows(records)
     if options.output is not None:
-        report("optics_page").write_optics_page(options.output, facts, rows)
+        report("optics_page").write_optics_page(options.output, facts, rows, options.command_line)
     if options.json:
         return dict(records)
     print("\n".join(optics_lines(list(records), rows)))

@@ -59,6 +59,11 @@ def in_unit(unit: str) -> Told:
     return lambda value: f"{value:.8g} {unit}"
 
 
+def counted(singular: str) -> Told:
+    """Of a number of things, by the name of one."""
+    return lambda value: f"{value:.8g} {singular if value == 1 else singular + 's'}"
+
+
 def time(value: float) -> str:
     """Of a time [TU]."""
     return f"{value:.8g} TU ({value * TU / DAY:.6g} days)"
@@ -79,16 +84,19 @@ def yes_or_no(value: bool) -> str:
     return "yes" if value else "no"
 
 
-def components(names: Iterable[str], units: Iterable[str]) -> Told:
-    """Of several numbers in a row, each by its name and with its unit."""
-    known = list(zip(names, units, strict=True))
+def components(names: Iterable[str], units: Iterable[str | Told]) -> Told:
+    """Of several numbers in a row, each by its name and in its unit, or as that tells it."""
+    known = [
+        (name, in_unit(unit) if isinstance(unit, str) else unit)
+        for name, unit in zip(names, units, strict=True)
+    ]
     return lambda values: ", ".join(
-        f"{name} {value:.8g} {unit}" for (name, unit), value in zip(known, values, strict=True)
+        f"{name} {told(value)}" for (name, told), value in zip(known, values, strict=True)
     )
 
 
 state = components("ruv", ("AU", "AU/TU", "AU/TU"))
-state_in_space = components(("r", "latitude", "u", "v", "w"), ("AU", "rad", "AU/TU", "AU/TU", "AU/TU"))
+state_in_space = components(("r", "latitude", "u", "v", "w"), ("AU", angle, "AU/TU", "AU/TU", "AU/TU"))
 state_in_si = components("ruv", ("km", "m/s", "m/s"))
 
 

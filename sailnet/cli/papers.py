@@ -29,4 +29,11 @@ def run(options: argparse.Namespace) -> int:
     """Solve and print; the exit status."""
     from sailnet.papers import command
 
-    return command.run(options.name, options.json, options.output, options.readme, options.workers)
+    return command.run(
+        options.name,
+        options.json,
+        options.output,
+        options.readme,
+        options.workers,
+        command_line=options.command_line,
+    )

@@ -9,7 +9,7 @@ from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 from typing import Any
 
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_text, writing
 from sailnet.artefacts.ownership import LOCK, sole_owner
 from sailnet.cli import accept
 from sailnet.cli.arguments import Commands, count, distribution
@@ -97,10 +97,8 @@ def _keep_mission(mission: Mission, folder: Path, replace: bool) -> None:
             f"{folder} holds a pipeline of another mission or size, see {kept}: name another folder with "
             "--output, or say --overwrite to replace it"
         )
-    try:
-        write_whole(kept, lambda beside: beside.write_text(whole_text(mission), encoding="utf-8"))
-    except OSError as error:
-        raise SailnetError(f"cannot write {kept}: {error}") from error
+    with writing(kept):
+        write_text(kept, whole_text(mission))
 
 
 def _carry_out(options: argparse.Namespace, folder: Path) -> int:

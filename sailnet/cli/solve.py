@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from sailnet.artefacts.files import writing
 from sailnet.cli.arguments import Commands, add_command, existing_folder, state_of, state_parser
 from sailnet.cli.output import (
     Line,
@@ -21,7 +22,7 @@ from sailnet.cli.output import (
     time,
     yes_or_no,
 )
-from sailnet.errors import SailnetError, reason
+from sailnet.errors import SailnetError
 from sailnet.mission import tested_range
 from sailnet.mission.mission import load_mission
 from sailnet.physics.geometry import attitude
@@ -219,9 +220,7 @@ def _write(options: argparse.Namespace, mission: "Mission", extremal: "Extremal"
         report("optimum_charts").plot_optimum(options.plot, mission, extremal, facts, options.command_line)
         result["plot"] = str(options.plot)
     if options.output is not None:
-        try:
+        with writing(options.output):
             Optimum.of(mission.problem, extremal).named().write_csv(options.output)
-        except OSError as error:
-            raise SailnetError(f"cannot write {options.output}: {reason(error)}") from error
         result["output"] = str(options.output)
     return result

@@ -1,9 +1,10 @@
 """How much of a mission's recipes is carried out: all that ships, or what minutes allow."""
 
 from collections.abc import Mapping
-from typing import Literal, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
-from sailnet.mission.mission import Mission, parse_mission
+if TYPE_CHECKING:
+    from sailnet.mission.mission import Mission
 
 Size = Literal["quick", "full"]
 SIZES: tuple[Size, ...] = get_args(Size)
@@ -18,10 +19,12 @@ FLIGHTS: Mapping[Size, int] = {"quick": 1_000, "full": 10_000}
 """That accept the networks, a series."""
 
 
-def sized(mission: Mission, size: Size) -> Mission:
+def sized(mission: "Mission", size: Size) -> "Mission":
     """The mission as it is, or with the quick recipes: same problem, fewer extremals, fewer epochs."""
     if size == "full":
         return mission
+    from sailnet.mission.mission import parse_mission
+
     content = mission.model_dump(by_alias=True, mode="json", exclude_none=True)
     for section, most in QUICK.items():
         recipe = content[section]["wide"]

@@ -16,7 +16,7 @@ from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 from scipy.special import expit
 
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_whole, writing
 from sailnet.artefacts.untrusted import table_of
 from sailnet.errors import MissionError, NetworkError, reason
 from sailnet.mission.mission import Mission, parse_mission
@@ -93,7 +93,11 @@ class Network:
 
 
 def save_network(network: Network, path: Path) -> None:
-    """Write a network; the file appears whole or not at all."""
+    """Write a network; the file appears whole or not at all.
+
+    Raises:
+        NetworkError: it cannot be written (full disk, no permission).
+    """
     tensors = {
         "input_min": network.input_min,
         "input_max": network.input_max,
@@ -110,7 +114,9 @@ def save_network(network: Network, path: Path) -> None:
         "provenance": json.dumps(dict(network.provenance), sort_keys=True),
     }
     metadata["sha256"] = _digest(tensors, metadata)
-    write_whole(path, lambda beside: beside.write_bytes(save(tensors, metadata)))
+    content = save(tensors, metadata)
+    with writing(f"network {path}", NetworkError):
+        write_whole(path, lambda beside: beside.write_bytes(content), size=len(content))
 
 
 def load_network(path: Path) -> Network:

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 
-from sailnet.artefacts.files import fill_block, split_at_block, write_whole
+from sailnet.artefacts.files import fill_block, split_at_block, write_text, writing
 from sailnet.artefacts.provenance import software
 from sailnet.errors import SailnetError
 from sailnet.papers import trial
@@ -28,7 +28,13 @@ BLOCK = "papers"
 
 
 def run(
-    name: str | None, as_json: bool, folder: Path | None = None, readme: Path | None = None, workers: int = 1
+    name: str | None,
+    as_json: bool,
+    folder: Path | None = None,
+    readme: Path | None = None,
+    workers: int = 1,
+    *,
+    command_line: str = "sailnet papers",
 ) -> int:
     """Compute the figures and print them on stdout; progress and remarks go to stderr.
 
@@ -40,6 +46,7 @@ def run(
         readme: a text whose block ``papers`` gets the Markdown table too, and whose block ``sail`` the
             sail's, if all is well.
         workers: processes that solve problems side by side; seconds are then those of a busy machine.
+        command_line: that was given, for the page.
 
     Returns:
         Exit status: 0, or 1 where ours and the check differ beyond six digits or nothing converged.
@@ -74,12 +81,10 @@ def run(
     if folder is not None:
         from sailnet.papers import page
 
-        try:
-            _write(folder / "papers.json", found + "\n")
-            _write(folder / "papers.md", "\n\n".join([markdown(rows), *trials_markdown(trials)]) + "\n")
-            page.write_report(entries, failures, software(), folder)
-        except OSError as error:
-            raise SailnetError(f"cannot write {folder}: {error}") from error
+        with writing(folder):
+            write_text(folder / "papers.json", found + "\n")
+            write_text(folder / "papers.md", "\n\n".join([markdown(rows), *trials_markdown(trials)]) + "\n")
+            page.write_report(entries, failures, software(), folder, command_line)
     if readme is not None and not failures:
         fill_block(readme, BLOCK, markdown(rows))
         for table in trials_markdown(trials):
@@ -146,7 +151,3 @@ def _object(row: Entry) -> dict[str, object]:
         key: None if isinstance(value, float) and not math.isfinite(value) else value
         for key, value in values.items()
     }
-
-
-def _write(path: Path, text: str) -> None:
-    write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sailnet.artefacts.files import fill_block, write_whole
+from sailnet.artefacts.files import fill_block, write_text
 from sailnet.artefacts.provenance import software
 from sailnet.papers.delta_searches import ALONE, BASES, HEURISTICS, POLISHED, RESTARTED, TERMS, Entry, entries
 
@@ -121,7 +121,7 @@ def main() -> None:
         kept[one.key], origin = one, software()
         lines = ",\n".join(json.dumps(asdict(each)) for each in kept.values())
         text = f'{{"origin": {json.dumps(origin)}, "entries": [\n{lines}\n]}}\n'
-        write_whole(arguments.out, lambda path, text=text: path.write_text(text))  # type: ignore[misc]
+        write_text(arguments.out, text)
         print(
             f"{one.seed} {one.problem:20} {one.basis:10} {one.heuristic:7} {one.method:10}"
             f" end {one.end_error:.1e} cost {one.cost:.6f} {one.cost_error:+.1e} {one.cpu_seconds:.1f} s",

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_text
 from sailnet.papers.problem_views import view_of
 from sailnet.papers.row import Row, Solved
 from sailnet.papers.solution_charts import is_smoothed, solution_charts, solution_columns
@@ -66,7 +66,7 @@ class Section:
 
 
 def write_report(
-    entries: Sequence[Entry], failures: Sequence[str], made: Mapping[str, str], folder: Path
+    entries: Sequence[Entry], failures: Sequence[str], made: Mapping[str, str], folder: Path, command: str
 ) -> None:
     """Write ``index.html``, and beside it every solution as ``solutions/NAME.png`` and ``.csv``.
 
@@ -75,6 +75,7 @@ def write_report(
         failures: what could not be solved, or does not agree.
         made: machine, date and revision.
         folder: where to.
+        command: that writes it again.
     """
     sections, places = _sections(entries)
     shown = [one for section in sections for one in section.solutions]
@@ -94,8 +95,9 @@ def write_report(
         sections=sections,
         failures=failures,
         made=made,
+        command=command,
     )
-    write_whole(folder / "index.html", lambda beside: beside.write_text(text, encoding="utf-8"))
+    write_text(folder / "index.html", text)
     for one in shown:
         write_csv(folder / "solutions" / f"{one.name}.csv", solution_columns(one.solved.solution))
         whole = solution_charts(one.solved, most=None)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_text
 from sailnet.artefacts.provenance import software
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.run import fly_plan
@@ -58,7 +58,7 @@ def _histories(networks: Iterable[str], folder: Path) -> dict[str, Any]:
 
 def _write_json(path: Path, content: object, indent: int | None = None) -> None:
     text = json.dumps(content, indent=indent, ensure_ascii=False)
-    write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))
+    write_text(path, text)
 
 
 def _optional(path: Path) -> Any:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_text, write_whole
 from sailnet.campaign.columns import FLIGHTS
 from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, score_record, scores_of
@@ -136,7 +136,7 @@ def write_report(
         results=results,
         software=results.provenance,
     )
-    write_whole(folder / "index.html", lambda beside: beside.write_text(text, encoding="utf-8"))
+    write_text(folder / "index.html", text)
     _write_files(results, scores, [*charts, *law_charts, *figures], tables, folder)
     _write_flights(results, shown, guidance, folder / "flights")
     return rows
@@ -246,7 +246,7 @@ def _write_files(
         "software": {name: value for name, value in results.provenance.items() if name != "run"},
     }
     text = json.dumps(record, indent=1, ensure_ascii=False)
-    write_whole(folder / "scores.json", lambda beside: beside.write_text(text, encoding="utf-8"))
+    write_text(folder / "scores.json", text)
 
 
 def _write_flights(

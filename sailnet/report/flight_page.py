@@ -5,8 +5,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from sailnet.artefacts.files import write_whole
-from sailnet.errors import SailnetError, reason
+from sailnet.artefacts.files import write_text, writing
 from sailnet.expert.optima import Extremal
 from sailnet.flight.closed_loop import History
 from sailnet.mission.mission import Mission
@@ -58,7 +57,7 @@ def write_charts_page(
         facts=facts,
         command=command,
     )
-    write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))
+    write_text(path, text)
 
 
 def plot_flight(
@@ -84,11 +83,9 @@ def plot_flight(
     """
     optimum = None if extremal is None else Optimum.of(mission.problem, extremal)
     columns = flight_columns(mission, history, optimum)
-    try:
+    with writing(path):
         if path.suffix == ".png":
             write_flight_picture(path, mission, columns)
         else:
             about = f"{mission.title}, flown in closed loop."
             write_charts_page(path, flight_charts(mission, columns), "One flight", about, facts, command)
-    except OSError as error:
-        raise SailnetError(f"cannot write {path}: {reason(error)}") from error

@@ -5,8 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sailnet.artefacts.files import write_whole
-from sailnet.errors import SailnetError, reason
+from sailnet.artefacts.files import write_text, writing
 from sailnet.physics.arrays import Array
 from sailnet.physics.force_facts import ForceFacts, force_at
 from sailnet.report.charts import PALETTE, Chart, Curve, for_page
@@ -99,21 +98,22 @@ def optics_charts(sails: Mapping[str, ForceFacts]) -> list[Chart]:
     return [chart.with_columns(columns) for chart in charts]
 
 
-def write_optics_page(path: Path, sails: Mapping[str, ForceFacts], rows: Sequence[Row]) -> None:
+def write_optics_page(path: Path, sails: Mapping[str, ForceFacts], rows: Sequence[Row], command: str) -> None:
     """Draw sails and write their table.
 
     Args:
         path: of the page.
         sails: by name.
         rows: of the table, a value a sail.
+        command: that writes it again.
 
     Raises:
         SailnetError: the page cannot be written.
     """
     charts = optics_charts(sails)
     drawn = {"charts": [for_page(chart) for chart in charts], "flights": {"rows": []}}
-    text = chart_page("optics.html.jinja", drawn, charts=charts, names=list(sails), rows=rows)
-    try:
-        write_whole(path, lambda beside: beside.write_text(text, encoding="utf-8"))
-    except OSError as error:
-        raise SailnetError(f"cannot write {path}: {reason(error)}") from error
+    text = chart_page(
+        "optics.html.jinja", drawn, charts=charts, names=list(sails), rows=rows, command=command
+    )
+    with writing(path):
+        write_text(path, text)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sailnet.errors import SailnetError, reason
+from sailnet.artefacts.files import writing
 from sailnet.expert.optima import Extremal
 from sailnet.mission.mission import Mission
 from sailnet.report.charts import GREY, OPTIMUM, PALETTE, Chart, Curve, write_picture
@@ -83,11 +83,9 @@ def plot_optimum(
         SailnetError: the file cannot be written.
     """
     charts = optimum_charts(mission, extremal)
-    try:
+    with writing(path):
         if path.suffix == ".png":
             write_picture(path, charts, columns=2)
         else:
             about = f"{mission.title}: the fastest transfer that Pontryagin's conditions allow."
             write_charts_page(path, charts, "One optimum", about, facts, command)
-    except OSError as error:
-        raise SailnetError(f"cannot write {path}: {reason(error)}") from error

@@ -9,6 +9,7 @@ multiprocessing starts take the path over. The library imports none of them.
 
 import importlib
 import sys
+from argparse import ArgumentParser
 from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
@@ -68,6 +69,12 @@ def run_stage(stage: str, arguments: Sequence[str]) -> int:
     need(stage)
     status: int = _module(f"{stage}.command").main(list(arguments))
     return status
+
+
+def parser_of(stage: str) -> ArgumentParser:
+    """What a stage's command understands, for those who explain or complete it."""
+    made: ArgumentParser = _module(f"{stage}.command").parser()
+    return made
 
 
 def write_fmu(*arguments: Any) -> dict[str, object]:

@@ -90,3 +90,44 @@ def test_a_place_that_cannot_be_written_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     with pytest.raises(SailnetError, match=r"cannot write the networks: .*file"):
         sole_owner(tmp_path / "file" / ".lock", "the networks").__enter__()
+
+
+SECOND = """
+import sys
+from importlib import import_module
+name, loads, *arguments = sys.argv[1:]
+assert import_module(name).main(arguments) == 1
+assert not (loaded := set(loads.split()) & set(sys.modules)), loaded
+"""
+
+MANY = "schema = 1\nname = 'many'\ntitle = 'Many'\n[[series]]\nname = 'a'\nflights = 9\n"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "arguments", "lock", "loads"),
+    [
+        ("data.command", ["{}/x.h5"], ".x.h5.parts/lock", "heyoka scipy h5py numpy"),
+        ("training.command", ["{}/x.h5", "{}"], ".lock", "torch heyoka scipy h5py numpy"),
+        ("export.command", ["{}/networks", "{}"], ".lock", "torch heyoka scipy onnx numpy"),
+        ("sailnet.cli", ["pipeline", "earth_mars", "--output", "{}"], ".lock", "torch scipy h5py"),
+        (
+            "sailnet.cli",
+            ["evaluate", "--campaign", "{}/many.toml", "--output", "{}"],
+            ".many.lock",
+            "scipy h5py onnxruntime",
+        ),
+    ],
+)
+def test_who_comes_second_loads_nothing_that_takes_long(
+    name: str, arguments: list[str], lock: str, loads: str, tmp_path: Path
+) -> None:
+    (tmp_path / "many.toml").write_text(MANY)
+    command = [sys.executable, "-c", SECOND, name, loads, *(word.format(tmp_path) for word in arguments)]
+    with held(tmp_path / lock) as owner:
+        done = subprocess.run(
+            command, env=os.environ | {"PYTHONPATH": str(ROOT)}, capture_output=True, text=True, check=False
+        )
+    assert done.returncode == 0, done.stderr
+    assert "another run is making" in done.stderr
+    assert f"(process {owner.pid} on " in done.stderr

@@ -39,7 +39,15 @@ def test_descendants_are_found_and_the_dead_are_not_alive() -> None:
 
 def test_every_row_says_what_was_measured() -> None:
     kill = {"moment": 1.5, "finished": False, "orphans": 2, "same": True, "leftovers": 1, "said": ""}
-    disk = {"size": 20_000, "status": 1, "whole": False, "told": True, "said": "a|b", "same": False}
+    disk = {
+        "size": 20_000,
+        "status": 1,
+        "whole": False,
+        "told": True,
+        "said": "a|b",
+        "same": False,
+        "reckoned": False,
+    }
     lines = table(
         {
             "kills": {"data": [kill, kill | {"same": False}, kill | {"finished": True}]},
@@ -53,7 +61,7 @@ def test_every_row_says_what_was_measured() -> None:
     assert "| data | 2 | 1.5, 1.5 | 2 of 3 | 6 | 3 |" in lines
     assert "| export | 1 | 0.5, 0.4 | x y | yes |" in lines
     assert "| a nanny | data | 0 | 3.0 |  | yes |" in lines
-    assert "| data | 20, 20 | 1 of 2 | 1 of 1 | 0 | 1 of 2 | a/b |" in lines
+    assert "| data | 20, 20 | 1 of 2 | 1 of 1 | 0 of 1 | 0 | 1 of 2 | a/b |" in lines
 
 
 def test_the_toy_mission_is_one_and_every_work_reads_an_earlier_one(tmp_path: Path) -> None:

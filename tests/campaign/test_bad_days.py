@@ -113,7 +113,8 @@ def test_a_disk_that_fills(
     with mounted(tmp_path / "disk", "-t", "tmpfs", "-o", "size=200k", "tmpfs") as disk:
         status, said = finish(start(file, disk))
         assert status == 1
-        assert "1,200 flights, which take some 0.300 MB of disk; there are 0.2" in said
+        needed = f"1,200 flights, which take some 0.300 MB of disk for {disk / 'many.h5'}"
+        assert f"{needed}; there are 0.2" in said
         subprocess.run(["mount", "-o", "remount,size=10m", str(disk)], check=True)
         run = start(file, disk)
         until(disk, run, 1)

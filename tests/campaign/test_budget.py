@@ -20,8 +20,8 @@ def test_more_flights_than_memory_or_disk_hold_are_refused(
     ):
         refuse_too_large(plan, MISSION, tmp_path / "x.h5")
     monkeypatch.setattr(budget, "_memory", lambda: 10**13)
-    monkeypatch.setattr(budget, "_disk", lambda _: 10**9)
-    with pytest.raises(CampaignError, match=r"250\.0 GB of disk; there are 1\.0 GB"):
+    monkeypatch.setattr(budget, "free_room", lambda _: 10**9)
+    with pytest.raises(CampaignError, match=r"250\.0 GB of disk for \S+x\.h5; there are 1\.0 GB"):
         refuse_too_large(plan, MISSION, tmp_path / "not" / "there" / "x.h5")
     refuse_too_large(plan_of(), MISSION, tmp_path / "x.h5")
 

@@ -28,6 +28,11 @@ def script() -> str:
         (["evaluate", "--campaign", "bad"], {"bad-days"}),
         (["solve", "--mission", "earth_v"], {"earth_venus"}),
         (["solve", "--plot", "no_such_file"], set()),
+        (["data", "--rec"], {"--recipe"}),
+        (["data", "x.h5", "--recipe", "b"], {"box"}),
+        (["train", "--ep"], {"--epochs"}),
+        (["export", "--plain"], {"--plain-law"}),
+        (["export", "--mission", "earth_v"], {"earth_venus"}),
     ],
 )
 def test_what_is_offered(script: str, typed: list[str], offered: set[str]) -> None:

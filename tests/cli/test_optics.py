@@ -118,6 +118,12 @@ setTimeout(() => {
 """
 
 
+def test_the_page_says_by_which_command_it_was_written(tmp_path: Path) -> None:
+    page = tmp_path / "optics.html"
+    assert main(["optics", "ideal", "jpl", "--output", str(page)]) == 0
+    assert f"<code>sailnet optics ideal jpl --output {page}</code>" in page.read_text("utf-8")
+
+
 @needs_browser()
 @pytest.mark.parametrize("width", [1280, 390])
 def test_the_page_draws_every_sail(tmp_path: Path, width: int, capsys: pytest.CaptureFixture[str]) -> None:

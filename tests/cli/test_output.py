@@ -10,7 +10,7 @@ import pytest
 
 from sailnet.cli import evaluate, fly, guide, info, solve
 from sailnet.cli.command_line import main
-from sailnet.cli.output import NAME_WIDTH, Line, over_flights, percent, printed, time
+from sailnet.cli.output import NAME_WIDTH, Line, counted, over_flights, percent, printed, time
 
 
 def shown(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict[str, str]:
@@ -80,3 +80,7 @@ def test_a_reader_who_leaves_is_no_error(tmp_path: Path) -> None:
             process.stdout.close()
         said.seek(0)
         assert (process.returncode, said.read()) == (141, "")
+
+
+def test_one_thing_is_told_in_the_singular() -> None:
+    assert [counted("period")(number) for number in (0, 1, 2)] == ["0 periods", "1 period", "2 periods"]

@@ -19,6 +19,10 @@ from sailnet.cli.spelling import in_letters_it_has
         (("evaluate", "--campaign", "everythin"), "did you mean everything?"),
         (("optics", "jlp"), "did you mean jpl?"),
         (("papers", "godard"), "did you mean goddard?"),
+        (("data", "x.h5", "--recepi", "box"), "did you mean --recipe?"),
+        (("data", "x.h5", "--recipe", "boxx"), "did you mean box?"),
+        (("train", "x.h5", "x", "--epoch-s", "1"), "did you mean --epochs?"),
+        (("export", "x", "y", "--plainlaw"), "did you mean --plain-law?"),
     ],
 )
 def test_a_misspelt_name_is_answered_with_the_nearest(

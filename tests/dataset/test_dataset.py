@@ -45,6 +45,15 @@ def test_what_was_written_is_read(small: Mission, shard: Block, stored: Path) ->
         assert list(part) == ["tau", "r"]
 
 
+def test_a_data_set_prints_its_columns_with_units_where_they_have_any(stored: Path) -> None:
+    with open_dataset(stored) as found:
+        printed = repr(found)
+    assert printed.startswith("data set 'box' of mission 'earth_mars': 12 optimal trajectories, 372 samples")
+    named = printed.split(" samples of ")[1].split(", ")
+    assert named == [name if unit == "1" else f"{name} [{unit}]" for name, (unit, _) in SAMPLES.items()]
+    assert {"r [AU]", "lambda_v [TU^2/AU]", "beta"} <= set(named)
+
+
 def test_every_column_says_what_it_is_in_which_unit(stored: Path) -> None:
     with h5py.File(stored) as file:
         assert set(file) == {"samples", "trajectories"}

@@ -123,6 +123,8 @@ SPOILT: dict[str, tuple[Spoil, str]] = {
     "a chunk of gigabytes": (packed, "samples/u is stored in chunks of 536870912 rows"),
     "packed": (typed("<f8", compression="gzip"), "samples/u is stored packed"),
     "a negative first sample": (first_sample(-1), "first_sample does not rise"),
+    # By one sample: trajectory 1 begins at row 31.
+    "a first sample before the one before": (first_sample(30), "first_sample does not rise"),
     "a first sample beyond": (first_sample(10**15), "first_sample does not rise"),
     "provenance that is a list": (provenance([1]), "its provenance is no table"),
 }

@@ -3,15 +3,14 @@
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
-from html.parser import HTMLParser
 from pathlib import Path
-from urllib.parse import unquote, urlsplit
 
 import pytest
 
+from benchmarks.driven_browser import Tab
+from docs.links import Page, inner_links
 from tests.paths import ROOT
-from tests.tools import needs_docs
+from tests.tools import needs_browser, needs_docs
 
 pytestmark = [needs_docs(), pytest.mark.xdist_group("docs")]
 
@@ -28,46 +27,17 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return site
 
 
-class Page(HTMLParser):
-    """Links, images and anchors of a page."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__()
-        self.links: list[str] = []
-        self.anchors: set[str] = set()
-        self.feed(text)
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        given = dict(attrs)
-        if name := given.get("id"):
-            self.anchors.add(name)
-        if target := given.get("href") or given.get("src"):
-            self.links.append(target)
-
-
-def pages(site: Path) -> Iterator[tuple[Path, Page]]:
-    for path in sorted(site.rglob("*.html")):
-        yield path, Page(path.read_text("utf-8"))
-
-
 def test_every_link_leads_somewhere(made: Path) -> None:
-    read = dict(pages(made))
-    assert len(read) > 25
-    dead, inner = [], 0
-    for path, page in read.items():
-        for link in page.links:
-            parts = urlsplit(link)
-            if parts.scheme or parts.netloc or link == "#":
-                continue
-            inner += 1
-            target = (path.parent / unquote(parts.path)).resolve() if parts.path else path
-            known = target in read
-            if not target.exists() or (
-                known and parts.fragment and parts.fragment not in read[target].anchors
-            ):
-                dead.append(f"{path.relative_to(made)}: {link}")
-    assert inner > 1000
-    assert not dead
+    assert len(list(made.rglob("*.html"))) > 25
+    found = list(inner_links(made))
+    assert len(found) > 1000
+    assert not [f"{page.name}: {link}" for page, link, alive in found if not alive]
+
+
+def test_types_are_named_as_they_are_written(made: Path) -> None:
+    text = re.sub(r"<[^>]*>", "", (made / "python.html").read_text("utf-8"))
+    assert "_NestedSequence" not in text
+    assert "ArrayLike" in text
 
 
 def test_nothing_is_fetched_from_elsewhere(made: Path) -> None:
@@ -94,3 +64,27 @@ def test_every_name_and_every_command_has_its_entry(made: Path) -> None:
     line = Page((made / "command-line.html").read_text("utf-8")).anchors
     for command in sub_commands(parser()):
         assert f"sailnet-{command}" in line
+
+
+@needs_browser()
+@pytest.mark.parametrize(("width", "phone"), [(1280, False), (390, True)])
+def test_no_page_is_wider_than_the_screen(made: Path, tmp_path: Path, width: int, phone: bool) -> None:
+    """What is wider, a table or a line of a program, can be scrolled by itself."""
+    tab = Tab(made / "index.html", tmp_path / "profile", width, 900, phone=phone)
+    wide = {}
+    for page in sorted(made.rglob("*.html")):
+        if page.name != "playground.html":
+            tab.send("Page.navigate", url=page.resolve().as_uri())
+            here = page.relative_to(made).as_posix()
+            tab.wait_for(f"location.href.endsWith({here!r}) && document.readyState === 'complete'")
+            # What scrolls by itself is cut off by its own box, which a table never is.
+            wide[here] = tab.evaluate(
+                "[...document.querySelectorAll('article table, article pre, article img')].filter((it) => {"
+                "let up = it.tagName === 'TABLE' ? it.parentElement : it;"
+                "for (; up.tagName !== 'ARTICLE'; up = up.parentElement)"
+                " if (getComputedStyle(up).overflowX !== 'visible') return false;"
+                "return it.getBoundingClientRect().right > innerWidth; }).length"
+            )
+    tab.close()
+    assert len(wide) > 25
+    assert not {page: number for page, number in wide.items() if number}

@@ -168,6 +168,8 @@ def test_files_and_readme(
     folder = tmp_path / "new" / "papers"
     assert cli.main(["papers", "--json", "--output", str(folder), "--readme", str(readme)]) == 0
     assert json.loads((folder / "papers.json").read_text()) == json.loads(capsys.readouterr().out)
+    again = f"sailnet papers --json --output {folder} --readme {readme}"
+    assert f"<code>{again}</code>" in (folder / "index.html").read_text("utf-8")
     table = (folder / "papers.md").read_text()
     assert "Written by `sailnet papers` on an abacus, 1999-12-31, revision abc." in table
     assert (
@@ -207,7 +209,9 @@ def test_a_folder_that_cannot_be_written(
     (tmp_path / "file").touch()
     monkeypatch.setattr(command, "PARTS", (Part("900", ("kite",), list),))
     assert cli.main(["papers", "--output", str(tmp_path / "file")]) == 1
-    assert "error: cannot write" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "error: cannot write" in said
+    assert "Errno" not in said
 
 
 def _pid() -> list[Row]:

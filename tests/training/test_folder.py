@@ -1,5 +1,6 @@
 """What becomes of networks and checkpoints that are there already."""
 
+import errno
 from dataclasses import replace
 from pathlib import Path
 
@@ -87,3 +88,17 @@ def test_what_cannot_be_read_is_another_s(name: str, tmp_path: Path) -> None:
         make_room(tmp_path, RUN, resume=True, overwrite=False)
     make_room(tmp_path, {"lambda_v": "x"}, resume=False, overwrite=False)
     assert (tmp_path / name).exists()
+
+
+@pytest.mark.parametrize("what", ["network", "checkpoint"])
+def test_a_full_disk_is_told_with_the_file(
+    what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    said = rf"cannot write {what} .*tau\.\S+: no space left on device: [0-9.]+ kB needed, .* free"
+    with pytest.raises(NetworkError, match=said):
+        leave(tmp_path, **{what: "this"})
+    assert list(tmp_path.iterdir()) == []
