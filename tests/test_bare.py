@@ -34,6 +34,7 @@ def test_a_bare_machine_has_a_compiler_and_hides_the_rest(tmp_path: Path) -> Non
     assert not folder.exists()
 
 
+@pytest.mark.slow
 def test_a_bare_machine_compiles_and_has_this_python(tmp_path: Path) -> None:
     source = tmp_path / "answer.c"
     source.write_text("int main(void) { return 42; }\n")

@@ -45,6 +45,7 @@ def _does(what: str) -> Format:
     return Format(lambda folder: folder, lambda _, __: None, load)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("what", "said"), [("raises", "KeyError: 'mission' (test_fuzz"), ("fills memory", " GB")]
 )

@@ -34,6 +34,7 @@ def test_a_stronger_sail_has_a_shorter_optimum_and_the_assumed_one_its_own() -> 
     assert times[0] == pytest.approx(strong.time_of_flight, abs=1e-7)
 
 
+@pytest.mark.slow
 def test_a_real_sail_is_compared_with_what_a_real_sail_can_do() -> None:
     """JPL's from the departure orbit, solved independently: 7.4397331 TU."""
     assumed = assumed_optima(MISSION, STATES[1:2], anywhere=True)
@@ -53,6 +54,7 @@ def test_of_many_what_cannot_be_followed_stays_unknown(monkeypatch: pytest.Monke
     assert np.isfinite(own_optimal_times(PROBLEM, assumed, errors, [OPTICS["ideal"]])).all()
 
 
+@pytest.mark.slow
 def test_the_slew_of_an_optimum_is_that_of_its_command(monkeypatch: pytest.MonkeyPatch) -> None:
     """However many are followed at once, and none where there is no optimum."""
     assumed = assumed_optima(MISSION, STATES, anywhere=True)
@@ -93,6 +95,7 @@ def test_every_flight_of_a_campaign_has_the_optimum_of_its_own_sail(tmp_path: Pa
     assert np.isfinite(assumed[weak][:2]).all()
 
 
+@pytest.mark.slow
 def test_another_guidance_takes_the_optima_of_the_same_flights(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -80,6 +80,7 @@ def test_a_campaign_that_one_of_them_has_not_flown_has_no_table(folder: Path) ->
     ]
 
 
+@pytest.mark.slow
 def test_the_command_says_what_is_missing(tmp_path: Path) -> None:
     text = tmp_path / "text.md"
     text.write_text("<!-- upper bound -->\n<!-- /upper bound -->\n", encoding="utf-8")

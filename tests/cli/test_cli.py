@@ -90,6 +90,7 @@ def test_solve_without_a_state_prints_the_nominal() -> None:
     assert times == pytest.approx([3.521272, 3.528815, 3.528958], abs=1e-6)
 
 
+@pytest.mark.slow
 def test_beyond_the_tested_range_solve_says_so_on_stderr() -> None:
     done = _run("solve", "1", "0", "1", "--phi-max", "90", "--smoothing", "0", "--beta", "0.45", "--json")
     assert done.stderr == "note: beta = 0.45 is outside the tested range, 0.05 to 0.4\n"
@@ -171,6 +172,7 @@ def test_solve_says_when_its_search_ended_early(monkeypatch: pytest.MonkeyPatch)
     assert "may not be the fastest" in done.stderr
 
 
+@pytest.mark.slow
 def test_solve_reads_a_mission_file(tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     shipped = (resources.files("sailnet") / "mission" / "missions" / "earth_mars.toml").read_text("utf-8")
@@ -197,6 +199,7 @@ def test_negative_numbers_are_numbers(number: str) -> None:
     assert _json("guide", "1.2", number, "0.95")["status"] == "ok"
 
 
+@pytest.mark.slow
 def test_fly_reaches_the_target_with_every_back_end_and_layout() -> None:
     keys = {"arrived", "time_of_flight", "terminal_error", "max_cone_angle", "optimal_time_of_flight"}
     keys |= {"beta_error", "beta_estimate", "ending", "nearest_error", "terminal_error_km_mps"}

@@ -121,6 +121,7 @@ def test_approaches_come_from_all_sides(narrow: Mission, shards: list[Block]) ->
         assert (alpha < -0.5).mean() > 0.05
 
 
+@pytest.mark.slow
 def test_no_sample_of_an_approach_is_slower_than_its_neighbours(narrow: Mission, shards: list[Block]) -> None:
     for block in shards:
         states = np.column_stack([block.samples[name] for name in "ruv"])

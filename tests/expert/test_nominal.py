@@ -60,6 +60,7 @@ def test_the_departure_from_earth_is_the_nominal(problem: Transfer, nominal: Nom
     np.testing.assert_allclose(found.arrival_costates, nominal.smoothed.arrival_costates, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_the_way_back_is_the_way_out_in_a_mirror(nominal: Nominal) -> None:
     """A flight backward in time, u and alpha of the other sign, is one too: as long, its ends swapped."""
     back = load_mission("mars_earth").with_overrides(smoothing=0.0)

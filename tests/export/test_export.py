@@ -470,6 +470,7 @@ def test_neurons_too_steep_for_the_c_are_refused(tmp_path: Path, capsys: pytest.
     assert "train with bounded weights" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_networks_of_one_stage_read_the_same_ranges(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

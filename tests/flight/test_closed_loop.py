@@ -63,6 +63,7 @@ def test_a_flight_stops_at_the_first_prediction_below_the_threshold() -> None:
     np.testing.assert_allclose(np.diff(history.time), MISSION.flight.period)
 
 
+@pytest.mark.slow
 def test_a_flight_that_never_arrives_ends_at_the_longest_duration() -> None:
     flight = fly(MISSION, Constant(0.0, until=100.0), [(1.0, 0.0, 1.0)], period=0.05)
     assert not flight.stopped.any()
@@ -98,6 +99,7 @@ def test_a_command_out_of_bounds_is_never_an_arrival() -> None:
     assert not refused.arrived.any()
 
 
+@pytest.mark.slow
 def test_flights_do_not_depend_on_their_company() -> None:
     starts = [(1.0, 0.0, 1.0), (1.05, 0.15, 1.03), (1.1, 0.18, 0.93), (1.02, 0.05, 0.99)]
     noise = Disturbance(beta_bias=-0.05, beta_noise=0.15, seed=11)
@@ -108,6 +110,7 @@ def test_flights_do_not_depend_on_their_company() -> None:
         np.testing.assert_array_equal(values, getattr(joined, name), err_msg=name)
 
 
+@pytest.mark.slow
 def test_same_seed_same_flight_other_seed_other_flight() -> None:
     def end(seed: int) -> list[float]:
         noise = Disturbance(beta_noise=0.15, seed=seed)
@@ -117,6 +120,7 @@ def test_same_seed_same_flight_other_seed_other_flight() -> None:
     assert end(3) != end(4)
 
 
+@pytest.mark.slow
 def test_a_bias_of_beta_is_a_sail_with_that_beta() -> None:
     sail = MISSION.sail.model_copy(update={"beta": MISSION.sail.beta * 0.85})
     weaker = MISSION.model_copy(update={"sail": sail})

@@ -76,6 +76,7 @@ def taylor_hold(state: ArrayLike, angle: float, beta: float, duration: float) ->
     return np.array(integrator.state)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("period", [0.001, 0.005, 0.0137, 0.05, 0.4])
 def test_a_whole_flight_is_the_taylor_integrators(period: float) -> None:
     steps = round(7.0 / period)

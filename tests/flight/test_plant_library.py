@@ -66,6 +66,7 @@ def flown(guidance: Guidance) -> dict[str, Any]:
     return columns
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("left_alone", "direct"), [(("COMMAND",), True), ((), False)])
 def test_members_in_another_order_make_the_same_flight(
     edited: Callable[[Edit], Plant], left_alone: tuple[str, ...], direct: bool

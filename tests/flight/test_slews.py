@@ -46,6 +46,7 @@ class Memoryless(Pilot):
         return SteeredBy(steer)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("period", "least"), [(0.005, 15), (0.001, 75)])
 def test_the_papers_case_2_chatters(period: float, least: int) -> None:
     """Where two ways are equally fast the sail is turned by 120 degrees, again and again.

@@ -47,6 +47,7 @@ def test_a_sail_on_its_way_to_the_target_is_held_until_it_is_there(
     assert ended(state, angle, said * LONGEST) == pytest.approx(left * LONGEST, abs=2e-3 * LONGEST)
 
 
+@pytest.mark.slow
 @given(ANGLES, st.floats(0.1, 0.9), st.tuples(*[st.floats(-1e-3, 1e-3)] * 3))
 def test_a_sail_that_misses_it_is_held_until_it_is_nearest(
     angle: float, left: float, aside: tuple[float, float, float]

@@ -37,6 +37,7 @@ def flown(steering: Steering, unseen: slice, beta: float = BETA) -> tuple[Array,
     return state[[0, 2, 3], 0], np.array(estimates), np.array(status)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["c", "reference"])
 @pytest.mark.parametrize("begin", [1, 300, -21])
 def test_a_known_sail_needs_no_navigation_for_a_while(kind: str, begin: int) -> None:
@@ -50,6 +51,7 @@ def test_a_known_sail_needs_no_navigation_for_a_while(kind: str, begin: int) -> 
     assert len(blind) == len(status)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["c", "reference"])
 def test_nothing_is_learnt_of_what_was_not_seen(kind: str) -> None:
     """Nor by the first state afterwards, which tells of the whole outage and of the periods before."""
@@ -82,6 +84,7 @@ def test_before_the_first_state_nothing_is_reckoned() -> None:
         assert steered.hold[0] == PERIOD
 
 
+@pytest.mark.slow
 def test_the_sail_is_reckoned_with_what_was_learnt_of_it() -> None:
     """A pilot that shows where it is thought to be: of a sail of 9 % more beta, too."""
     told, places = Told(), []

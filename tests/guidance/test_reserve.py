@@ -69,6 +69,7 @@ def test_the_reserve_is_as_large_as_the_surprises_say(surprises: Array, bound: b
     assert reserve[-1] <= 1.0001 * RULES.largest_reserve * TIMES[-2] / RULES.let_go
 
 
+@pytest.mark.slow
 def test_what_is_white_needs_less_than_what_is_slow() -> None:
     """The mean of many periods leaves little of it."""
     reserves = []

@@ -51,6 +51,7 @@ def test_the_papers_cases_end_nearer_to_the_target_than_the_papers(
     assert flight.time_of_flight[0] < 1.004 * CASE_OPTIMUM[case]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", ["c", "onnx"])
 @pytest.mark.parametrize("precision", ["float64", "float32"])
 def test_every_back_end_and_precision_ends_on_the_target(
@@ -62,6 +63,7 @@ def test_every_back_end_and_precision_ends_on_the_target(
     assert flight.terminal_error.max() < (5e-6 if precision == "float64" else 3e-4)
 
 
+@pytest.mark.slow
 def test_both_layouts_and_onnx_fly_to_the_same_place(mission: Mission) -> None:
     starts = np.array([*CASES.values(), NOISE_START])
     noise = Disturbance(beta_noise=NOISE, seed=8)
@@ -108,6 +110,7 @@ def test_flights_are_nearly_as_fast_as_the_optimum(mission: Mission) -> None:
     assert gaps.mean() < 0.003
 
 
+@pytest.mark.slow
 def test_c_onnxruntime_and_pytorch_agree() -> None:
     folder = SHIPPED / "earth_mars"
     networks = load_guidance_networks(folder)

@@ -122,6 +122,7 @@ def test_a_sail_that_is_not_late_reverses_as_often_as_it_is_worth_it() -> None:
     assert of_a_late_sail(100, falls) == [2] * 100
 
 
+@pytest.mark.slow
 def test_a_sail_that_is_late_waits_after_every_other_reversal() -> None:
     # The time to go never falls: late by the period each, less what is forgotten.
     waits = of_a_late_sail(60, [1.0])
@@ -133,6 +134,7 @@ def test_a_sail_that_is_late_waits_after_every_other_reversal() -> None:
     assert all(min(pair) == 2 for pair in zip(waits[-20:], waits[-19:], strict=False))
 
 
+@pytest.mark.slow
 def test_a_wait_is_some_times_as_long_as_the_sail_is_late() -> None:
     """It falls by half of what passes: late is half the time over which that is forgotten, in the end."""
     late = 0.5 * RULES.late_memory

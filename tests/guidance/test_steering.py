@@ -18,6 +18,7 @@ GUIDANCE = load_guidance(MISSION, "c")
 LOW, HIGH = MISSION.generalisation.corners
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("precision", ["float64", "float32"])
 def test_the_reference_steers_as_the_shipped_c(precision: Precision) -> None:
     rng = np.random.default_rng(21)

@@ -114,6 +114,7 @@ def test_a_wander_has_its_sigma_from_the_start_and_its_correlation_time(name: st
         assert correlation(error, lag) == pytest.approx(math.exp(-lag * PERIOD / time), abs=0.05)
 
 
+@pytest.mark.slow
 def test_degradation_follows_the_dose_of_sunlight() -> None:
     given = Disturbance(degradation_loss=0.3, degradation_dose=2.0)
     near_, far = 0.7, 1.4
@@ -134,6 +135,7 @@ def test_degradation_follows_the_dose_of_sunlight() -> None:
     np.testing.assert_allclose(history.beta, BETA, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_navigation_bias_shifts_what_is_seen_and_nothing_else() -> None:
     biased, (history,) = flown(Disturbance(r_bias=1e-3, u_bias=-2e-3, v_bias=3e-3))
     error = history.seen - history.ruv
@@ -214,6 +216,7 @@ def test_a_limited_sail_turns_steadily_not_in_steps() -> None:
     np.testing.assert_allclose(flights.ends[0], state[[0, 2, 3], 0], rtol=0, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_fast_actuator_is_none() -> None:
     instant = flown(Disturbance(), Wobble())[0].ends
     for rate, bound in ((1e3, 2e-3), (1e6, 2e-6)):
@@ -235,6 +238,7 @@ def test_commands_are_rounded_to_the_resolution() -> None:
     assert len(np.unique(np.round(multiples))) > 15
 
 
+@pytest.mark.slow
 def test_a_misaligned_sail_flies_as_if_commanded_so() -> None:
     offset = 0.07
     flights, (history,) = flown(Disturbance(misalignment=offset), Constant(0.5, until=9.0))
@@ -283,6 +287,7 @@ def test_a_measured_attitude_is_the_mean_of_what_was_flown() -> None:
     assert abs(np.diff(commands[:40])).max() > rate * PERIOD
 
 
+@pytest.mark.slow
 def test_attitudes_are_measured_as_often_and_as_exactly_as_it_says() -> None:
     pilot, noise = Watched(), 1e-3
     flown(Disturbance(attitude_measured=0.7, attitude_noise=noise), pilot, count=50)
@@ -468,6 +473,7 @@ def mission_text(table: str) -> str:
     return shipped + "\n[disturbance]\n" + table
 
 
+@pytest.mark.slow
 def test_a_mission_file_says_how_its_sails_are(tmp_path: Any) -> None:
     path = tmp_path / "mine.toml"
     path.write_text(mission_text('beta_noise = 0.1\nmisalignment = 0\noptics = "jpl"\nseed = 4\n'))

@@ -242,6 +242,7 @@ def test_workers_solve_side_by_side_and_keep_the_order(
     assert "give at least 1" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_solutions_come_back_from_workers_whole() -> None:
     (row,) = pickle.loads(pickle.dumps(delta._asteroid()))
     solved = row.solved

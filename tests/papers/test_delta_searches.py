@@ -8,6 +8,7 @@ from sailnet.ocp.solvers.delta import Fourier, GaPso
 from sailnet.papers import delta_searches
 
 
+@pytest.mark.slow
 def test_three_methods_on_the_landing(monkeypatch: pytest.MonkeyPatch) -> None:
     heuristic = GaPso(population=20, flights=2)
     monkeypatch.setattr(delta_searches, "HEURISTICS", [heuristic])

@@ -174,6 +174,7 @@ def test_earth_mars_takes_the_negative_root(problem: Transfer) -> None:
     assert arrival_lambda_v(problem, 8.5435, 1.0) == pytest.approx(-46.6171, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_eq_19_without_a_root_is_an_error(problem: Transfer) -> None:
     limit = -(problem.target_radius**2) / problem.beta  # below it the sail gains too much facing the Sun
     with pytest.raises(SolveError, match="lambda_U0 = -20"):

@@ -72,6 +72,7 @@ def test_derivatives_equal_automatic_differentiation(layers: Layers, samples: in
     )
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=20)
 @given(chunk=st.integers(1, 300))
 def test_chunks_change_nothing_but_rounding(chunk: int) -> None:

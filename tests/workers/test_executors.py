@@ -321,6 +321,7 @@ def test_all_workers_are_lost_and_none_comes(
                 list(results)
 
 
+@pytest.mark.slow
 def test_the_scheduler_is_lost(tmp_path: Path) -> None:
     """A run of its own, which says so in a line and no more."""
     (tmp_path / "s").mkdir()

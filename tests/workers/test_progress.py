@@ -13,6 +13,7 @@ class Terminal(io.StringIO):
         return True
 
 
+@pytest.mark.slow
 def test_the_clock_goes_on_while_the_first_piece_is_under_way(monkeypatch: pytest.MonkeyPatch) -> None:
     terminal = Terminal()
     monkeypatch.setattr("sys.stderr", terminal)
@@ -31,6 +32,7 @@ def test_the_clock_goes_on_while_the_first_piece_is_under_way(monkeypatch: pytes
     assert terminal.getvalue() == after
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("quiet", "stream"), [(True, Terminal()), (False, io.StringIO())])
 def test_there_is_no_bar_where_nobody_looks(
     quiet: bool, stream: io.StringIO, monkeypatch: pytest.MonkeyPatch

@@ -12,6 +12,7 @@ from sailnet.ocp import (
 from sailnet.ocp.problems import mars_landing
 
 
+@pytest.mark.slow
 def test_the_landing_needs_canted_engines() -> None:
     shares = [0.8 * 6 * 3100 * math.cos(mars_landing.CANT), 0.3 * 6 * 3100 * math.cos(mars_landing.CANT)]
     assert shares == pytest.approx([13258.18, 4971.81], abs=0.01)

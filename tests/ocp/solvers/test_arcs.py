@@ -32,6 +32,7 @@ TABLE_1 = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("thrust", "time", "altitude", "structure"), TABLE_1)
 def test_goddard_table_1(thrust: float, time: float, altitude: float, structure: str) -> None:
     problem = goddard.problem(thrust)

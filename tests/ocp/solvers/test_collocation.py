@@ -15,6 +15,7 @@ from sailnet.ocp.problems import earth_mars, solar_sail
 from sailnet.physics.transfer import Transfer
 
 
+@pytest.mark.slow
 def test_collocation_is_shooting_at_the_same_smoothing(transfer: Solution) -> None:
     problem = earth_mars.problem()
     by_collocation = collocation.solve(problem, transfer, options=collocation.Options(L2Norm(), 1e-3))

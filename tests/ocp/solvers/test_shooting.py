@@ -107,6 +107,7 @@ def test_shooting_has_the_exact_jacobian(smoothing: Smoothing, transfer: Solutio
     np.testing.assert_allclose(jacobian, expected, rtol=1e-4, atol=2e-6 * np.abs(expected).max())
 
 
+@pytest.mark.slow
 def test_no_convergence_says_so() -> None:
     with pytest.raises(ConvergenceError, match="finds no solution at rho = 1") as caught:
         shooting.solve(

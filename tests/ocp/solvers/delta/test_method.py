@@ -10,6 +10,7 @@ from sailnet.ocp.solvers import delta
 from tests.ocp.solvers.delta.cases import double_integrator
 
 
+@pytest.mark.slow
 def test_restarts_and_polish_within_the_evaluations() -> None:
     heuristic = delta.GaPso(population=50, flights=5)
     options = delta.Options(delta.Legendre(), heuristic, 4, 20, 600, stages=1, polish=delta.Polish(150))

@@ -79,6 +79,7 @@ def test_earth_mars_after_the_split() -> None:
     assert caught.value.residuals["law"] > 1e-3
 
 
+@pytest.mark.slow
 def test_a_wrong_structure_says_so(landing: Solution) -> None:
     wrong = ponn.split.Options([(0.0, "+"), (0.8, "-")], iterations=30)
     with pytest.raises(ConvergenceError, match="split PoNN"):
