@@ -10,7 +10,10 @@ from sailnet.physics.extremals import propagate_extremals
 from sailnet.physics.transfer import Transfer
 
 TOGETHER = 64
-"""Extremals propagated at once: as long as the longest of them."""
+"""Extremals propagated at once, at most: as many samples as the longest of them has."""
+
+LONGER = 1.3
+"""By how much more samples the longest has at most: far beyond its own start an extremal may meet the Sun."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +47,7 @@ def sample_evenly(transfer: Transfer, costates: Array, duration: Array, spacing:
     tau, states = np.empty(lengths.sum()), np.empty((lengths.sum(), 6))
     jump_times = np.empty(len(lengths))
     order = np.argsort(duration, kind="stable")
-    for rows in np.array_split(order, 1 + len(order) // TOGETHER):
+    for rows in _groups(lengths, order):
         # Each ends at its own start, so each has its own spacing, and the shorter go on beyond.
         count = lengths[rows].max(initial=0)
         step = duration[rows] / (lengths[rows] - 1)
@@ -54,3 +57,12 @@ def sample_evenly(transfer: Transfer, costates: Array, duration: Array, spacing:
         tau[place], states[place] = extremals.tau[kept], extremals.states[kept]
         jump_times[rows] = extremals.jump_times
     return SampledExtremals(lengths, tau, states, jump_times)
+
+
+def _groups(lengths: NDArray[np.int64], order: NDArray[np.intp]) -> list[NDArray[np.intp]]:
+    """Rows in the order of their lengths, those that are alike together."""
+    cuts, begun = [], 0
+    for place, length in enumerate(lengths[order].tolist()):
+        if place - begun == TOGETHER or length > LONGER * lengths[order[begun]] + 1:
+            cuts.append(begun := place)
+    return np.split(order, cuts)

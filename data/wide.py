@@ -3,7 +3,8 @@
 Flights begin as in :mod:`data.domain`, for one value of beta after the other. Along them alone a
 network would learn the approach to the target only from where optimal flights come; a disturbance of
 the last few hours leads elsewhere, so short extremals with other arrival costates are added. Those arrive;
-what leads back from beside the target is added as the fastest extremals from states around it.
+what leads back from beside the target is added as the fastest extremals from states around it. And
+sails whose beta is not what it was planned with are on the ways of others: see :mod:`data.crossings`.
 """
 
 import math
@@ -13,6 +14,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from data.block import block_of
+from data.crossings import crossings_blocks
 from data.domain import flights_block, widened
 from sailnet.dataset import Block
 from sailnet.expert.fastest import solve_some
@@ -76,7 +78,12 @@ def wide_shard(mission: Mission, shard: int) -> Block:
     power = math.ceil(math.log2(recipe.starts))
     shares = [Sobol(3, rng=rng).random_base2(power)[: recipe.starts] for rng in streams]
     optima = _outward(sails, [low + (high - low) * share for share in shares])
-    return Block.join([_one_sail(mission, *of_one) for of_one in zip(sails, optima, streams, strict=True)])
+    blocks = [_one_sail(mission, *of_one) for of_one in zip(sails, optima, streams, strict=True)]
+    if recipe.crossings:
+        ways = {level: _short_enough(mission, found) for level, found in zip(levels, optima, strict=True)}
+        every, longest = _sails(mission, range(recipe.levels)), mission.flight.longest
+        blocks += crossings_blocks(recipe, every, ways, longest, streams[0])
+    return Block.join(blocks)
 
 
 def around_target(problem: Transfer, count: int, seed: int) -> Array:

@@ -33,6 +33,7 @@ from sailnet import SailnetError, load_mission
 from sailnet.campaign.excess import excess_of
 from sailnet.campaign.own_optima import optimal_times_of
 from sailnet.campaign.plan import Plan, Series, load_plan
+from sailnet.campaign.scores import largest_error
 from sailnet.flight.closed_loop import Flights, fly
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import describe
@@ -100,8 +101,12 @@ class Trials:
         }
 
     def fly(self, rules: SteeringRules) -> Record:
-        """What candidate rules amount to: ``score`` and, for each series, mean, 99 % and first approaches."""
-        numbers = {name: float(f"{getattr(rules, name):.4g}") for name in SOUGHT}
+        """What candidate rules amount to: ``score`` and, for each series, means, tails [deg] and shares."""
+        numbers = {
+            name: float(f"{value:.4g}")
+            for name, value in vars(rules).items()
+            if name in SOUGHT or value != getattr(RULES, name)
+        }
         key = json.dumps(numbers)
         if key not in self._known:
             self._known[key] = self._flown(numbers)
@@ -139,6 +144,8 @@ def _row(mission: Mission, flights: Flights, optimal: Array) -> dict[str, float]
         "quantile_99": excess.relative.high,
         "first_approach": excess.first_approach.count / excess.first_approach.of,
         "reversals_99": float(np.quantile(flights.reversals, 0.99)),
+        "slew_99": float(np.degrees(np.quantile(flights.command_slew, 0.99))),
+        "within_1e-4": float((largest_error(flights) <= 1e-4).mean()),
     }
 
 
@@ -146,11 +153,12 @@ def candidate(text: str) -> SteeringRules:
     """The rules that fly now, but for some numbers: ``reserve_white=4,let_go=0.1``; or for none.
 
     Raises:
-        ValueError: not numbers of ``SOUGHT``.
+        ValueError: not numbers of ``SteeringRules``.
     """
     pairs = [pair.partition("=")[::2] for pair in text.split(",") if pair]
-    if unknown := sorted({name for name, _ in pairs} - set(SOUGHT)):
-        raise ValueError(f"no number {', '.join(unknown)} is sought; these are: {', '.join(SOUGHT)}")
+    if unknown := sorted({name for name, _ in pairs} - set(vars(RULES))):
+        known = ", ".join(vars(RULES))
+        raise ValueError(f"the rules have no number {', '.join(unknown)}; these are: {known}")
     return replace(RULES, **{name: float(value) for name, value in pairs})
 
 

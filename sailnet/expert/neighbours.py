@@ -65,6 +65,19 @@ def solve_among(transfer: Transfer, states: Array, known: Optima) -> Optima:
     return optima
 
 
+def next_optima(transfer: Transfer, before: Optima) -> Optima:
+    """Extremals from the same states by Newton's method from those of a sail a little weaker or stronger.
+
+    Args:
+        transfer: the problem.
+        before: optima of that other sail.
+    """
+    optima = nothing_found(before.state)
+    every = np.arange(len(before.state))
+    _try(transfer, optima, every, before, every)
+    return optima
+
+
 def _nearest(transfer: Transfer, places: Array, states: Array, count: int) -> NDArray[np.intp]:
     """(n, k) rows of the places nearest to states, nearest first, in units of the target orbit."""
     size = transfer.target_radius

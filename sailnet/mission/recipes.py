@@ -44,7 +44,8 @@ class WideRecipe(Ordered):
     For each of ``levels`` values of beta between ``beta`` times the mission's: fastest extremals from
     ``starts`` states of the generalisation set widened by ``margin`` [AU, AU/TU, AU/TU], sampled every
     ``spacing`` [TU]; ``approaches`` extremals of at most ``approach_time`` [TU] around theirs; and the
-    fastest from ``around`` states beside the target, which a sail that has missed it is in.
+    fastest from ``around`` states beside the target, which a sail that has missed it is in. And, from
+    ``crossings`` states on its ways, what is fastest for the others: those whose beta is not as planned.
     """
 
     beta: Interval
@@ -55,15 +56,16 @@ class WideRecipe(Ordered):
     approaches: Count
     approach_time: Positive
     around: Annotated[int, Field(ge=0, le=10**6)] = 0
+    crossings: Annotated[int, Field(ge=0, le=10**6)] = 0
     seed: Seed
 
     @model_serializer(mode="wrap")
     def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
-        """As before there were states around the target, where there are none: artefacts stay valid."""
+        """As before there were such states, where there are none: artefacts stay valid."""
         content: dict[str, object] = handler(self)
-        if not self.around:
-            del content["around"]
-        return content
+        return {
+            name: value for name, value in content.items() if value or name not in ("around", "crossings")
+        }
 
 
 class Recipes(Section):

@@ -32,6 +32,7 @@ def narrow() -> Mission:
             "starts": FLIGHTS,
             "approaches": APPROACHES,
             "around": 0,
+            "crossings": 0,
             "margin": (0.0, 0.0, 0.0),
         }
     )
@@ -99,9 +100,27 @@ def test_flights_from_around_the_target_are_the_fastest_of_every_sail(narrow: Mi
 
 
 def test_a_recipe_without_them_is_written_as_ever(narrow: Mission) -> None:
-    wide = narrow.dataset.wide
-    assert "around" not in wide.model_dump()
-    assert wide.model_copy(update={"around": 3}).model_dump()["around"] == 3
+    wide = narrow.dataset.wide.model_copy(update={"around": 0, "crossings": 0})
+    assert {"around", "crossings"}.isdisjoint(wide.model_dump())
+    for name in ("around", "crossings"):
+        assert wide.model_copy(update={name: 3}).model_dump()[name] == 3
+
+
+def test_crossings_are_added_to_what_there_is_without(narrow: Mission) -> None:
+    """From ways of both sails, each other's: two apart by a tenth."""
+    change = {"beta": (0.95, 1.05), "starts": 8, "approaches": 20, "crossings": 5}
+    wide = narrow.dataset.wide.model_copy(update=change)
+    mission = narrow.model_copy(update={"dataset": narrow.dataset.model_copy(update={"wide": wide})})
+    bare = narrow.dataset.model_copy(update={"wide": wide.model_copy(update={"crossings": 0})})
+    without = wide_shard(narrow.model_copy(update={"dataset": bare}), 0)
+    block = wide_shard(mission, 0)
+    count = len(without.lengths)
+    for name, column in without.samples.items():
+        np.testing.assert_array_equal(block.samples[name][: len(column)], column, err_msg=name)
+    assert count + 7 <= len(block.lengths) <= count + 10
+    beta = block.samples["beta"][np.cumsum(block.lengths)[count:] - 1]
+    assert np.unique(beta) == pytest.approx(np.array(wide.beta) * mission.sail.beta)
+    assert prepare(mission, "wide").trajectories == 2 * (8 + 20 + 2 * 5)
 
 
 def test_approaches_come_from_all_sides(narrow: Mission, shards: list[Block]) -> None:

@@ -70,7 +70,9 @@ def test_candidates_are_flown_over_the_series_asked_for(
     best = json.loads(capsys.readouterr().out)
     assert list(best["series"]) == ["nominal"]
     assert main([*words, "--candidate", "patience=1"]) == 1
-    assert "no number patience is sought; these are: memory" in capsys.readouterr().err
+    assert "the rules have no number patience; these are: memory" in capsys.readouterr().err
+    assert main([*words, "--candidate", "wait=0"]) == 0
+    assert json.loads(output.read_text().splitlines()[-1])["rules"] == {**as_it_is, "wait": 0.0}
     assert main([*words[:-1], "calm", "--candidate", ""]) == 1
     assert "the campaign has no series calm; it has: nominal; bias" in capsys.readouterr().err
 
