@@ -27,6 +27,8 @@ LATEST = 0.02
 def on_their_ways(sail: Transfer, optima: Optima, count: int, rng: np.random.Generator) -> Optima:
     """What is left of some optima at moments drawn at random, which is the fastest from there (Bellman).
 
+    State, time of flight and arrival costates are those of what is left; the other columns stay as they were.
+
     Args:
         sail: that they are of.
         optima: drawn from, with repetition.
