@@ -13,7 +13,7 @@ TOGETHER = 64
 """Extremals propagated at once, at most: as many samples as the longest of them has."""
 
 LONGER = 1.3
-"""By how much more samples the longest has at most: far beyond its own start an extremal may meet the Sun."""
+"""Times the shortest's samples that the longest has at most: beyond its own start one may meet the Sun."""
 
 
 @dataclass(frozen=True)
