@@ -15,8 +15,7 @@ from tests.small_datasets import invented_shard
 
 
 def _prepared(*_: object) -> Prepared:
-    seconds = float(os.environ.get("SHARD_SECONDS", "0.02"))
-    return Prepared(partial(invented_shard, seconds), 1000, None, {"recipe": "invented"})
+    return Prepared(partial(invented_shard, 0.02), 1000, None, {"recipe": "invented"})
 
 
 def _die(*_: object, **__: object) -> Any:

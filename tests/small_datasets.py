@@ -20,6 +20,7 @@ from sailnet.dataset import (
 )
 from sailnet.mission.mission import Mission
 from sailnet.workers.executors import Workers
+from tests.gate import wait_at_gate
 
 NOMINAL = (-21.5117, 8.5435)
 
@@ -50,13 +51,10 @@ def with_recipe(mission: Mission, **changes: object) -> Mission:
 def invented_shard(seconds: float, number: int) -> Block:
     """A shard of trajectories of several lengths that takes the time it is told to take.
 
-    Its number is appended to the file that the variable SHARD_LOG names, if it is set; but for the first,
-    it waits for the file that SHARD_GATE names.
+    Its number is appended to the file that the variable SHARD_LOG names, if it is set.
     """
     time.sleep(seconds)
-    gate = os.environ.get("SHARD_GATE")
-    while gate and number and not Path(gate).exists():
-        time.sleep(0.01)
+    wait_at_gate(number)
     if log := os.environ.get("SHARD_LOG"):
         with Path(log).open("a") as file:
             file.write(f"{number}\n")

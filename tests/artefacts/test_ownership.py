@@ -46,7 +46,7 @@ def test_the_second_is_told_who_the_first_is(tmp_path: Path) -> None:
             sole_owner(lock, "the networks", DatasetError),
         ):
             raise AssertionError("two have it")
-        assert time.monotonic() - began < 1.0
+        assert time.monotonic() - began < 60.0  # and not when the first has ended
         assert f"(process {owner.pid} on {os.uname().nodename}, since 20" in str(refused.value)
         assert str(lock) in str(refused.value)  # an argument of its command
 

@@ -6,7 +6,9 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 import pytest
 
@@ -18,6 +20,7 @@ from sailnet.cli import main
 from sailnet.guidance.backends import exported_digest, load_guidance
 from sailnet.mission.mission import load_mission
 from tests.data.test_resume import children, mounted
+from tests.gate import gate
 from tests.paths import ROOT
 
 TOML = """schema = 1
@@ -41,11 +44,14 @@ def campaign(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
     return folder / "many.toml", fly_plan(mission, load_guidance(mission), plan, folder / "x.h5").digest
 
 
-def start(file: Path, output: Path, *options: str) -> subprocess.Popen[str]:
+def start(
+    file: Path, output: Path, *options: str, variables: Mapping[str, str] = MappingProxyType({})
+) -> subprocess.Popen[str]:
     command = ["evaluate", "--campaign", str(file), "--output", str(output), "--json", *options]
     return subprocess.Popen(
-        [sys.executable, "-m", "sailnet.cli", *command],
-        cwd=ROOT, env=os.environ | {"PYTHONPATH": str(ROOT)}, text=True, start_new_session=True,
+        [sys.executable, "-m", "tests.campaign.gated", *command],
+        cwd=ROOT, env=os.environ | {"PYTHONPATH": str(ROOT)} | dict(variables),
+        text=True, start_new_session=True,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE,
     )  # fmt: skip
 
@@ -76,10 +82,12 @@ def test_a_killed_worker_costs_no_finished_flight(
 ) -> None:
     """One worker, whom another replaces; then everything at once; what is left is flown by this process."""
     file, expected = campaign
-    run = start(file, tmp_path, "--workers", "2")
+    closed = tmp_path.with_suffix(".gate")
+    run = start(file, tmp_path, "--workers", "2", variables=gate(closed, 3))
     until(tmp_path, run, 1)
     before = parts(tmp_path)
     os.kill(children(run)[0], signal.SIGKILL)
+    closed.write_text("7")
     until(tmp_path, run, len(before) + 3)  # more than the other had at hand
     os.killpg(run.pid, signal.SIGKILL)
     run.communicate()
@@ -116,9 +124,10 @@ def test_a_disk_that_fills(
         needed = f"1,200 flights, which take some 0.300 MB of disk for {disk / 'many.h5'}"
         assert f"{needed}; there are 0.2" in said
         subprocess.run(["mount", "-o", "remount,size=10m", str(disk)], check=True)
-        run = start(file, disk)
+        run = start(file, disk, variables=gate(tmp_path / "gate", 2))
         until(disk, run, 1)
         subprocess.run(["mount", "-o", "remount,size=200k", str(disk)], check=True)
+        (tmp_path / "gate").unlink()
         status, said = finish(run)
         kept = parts(disk)
         assert status == 1

@@ -16,6 +16,7 @@ import pytest
 
 from sailnet.dataset import open_dataset
 from sailnet.mission.mission import load_mission
+from tests.gate import gate
 from tests.paths import ROOT
 from tests.small_datasets import INVENTED, undisturbed
 
@@ -69,9 +70,11 @@ def shards_of(output: Path) -> set[int]:
     return {int(path.stem) for path in folder_of(output).glob("*.safetensors")}
 
 
-def until_shards(output: Path, wanted: int) -> None:
+def until_shards(output: Path, wanted: int, run: subprocess.Popen[str]) -> None:
+    """It is at work, with so many finished; and stays so where a gate is closed behind those."""
     until = time.monotonic() + 300
     while len(shards_of(output)) < wanted:
+        assert run.poll() is None
         assert time.monotonic() < until
         time.sleep(0.002)
 
@@ -99,13 +102,13 @@ def completes(output: Path, expected: str, variables: Mapping[str, str] = Mappin
 @pytest.mark.parametrize("finished", [pytest.param(0, marks=pytest.mark.exhaustive), 9])
 def test_killed_between_shards(finished: int, tmp_path: Path, expected: str) -> None:
     output, log = tmp_path / "out" / "x.h5", tmp_path / "log"
-    run = start(output, workers=2)
-    until_shards(output, finished)
+    run = start(output, workers=2, variables=gate(tmp_path / "gate", finished + 4))
+    until_shards(output, finished, run)
     workers = children(run)
     run.kill()
     run.communicate()
     assert not output.exists()
-    until = time.monotonic() + 10
+    until = time.monotonic() + 60
     while any(alive(pid) for pid in workers):  # they do not outlive it
         assert time.monotonic() < until
         time.sleep(0.01)
@@ -135,10 +138,11 @@ def test_killed_at_the_end(moment: str, tmp_path: Path, expected: str) -> None:
 
 
 def test_a_killed_worker_is_replaced(tmp_path: Path, expected: str) -> None:
-    output = tmp_path / "x.h5"
-    run = start(output, workers=2)
-    until_shards(output, 3)
+    output, closed = tmp_path / "x.h5", tmp_path / "gate"
+    run = start(output, workers=2, variables=gate(closed, 6))
+    until_shards(output, 3, run)
     os.kill(children(run)[0], signal.SIGKILL)
+    closed.unlink()
     assert finish(run) == (0, "")
     with open_dataset(output) as found:
         found.verify()
@@ -146,29 +150,29 @@ def test_a_killed_worker_is_replaced(tmp_path: Path, expected: str) -> None:
 
 
 def test_ctrl_c_keeps_what_is_finished_and_says_so(tmp_path: Path, expected: str) -> None:
-    output = tmp_path / "x.h5"
-    run = start(output, workers=2)
-    until_shards(output, 5)
+    output = tmp_path / "out" / "x.h5"
+    run = start(output, workers=2, variables=gate(tmp_path / "gate", 9))
+    until_shards(output, 5, run)
     os.killpg(run.pid, signal.SIGINT)
     status, said = finish(run)
     assert status == 130
     kept = len(shards_of(output))
-    assert kept >= 5
+    assert 5 <= kept <= 9
     way_on = f"{kept} finished shards wait in {folder_of(output)}: the same command goes on"
     assert said == f"interrupted by SIGINT: {way_on}\n"
     completes(output, expected)
 
 
 def test_two_runs_on_one_output(tmp_path: Path, expected: str) -> None:
-    output, gate = tmp_path / "x.h5", tmp_path / "gate"
-    first = start(output, variables={"SHARD_GATE": str(gate)})
-    until_shards(output, 1)
+    output, closed = tmp_path / "x.h5", tmp_path / "gate"
+    first = start(output, variables=gate(closed, 1))
+    until_shards(output, 1, first)
     status, said = finish(start(output, "--restart"))
     assert status == 1
     assert said.startswith(f"error: another run is making data set {output} (process {first.pid} on ")
     assert f"tests.generation_run {output}" in said
     assert first.poll() is None
-    gate.touch()
+    closed.unlink()
     assert finish(first) == (0, "")
     with open_dataset(output) as found:
         assert found.digest == expected

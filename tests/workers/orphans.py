@@ -11,7 +11,7 @@ from unittest.mock import patch
 from sailnet.workers.executors import processes
 from sailnet.workers.lifeline import end_with_parent
 
-BUSY = 20.0
+BUSY = 60.0
 """Seconds of work."""
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.paths import ROOT
+from tests.workers.orphans import BUSY
 
 
 def alive(pid: int) -> bool:
@@ -38,5 +39,5 @@ def test_workers_of_a_killed_process_end_and_write_nothing(how: str, tmp_path: P
             assert time.monotonic() < give_up
             time.sleep(0.01)
         run.kill()
-    gone([int(pid) for pid in found], 5.0)
+    gone([int(pid) for pid in found], 0.7 * BUSY)
     assert not list(tmp_path.glob("*.written"))
