@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.errors import SolveError
 from sailnet.expert.directions import Rows
-from sailnet.expert.index import Guesses, Index, build_index
+from sailnet.expert.index import INNERMOST, Guesses, Index, build_index
 from sailnet.expert.optima import RESIDUAL_GOAL, Extremal, Optima, nothing_found, optima_of, put
 from sailnet.expert.prisms import bins_of
 from sailnet.expert.shooting import shoot
@@ -25,6 +25,10 @@ Region = tuple[ArrayLike, ArrayLike]
 EFFORT, SHORT = 2.0, 0.3
 """How many times the budget of directions a second search may take, of the few states that need one; and a
 search that only has to find most."""
+
+DEEPER = 0.8
+"""How near to the Sun a last search follows extremals, in perihelia of the states that need it: from these
+the sail falls farther than ``INNERMOST``."""
 
 SAME = 0.02
 """Guesses of one extremal from neighbouring prisms differ by less than this in time to go."""
@@ -103,6 +107,10 @@ def solve_families(
     _search(transfer, best, second, np.arange(len(given)), region, slower)
     if region is None:
         _search(transfer, best, second, np.flatnonzero(~best.found), None, slower)
+    lost = np.flatnonzero(~best.found)
+    perihelia = _perihelia(_scaled(transfer, given[lost]))
+    falling = lost[perihelia < INNERMOST * np.fmin(1.0, given[lost, 0] / transfer.target_radius)]
+    _search(transfer, best, second, falling, None, slower, deeper=True)
     missed = np.flatnonzero(best.found & ~best.complete)
     _search(transfer, best, second, missed, None, slower, EFFORT, longer=True)
     best.rival_time[:] = second.time_of_flight
@@ -125,6 +133,14 @@ def _scaled(transfer: Transfer, states: ArrayLike) -> Array:
     return np.asarray(np.asarray(states, float) * [1.0 / size, np.sqrt(size), np.sqrt(size)])
 
 
+def _perihelia(scaled: Array) -> Array:
+    """(n,) of the orbits that (n, 3) states are on, in the same units."""
+    r, u, v = scaled.T
+    parameter = (r * v) ** 2
+    eccentricity = np.sqrt(np.fmax(0.0, 1.0 + (u**2 + v**2 - 2.0 / r) * parameter))
+    return np.asarray(parameter / (1.0 + eccentricity))
+
+
 def _search(
     transfer: Transfer,
     best: Optima,
@@ -134,6 +150,7 @@ def _search(
     slower: float,
     effort: float = 1.0,
     longer: bool = False,
+    deeper: bool = False,
 ) -> None:
     """Put what is found faster into some rows of both, and how far it was looked for."""
     if not len(rows):
@@ -141,14 +158,20 @@ def _search(
     states = best.state[rows]
     scaled, size = _scaled(transfer, states), transfer.target_radius
     until = best.time_of_flight[rows] / size**1.5 if longer else None
-    index = _index(transfer, scaled, region, effort, until)
+    innermost = DEEPER * float(_perihelia(scaled).min()) if deeper else math.inf
+    index = _index(transfer, scaled, region, effort, until, innermost)
     for found in _fastest(transfer, states, _distinct(index.look_up(scaled)), slower):
         keep_faster(best, second, rows, found)
     best.searched[rows] = np.fmax(best.searched[rows], index.searched(scaled) * size**1.5)
 
 
 def _index(
-    transfer: Transfer, scaled: Array, region: Region | None, effort: float, until: Array | None
+    transfer: Transfer,
+    scaled: Array,
+    region: Region | None,
+    effort: float,
+    until: Array | None,
+    innermost: float,
 ) -> Index:
     """The index of the states' bins, or of a region; searched until all that is faster is known, if asked."""
     bins = bins_of(scaled)
@@ -161,10 +184,10 @@ def _index(
     unit = replace(transfer, target_radius=1.0)
     named = tuple(map(tuple, wanted.tolist()))
     if until is None:
-        return build_index(unit, named, effort)
+        return build_index(unit, named, effort, innermost=innermost)
     last = np.zeros(len(wanted))
     np.maximum.at(last, which.ravel(), until)
-    return build_index(unit, named, effort, tuple(last.tolist()))
+    return build_index(unit, named, effort, tuple(last.tolist()), innermost)
 
 
 def _distinct(guesses: Guesses) -> Guesses:

@@ -12,6 +12,7 @@ time to go advances in windows, and a bin whose states are all held by a prism i
 """
 
 import itertools
+import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -134,6 +135,7 @@ def build_index(
     wanted: tuple[tuple[int, int, int], ...],
     effort: float = 1.0,
     until: tuple[float, ...] = (),
+    innermost: float = math.inf,
 ) -> Index:
     """Refine whatever passes through the bins that are wanted.
 
@@ -143,11 +145,15 @@ def build_index(
         effort: how many times ``MOST`` directions the search may take.
         until: time to go up to which each of the bins is searched, filled or not. By default a bin is done
             with soon after prisms hold its corners and its centre.
+        innermost: extremals are followed down to this radius at least, where ``INNERMOST`` ends before.
     """
     most = round(effort * MOST)
     grid = Grid(np.array(wanted))
     points = _test_points(grid)
-    radii = (INNERMOST * min(1.0, BIN * grid.low[0]), max(OUTERMOST, 1.5 * points[:, :, 0].max()))
+    radii = (
+        min(innermost, INNERMOST * min(1.0, BIN * grid.low[0])),
+        max(OUTERMOST, 1.5 * points[:, :, 0].max()),
+    )
     directions, leaves = icosphere()
     paths = np.empty((0, 1, 3), np.float32)
     held = np.zeros(points.shape[:2], bool)

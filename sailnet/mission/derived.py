@@ -167,6 +167,7 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
                 "spacing": spacing,
                 "approaches": 1400,
                 "approach_time": _rounded(max(1.5, 0.8 * target**1.5)),
+                "around": 256,
                 "seed": 20242,
             },
             "domain": {

@@ -10,7 +10,7 @@ Size = Literal["quick", "full"]
 SIZES: tuple[Size, ...] = get_args(Size)
 
 QUICK: Mapping[str, Mapping[str, int]] = {
-    "dataset": {"levels": 5, "starts": 96, "approaches": 150},
+    "dataset": {"levels": 5, "starts": 96, "approaches": 150, "around": 0},
     "training": {"epochs": 80},
 }
 """At most so much of [dataset.wide] and [training.wide]: some three minutes on 2 cores."""
@@ -28,5 +28,5 @@ def sized(mission: "Mission", size: Size) -> "Mission":
     content = mission.model_dump(by_alias=True, mode="json", exclude_none=True)
     for section, most in QUICK.items():
         recipe = content[section]["wide"]
-        recipe |= {key: min(recipe[key], value) for key, value in most.items()}
+        recipe |= {key: min(recipe.get(key, 0), value) for key, value in most.items()}
     return parse_mission(content, f"{mission.name}, quick")
