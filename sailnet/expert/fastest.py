@@ -27,8 +27,8 @@ EFFORT, SHORT = 2.0, 0.3
 search that only has to find most."""
 
 DEEPER = 0.8
-"""How near to the Sun a last search follows extremals, in perihelia of the states that need it: from these
-the sail falls farther than ``INNERMOST``."""
+"""How near to the Sun a last search follows extremals, in perihelia of the states that need it. Where these
+are below ``INNERMOST``, the coarse extremals beside the way from such a state end there, if not the way."""
 
 SAME = 0.02
 """Guesses of one extremal from neighbouring prisms differ by less than this in time to go."""
@@ -171,7 +171,7 @@ def _index(
     region: Region | None,
     effort: float,
     until: Array | None,
-    innermost: float,
+    innermost: float = math.inf,
 ) -> Index:
     """The index of the states' bins, or of a region; searched until all that is faster is known, if asked."""
     bins = bins_of(scaled)

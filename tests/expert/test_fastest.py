@@ -10,7 +10,7 @@ import pytest
 import sailnet.expert.fastest
 import sailnet.expert.index
 from sailnet.errors import SolveError
-from sailnet.expert.fastest import solve, solve_families
+from sailnet.expert.fastest import solve, solve_families, solve_states
 from sailnet.expert.index import Guesses
 from sailnet.expert.optima import Extremal
 from sailnet.expert.shooting import Shots, shoot
@@ -44,6 +44,20 @@ def test_the_golden_times_of_flight(
     assert found.residual <= 1e-9
     assert jumps is None or found.jumps == jumps
     np.testing.assert_allclose(arrives(problem, found), 0.0, atol=1e-6)
+
+
+@pytest.mark.slow
+def test_the_way_from_a_state_whose_orbit_leads_near_the_sun_is_found(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """To half the radius of the target, where the usual search, cut short here, follows nothing."""
+    monkeypatch.setattr(sailnet.expert.fastest, "build_index", sailnet.expert.index.build_index.__wrapped__)
+    monkeypatch.setattr(sailnet.expert.index, "HORIZONS", (7.0,))
+    transfer = Transfer(0.12, math.radians(55.0), 1e-3, 0.9)
+    found = solve_states(transfer, [(0.945, -0.079, 0.823)]).extremal(0)
+    assert found.time_of_flight == pytest.approx(4.926710, abs=1e-6)
+    assert found.residual <= 1e-9
+    np.testing.assert_allclose(arrives(transfer, found), 0.0, atol=1e-6)
 
 
 @pytest.mark.slow

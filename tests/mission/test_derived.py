@@ -69,6 +69,7 @@ def test_what_is_derived_is_what_the_shipped_missions_say(shipped: str, longest:
     derived = parse_mission(short(sail, whole.transfer.target_radius, name=shipped), "the file")
     assert derived.digest("generalisation") == whole.digest("generalisation")
     assert derived.dataset.wide.margin == whole.dataset.wide.margin
+    assert derived.dataset.wide.around == whole.dataset.wide.around > 0
     assert derived.dataset.wide.spacing == pytest.approx(whole.dataset.wide.spacing, rel=0.4)
     assert derived.flight.longest == longest
     assert derived.flight.period == whole.flight.period
@@ -177,4 +178,5 @@ def test_quick_is_the_same_problem_with_smaller_recipes() -> None:
     assert quick.digest("generalisation", "flight") == whole.digest("generalisation", "flight")
     assert quick.dataset.wide.levels == 3
     assert quick.dataset.wide.starts == QUICK["dataset"]["starts"] < whole.dataset.wide.starts
+    assert quick.dataset.wide.around == 0 < whole.dataset.wide.around
     assert quick.training.wide.epochs == QUICK["training"]["epochs"] < whole.training.wide.epochs

@@ -1,0 +1,40 @@
+"""Missions of one's own: what was made is kept, what fails is told, tables have every mission and step."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from benchmarks.own_missions import MISSIONS, Own, fly, table, total
+from sailnet.campaign.run import fly_plan
+from sailnet.errors import SailnetError
+from tests.campaign.small_plan import GUIDANCE, MISSION, plan_of
+
+SECONDS = {"data": 40.4, "train": 80.0, "export": 20.0, "accept": 70.2}
+
+
+@pytest.mark.slow
+def test_the_tables_have_every_mission_series_and_step(tmp_path: Path) -> None:
+    results = tmp_path / "x.h5"
+    fly_plan(MISSION, GUIDANCE, plan_of(series=[{"name": "some", "flights": 5}]), results)
+    flown = [(own, {"results": str(results), "seconds": SECONDS}) for own in MISSIONS]
+    lines = table(flown)
+    assert all("| 5 of 5 | 0 of 5 |" in line for line in lines[2:5])
+    for own, series, taken in zip(MISSIONS, lines[2:5], lines[-3:], strict=True):
+        assert series.startswith(f"| {own.title} | some | ")
+        assert taken == f"| {own.title} | 40 | 80 | 20 | 70 | 211 |"
+    assert total(flown[0][1]) == pytest.approx(210.6)
+
+
+def test_what_was_finished_is_kept(tmp_path: Path) -> None:
+    own = Own(0.9, 0.12, 55.0)
+    (tmp_path / f"{own.name}-quick.json").write_text(json.dumps({"seconds": SECONDS}))
+    assert fly(own, tmp_path, "quick", 1, None) == {"seconds": SECONDS}
+    assert len(list(tmp_path.iterdir())) == 1
+
+
+def test_a_mission_that_cannot_be_flown_is_told(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SailnetError, match=r"sailnet pipeline .* ended with status 1: see above"):
+        fly(Own(1.0, 0.12, 55.0), tmp_path, "quick", 1, 1)
+    assert "error: " in capfd.readouterr().err
+    assert not list(tmp_path.glob("*.json"))
