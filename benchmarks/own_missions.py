@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 from sailnet.artefacts.files import fill_block, write_text
-from sailnet.artefacts.provenance import software
 from sailnet.campaign.acceptance import headline
 from sailnet.campaign.results import open_results
 from sailnet.campaign.tables import Table
@@ -104,6 +103,14 @@ def table(flown: list[tuple[Own, dict[str, Any]]]) -> list[str]:
     return [*Table("", heads, cells).markdown(), "", *taken.markdown()]
 
 
+def written_by(flown: list[tuple[Own, dict[str, Any]]]) -> str:
+    """Where and when the flights of the last mission were flown, and of what."""
+    results = open_results(Path(flown[-1][1]["results"]))
+    made = results.provenance
+    of = f"{made['machine']}, {made['date']}, revision {made['revision']}, seed {results.plan.seed}"
+    return f"Flown on {of}; written by"
+
+
 def total(result: dict[str, Any]) -> float:
     """Seconds of all steps."""
     return float(sum(result["seconds"].values()))
@@ -127,10 +134,8 @@ def main() -> int:
         flown = [
             (own, fly(own, options.folder, options.size, options.seed, options.workers)) for own in MISSIONS
         ]
-        made = software()
-        written = f"Written by `python -m benchmarks.own_missions FOLDER --size {options.size}`"
-        of = f"on {made['machine']}, {made['date']}, revision {made['revision']}, seed {options.seed}."
-        lines = [f"{written} {of}", "", *table(flown)]
+        lines = [f"{written_by(flown)} `python -m benchmarks.own_missions FOLDER --size {options.size}`.", ""]
+        lines += table(flown)
         if options.text:
             fill_block(options.text, f"own-missions-{options.size}", "\n".join(lines))
     except (SailnetError, OSError) as error:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.own_missions import MISSIONS, Own, fly, table, total
+from benchmarks.own_missions import MISSIONS, Own, fly, table, total, written_by
 from sailnet.campaign.run import fly_plan
 from sailnet.errors import SailnetError
 from tests.campaign.small_plan import GUIDANCE, MISSION, plan_of
@@ -24,6 +24,7 @@ def test_the_tables_have_every_mission_series_and_step(tmp_path: Path) -> None:
         assert series.startswith(f"| {own.title} | some | ")
         assert taken == f"| {own.title} | 40 | 80 | 20 | 70 | 211 |"
     assert total(flown[0][1]) == pytest.approx(210.6)
+    assert written_by(flown).endswith(", seed 5; written by")
 
 
 def test_what_was_finished_is_kept(tmp_path: Path) -> None:
