@@ -29,8 +29,9 @@ def test_the_tables_have_every_mission_series_and_step(tmp_path: Path) -> None:
 
 def test_what_was_finished_is_kept(tmp_path: Path) -> None:
     own = Own(0.9, 0.12, 55.0)
-    (tmp_path / f"{own.name}-quick.json").write_text(json.dumps({"seconds": SECONDS}))
-    assert fly(own, tmp_path, "quick", 1, None) == {"seconds": SECONDS}
+    finished = {"seconds": SECONDS, "results": str(tmp_path)}
+    (tmp_path / f"{own.name}-quick.json").write_text(json.dumps(finished))
+    assert fly(own, tmp_path, "quick", 1, None) == finished
     assert len(list(tmp_path.iterdir())) == 1
 
 

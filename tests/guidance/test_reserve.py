@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from sailnet.guidance.interface import GuidanceStatus
-from sailnet.guidance.rules import RULES
+from sailnet.guidance.rules import ALL_OUT_RULES, RULES, SteeringRules, rules_of
 from sailnet.guidance.steering import ReferenceSteering
+from sailnet.mission.mission import load_mission
 from sailnet.physics.arrays import Array
 from tests.guidance.pilots import ONE, PERIOD, Told, departed
 from tests.held_command import hold_command
@@ -16,10 +17,10 @@ from tests.pilots import MISSION
 BETA = MISSION.sail.beta
 
 
-def planned(real: Array, times: Array) -> tuple[Array, Array, Array]:
+def planned(real: Array, times: Array, rules: SteeringRules | None = None) -> tuple[Array, Array, Array]:
     """Estimates, betas planned with and statuses of a sail of such betas, told such times to go."""
     told = Told()
-    steering = ReferenceSteering(told, 1)
+    steering = ReferenceSteering(told, 1, rules)
     state, estimates, status = departed(), [], []
     for beta, time in zip(real, times, strict=True):
         told.time_of_flight = float(time)
@@ -28,6 +29,9 @@ def planned(real: Array, times: Array) -> tuple[Array, Array, Array]:
         status.append(steered.status[0])
         state = hold_command(state, steered.cone_angle, beta, PERIOD)
     return np.array(estimates), np.array(told.asked), np.array(status)
+
+
+FAR_AND_NEAR = {"earth_mars": 0.0, "earth_mars_jpl": 0.003, "earth_venus": 0.003, "earth_mercury": 0.0}
 
 
 def expected_reserve(real: Array, estimates: Array, times: Array) -> Array:
@@ -84,6 +88,17 @@ def test_a_sail_that_does_not_surprise_keeps_nothing_back() -> None:
     np.testing.assert_allclose(plans, estimates, rtol=1e-6)
     np.testing.assert_allclose(plans, BETA, rtol=1e-6)
     assert not status.any()
+
+
+def test_who_needs_all_the_thrust_in_the_end_keeps_a_little_back_whatever_happens() -> None:
+    times = np.full(60, 4.0)
+    estimates, asked, _ = planned(np.full(60, BETA), times, ALL_OUT_RULES)
+    np.testing.assert_allclose(asked[2:], (1.0 - ALL_OUT_RULES.least_reserve) * estimates[2:], rtol=1e-6)
+
+
+def test_a_little_is_kept_back_where_the_target_is_near_or_the_sail_is_real() -> None:
+    kept = {name: rules_of(load_mission(name)).least_reserve for name in FAR_AND_NEAR}
+    assert kept == FAR_AND_NEAR
 
 
 def test_a_plan_below_the_range_of_the_networks_is_told() -> None:
