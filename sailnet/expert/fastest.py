@@ -30,6 +30,9 @@ DEEPER = 0.8
 """How near to the Sun a last search follows extremals, in perihelia of the states that need it. Where these
 are below ``INNERMOST``, the coarse extremals beside the way from such a state end there, if not the way."""
 
+DEEPEST = 0.25
+"""States with a perihelion below this share of the target radius fall into the Sun, and are not."""
+
 SAME = 0.02
 """Guesses of one extremal from neighbouring prisms differ by less than this in time to go."""
 
@@ -109,7 +112,8 @@ def solve_families(
         _search(transfer, best, second, np.flatnonzero(~best.found), None, slower)
     lost = np.flatnonzero(~best.found)
     perihelia = _perihelia(_scaled(transfer, given[lost]))
-    falling = lost[perihelia < INNERMOST * np.fmin(1.0, given[lost, 0] / transfer.target_radius)]
+    ends = INNERMOST * np.fmin(1.0, given[lost, 0] / transfer.target_radius)
+    falling = lost[(perihelia > DEEPEST) & (perihelia < ends)]
     _search(transfer, best, second, falling, None, slower, deeper=True)
     missed = np.flatnonzero(best.found & ~best.complete)
     _search(transfer, best, second, missed, None, slower, EFFORT, longer=True)

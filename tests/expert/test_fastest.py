@@ -11,7 +11,7 @@ import sailnet.expert.fastest
 import sailnet.expert.index
 from sailnet.errors import SolveError
 from sailnet.expert.fastest import solve, solve_families, solve_states
-from sailnet.expert.index import Guesses
+from sailnet.expert.index import INNERMOST, Guesses, Index
 from sailnet.expert.optima import Extremal
 from sailnet.expert.shooting import Shots, shoot
 from sailnet.physics.extremals import arrival_lambda_v, propagate_extremals
@@ -58,6 +58,25 @@ def test_the_way_from_a_state_whose_orbit_leads_near_the_sun_is_found(
     assert found.time_of_flight == pytest.approx(4.926710, abs=1e-6)
     assert found.residual <= 1e-9
     np.testing.assert_allclose(arrives(transfer, found), 0.0, atol=1e-6)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("v", "followed"), [(0.6, False), (0.8, True)])
+def test_what_falls_into_the_sun_is_not_followed_there(
+    problem: Transfer, v: float, followed: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Bad input would wait for that long; of what comes near, extremals are followed beyond the usual."""
+    asked: list[float] = []
+
+    def built(*given: Any, innermost: float = math.inf) -> Index:
+        asked.append(innermost)
+        return sailnet.expert.index.build_index.__wrapped__(*given, innermost=innermost)
+
+    monkeypatch.setattr(sailnet.expert.fastest, "build_index", built)
+    monkeypatch.setattr(sailnet.expert.index, "HORIZONS", (1.0,))  # in which nothing is found
+    optima = solve_states(problem, [(1.0, -0.1, v)])
+    assert not optima.found[0]
+    assert (min(asked) < 0.5 * INNERMOST) == followed
 
 
 @pytest.mark.slow
