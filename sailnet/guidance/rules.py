@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from sailnet.errors import GuidanceError
-from sailnet.mission.derived import spiral_time
 from sailnet.physics.units import DAY, TU
 
 if TYPE_CHECKING:
@@ -108,6 +107,9 @@ NEAR = 3.0
 
 def rules_of(mission: "Mission") -> SteeringRules:
     """The rules that a mission's sail flies by."""
+    # Who comes second to a data set hears of it before numpy is loaded.
+    from sailnet.mission.derived import spiral_time
+
     near = spiral_time(mission.sail, mission.transfer) < NEAR
     return ALL_OUT_RULES if near or not mission.sail.optics.ideal else RULES
 
