@@ -108,11 +108,11 @@ def table(flown: list[tuple[Own, dict[str, Any]]]) -> list[str]:
 
 
 def written_by(flown: list[tuple[Own, dict[str, Any]]]) -> str:
-    """Where and when the flights of the last mission were flown, and of what."""
-    results = open_results(Path(flown[-1][1]["results"]))
-    made = results.provenance
-    of = f"{made['machine']}, {made['date']}, revision {made['revision']}, seed {results.plan.seed}"
-    return f"Flown on {of}; written by"
+    """Where and when the flights of the last mission were flown, and the seeds of all, where they differ."""
+    results = [open_results(Path(result["results"])) for _, result in flown]
+    made, seeds = results[-1].provenance, [str(of_one.plan.seed) for of_one in results]
+    told = seeds[0] if len(set(seeds)) == 1 else ", ".join(seeds)
+    return f"Flown on {made['machine']}, {made['date']}, revision {made['revision']}, seed {told}; written by"
 
 
 def total(result: dict[str, Any]) -> float:

@@ -113,8 +113,9 @@ def solve_families(
     lost = np.flatnonzero(~best.found)
     perihelia = _perihelia(_scaled(transfer, given[lost]))
     ends = INNERMOST * np.fmin(1.0, given[lost, 0] / transfer.target_radius)
-    falling = lost[(perihelia > DEEPEST) & (perihelia < ends)]
-    _search(transfer, best, second, falling, None, slower, deeper=True)
+    falling = (perihelia > DEEPEST) & (perihelia < ends)
+    innermost = DEEPER * perihelia[falling].min(initial=math.inf)
+    _search(transfer, best, second, lost[falling], None, slower, innermost=innermost)
     missed = np.flatnonzero(best.found & ~best.complete)
     _search(transfer, best, second, missed, None, slower, EFFORT, longer=True)
     best.rival_time[:] = second.time_of_flight
@@ -154,7 +155,7 @@ def _search(
     slower: float,
     effort: float = 1.0,
     longer: bool = False,
-    deeper: bool = False,
+    innermost: float = math.inf,
 ) -> None:
     """Put what is found faster into some rows of both, and how far it was looked for."""
     if not len(rows):
@@ -162,7 +163,6 @@ def _search(
     states = best.state[rows]
     scaled, size = _scaled(transfer, states), transfer.target_radius
     until = best.time_of_flight[rows] / size**1.5 if longer else None
-    innermost = DEEPER * float(_perihelia(scaled).min()) if deeper else math.inf
     index = _index(transfer, scaled, region, effort, until, innermost)
     for found in _fastest(transfer, states, _distinct(index.look_up(scaled)), slower):
         keep_faster(best, second, rows, found)

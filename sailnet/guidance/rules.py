@@ -92,7 +92,7 @@ class SteeringRules:
 
 
 RULES = SteeringRules()
-"""Those that ideal sails fly by."""
+"""Those of an ideal sail whose target is far."""
 
 ALL_OUT_RULES = replace(RULES, least_reserve=0.003)
 """Those of sails some of whose optima arrive with all the thrust there is, which who is late there misses.

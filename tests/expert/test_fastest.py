@@ -50,7 +50,7 @@ def test_the_golden_times_of_flight(
 def test_the_way_from_a_state_whose_orbit_leads_near_the_sun_is_found(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """To half the radius of the target, where the usual search, cut short here, follows nothing."""
+    """Beside that way the usual search, cut short here, ends its extremals."""
     monkeypatch.setattr(sailnet.expert.fastest, "build_index", sailnet.expert.index.build_index.__wrapped__)
     monkeypatch.setattr(sailnet.expert.index, "HORIZONS", (7.0,))
     transfer = Transfer(0.12, math.radians(55.0), 1e-3, 0.9)
