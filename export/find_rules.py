@@ -37,7 +37,7 @@ from sailnet.campaign.scores import largest_error
 from sailnet.flight.closed_loop import Flights, fly
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import describe
-from sailnet.guidance.rules import RULES, SteeringRules, rules_of
+from sailnet.guidance.rules import RULES, SteeringRules
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_networks import GuidanceNetworks, load_guidance_networks
 from sailnet.physics.arrays import Array
@@ -117,7 +117,7 @@ class Trials:
     def _flown(self, numbers: Mapping[str, float]) -> Record:
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            rules = replace(rules_of(self._mission), **numbers)
+            rules = replace(RULES, **numbers)
             write_c(self._networks, self._facts, folder, rules)
             compile_libraries(folder, folder, [FLOWN])
             guidance = CGuidance(self._mission, folder / FLOWN.library)

@@ -16,7 +16,7 @@ from export.host_tables import constants, stage_tables
 from export.numbers import LOG2_E, literal
 from export.templates import filled, read
 from sailnet.guidance.facts import GuidanceFacts, round_down
-from sailnet.guidance.rules import LARGEST_PERIOD, SteeringRules, rules_of
+from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.physics import units
 from sailnet.physics.optics import Optics
@@ -26,7 +26,7 @@ SIMULATION = ("sailnet_batch.h", "sailnet_batch.c")
 
 
 def write_c(
-    networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path, rules: SteeringRules | None = None
+    networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path, rules: SteeringRules = RULES
 ) -> None:
     """Write the flight file, its form for hosts, their header, and the batch entry that simulation adds.
 
@@ -34,7 +34,7 @@ def write_c(
         networks: whose weights are written.
         facts: what flies by them.
         folder: where to.
-        rules: of steering; by default those of the mission's sail.
+        rules: of steering.
 
     Raises:
         ExportError: a weight does not fit single precision, the networks do not fit each other, or the
@@ -45,9 +45,7 @@ def write_c(
             f"arrival_threshold is {facts.arrival_threshold:g} TU, and no guidance period is longer than "
             f"{LARGEST_PERIOD:g} TU: make it shorter"
         )
-    (folder / "sailnet_guidance.h").write_text(
-        _header(networks, facts, rules or rules_of(networks.tau.mission))
-    )
+    (folder / "sailnet_guidance.h").write_text(_header(networks, facts, rules))
     (folder / "sailnet_guidance.c").write_text(_flight(networks, facts))
     (folder / "sailnet_guidance_host.c").write_text(_host(networks, facts))
     for name in SIMULATION:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.campaign.columns import KEPT, RECORDS, flight_columns, record_columns
-from sailnet.campaign.own_optima import assumed_optima, optimal_slews, own_optimal_times
+from sailnet.campaign.own_optima import assumed_optima, optimal_turns, own_optimal_times
 from sailnet.campaign.plan import Plan, Starts
 from sailnet.campaign.random_flights import BATCH
 from sailnet.campaign.time_to_go import time_to_go
@@ -160,7 +160,8 @@ class Job:
         states = series.states(self.mission, self.plan.seed, batch.first, batch.count)
         optima = assumed_optima(self.mission, states, anywhere=series.starts != "generalisation")
         columns = {"optimal_time": optima.time_of_flight}
-        columns["optimal_slew"] = optimal_slews(self.mission.problem, optima)
+        turns = optimal_turns(self.mission.problem, optima, self.mission.flight.period)
+        columns |= {"optimal_slew": turns.slew, "optimal_reversals": turns.reversals}
         for i, name in enumerate(("lambda_r", "lambda_u", "lambda_v")):
             columns[f"optimal_{name}"] = optima.arrival_costates[:, i]
         for number in sharing:

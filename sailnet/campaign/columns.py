@@ -11,7 +11,7 @@ from sailnet.artefacts.column_files import Layout
 from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import Flights, History
 
-SCHEMA = "sailnet-campaign/3"
+SCHEMA = "sailnet-campaign/4"
 
 FLIGHTS: Mapping[str, tuple[str, str]] = {
     "series": ("1", "number of the series in the campaign"),
@@ -32,6 +32,7 @@ FLIGHTS: Mapping[str, tuple[str, str]] = {
     "optimal_lambda_u": ("TU^2/AU", "costate of u at the optimum's arrival"),
     "optimal_lambda_v": ("TU^2/AU", "costate of v at the optimum's arrival"),
     "optimal_slew": ("rad", "sum of all changes of the cone angle along the optimum of the sail as assumed"),
+    "optimal_reversals": ("1", "along it, steps of the cone angle of more than 40 degrees within a period"),
     "own_optimal_time": ("TU", "shortest time for the sail that flew, its constant beta and its optics"),
     "time_to_go": ("TU", "least that was left to do where the flight ended; NaN where it was not near"),
     "ending": ("1", "1 stopped by its guidance, 2 lost, 3 too long"),
@@ -95,7 +96,8 @@ LAYOUT = Layout(
     small=True,
 )
 OWN = "own_optimal_time"
-OPTIMUM = ("optimal_time", "optimal_lambda_r", "optimal_lambda_u", "optimal_lambda_v", "optimal_slew", OWN)
+_COSTATES = ("optimal_lambda_r", "optimal_lambda_u", "optimal_lambda_v")
+OPTIMUM = ("optimal_time", *_COSTATES, "optimal_slew", "optimal_reversals", OWN)
 """Columns of ``FLIGHTS`` that the expert fills."""
 
 _TRIPLES = {"starts": "start", "ends": "end", "terminal_error": "error"}

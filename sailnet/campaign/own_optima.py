@@ -1,6 +1,8 @@
 """The optimum of the sail that flew, whose constant beta and optics the guidance was not told."""
 
+import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -9,6 +11,7 @@ from sailnet.expert.optima import Optima, sample_many
 from sailnet.expert.real_sails import own_optima
 from sailnet.flight.closed_loop import Flights
 from sailnet.flight.drawn_optics import forces, optics_of_flights
+from sailnet.flight.plant import REVERSAL
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
@@ -68,20 +71,39 @@ def assumed_optima(mission: Mission, states: Array, *, anywhere: bool = False) -
     return solve_states(mission.problem, distinct, region=region).rows(which.ravel())
 
 
-def optimal_slews(transfer: Transfer, optima: Optima) -> Array:
-    """(n,) by how much the cone angle changes in all along optima [rad]; NaN where there is none.
+@dataclass(frozen=True)
+class Turns:
+    """What optima ask of the sail: n of each, NaN where there is no optimum.
+
+    Attributes:
+        slew: by how much the cone angle changes in all [rad].
+        reversals: steps of it of more than ``REVERSAL`` within a guidance period, as flights' are counted.
+    """
+
+    slew: Array
+    reversals: Array
+
+
+def optimal_turns(transfer: Transfer, optima: Optima, period: float) -> Turns:
+    """The turns of the sail along optima.
 
     Args:
         transfer: the problem that they solve.
         optima: n of them.
+        period: guidance period [TU].
     """
-    slews = np.full(len(optima.time_of_flight), np.nan)
-    for first in range(0, len(slews), TOGETHER):
-        rows = first + np.flatnonzero(optima.found[first : first + TOGETHER])
-        if len(rows):
-            _, columns = sample_many(transfer, optima.arrival_costates[rows], optima.time_of_flight[rows])
-            slews[rows] = np.abs(np.diff(columns[..., 6], axis=1)).sum(axis=1)
-    return slews
+    slew, reversals = np.full((2, len(optima.time_of_flight)), np.nan)
+    # Those of like duration together: the longest says how many samples each has.
+    order = np.argsort(optima.time_of_flight, kind="stable")
+    order = order[optima.found[order]]
+    for first in range(0, len(order), TOGETHER):
+        rows = order[first : first + TOGETHER]
+        duration = optima.time_of_flight[rows]
+        count = math.ceil(duration.max() / period) + 1
+        _, columns = sample_many(transfer, optima.arrival_costates[rows], duration, count)
+        steps = np.abs(np.diff(columns[..., 6], axis=1))
+        slew[rows], reversals[rows] = steps.sum(axis=1), (steps > REVERSAL).sum(axis=1)
+    return Turns(slew, reversals)
 
 
 def optimal_times_of(mission: Mission, flights: Flights, disturbance: Disturbance) -> Array:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from sailnet.campaign.behaviour import Behaviour, behaviour_of, behaviour_record
 from sailnet.campaign.excess import Excess, above_own_optimum, excess_of, excess_record, made_detour
+from sailnet.campaign.own_optima import Turns
 from sailnet.campaign.results import Results
 from sailnet.campaign.shares import Share, Spread
 from sailnet.flight.closed_loop import Ending, Flights
@@ -36,6 +37,7 @@ class Score:
         behaviour: slews, real attitude, domain and estimate.
         slew: of the command, in units of that of the optimum of the sail as assumed, over all flights whose
             optimum is known; None without any.
+        optimal_reversals: of these optima; None without any.
         arrived: within the mission's tolerance, scored where the guidance on board stopped.
         within: the same for every threshold [AU, AU/TU].
         required: the same for ``REQUIRED``, 10,000 km and 1 m/s.
@@ -59,6 +61,7 @@ class Score:
     excess: Excess | None
     behaviour: Behaviour
     slew: Spread | None
+    optimal_reversals: Spread | None
     arrived: Share
     within: Mapping[float, Share]
     required: Share
@@ -128,7 +131,7 @@ def score_of_rows(results: Results, rows: NDArray[np.intp], series: int, period:
         results.mission,
         results.as_flights(rows),
         _own_optimal_times(results, rows),
-        results.flights["optimal_slew"][rows],
+        Turns(*(results.flights[name][rows] for name in ("optimal_slew", "optimal_reversals"))),
         results.plan.thresholds,
         series,
         results.plan.whole[series].name,
@@ -140,7 +143,7 @@ def score_of(
     mission: Mission,
     flights: Flights,
     optimal: Array,
-    optimal_slews: Array,
+    turns: Turns,
     thresholds: Iterable[float],
     series: int,
     name: str,
@@ -152,7 +155,7 @@ def score_of(
         mission: that was flown.
         flights: n of them.
         optimal: (n,) shortest times for the sails that flew [TU]; NaN where not known.
-        optimal_slews: (n,) by how much an optimum's command changes in all [rad]; NaN likewise.
+        turns: what the optima of the sail as assumed ask of it.
         thresholds: terminal errors [AU, AU/TU]; the mission's tolerance is one always.
         series: their number.
         name: of the series.
@@ -161,8 +164,7 @@ def score_of(
     tolerance, bound = mission.flight.arrival_tolerance, mission.problem.phi_max
     error = largest_error(flights)
     sound = flights.stopped & (flights.max_cone_angle <= bound)
-    slew = flights.command_slew / optimal_slews
-    slew = slew[np.isfinite(slew)]
+    known = np.isfinite(turns.slew)
     arrived = flights.arrived & np.isfinite(optimal)
     gap = flights.time_of_flight[arrived] / optimal[arrived] - 1.0
     return Score(
@@ -171,7 +173,8 @@ def score_of(
         period=period,
         excess=excess_of(mission, flights, optimal),
         behaviour=behaviour_of(mission, flights),
-        slew=Spread.of(slew) if len(slew) else None,
+        slew=Spread.of((flights.command_slew / turns.slew)[known]) if known.any() else None,
+        optimal_reversals=Spread.of(turns.reversals[known]) if known.any() else None,
         arrived=Share.where(flights.arrived),
         within={
             threshold: Share.where(sound & (error <= threshold))
@@ -204,6 +207,7 @@ def score_record(score: Score) -> dict[str, object]:
         **excess_record(score.excess),
         **behaviour_record(score.behaviour),
         "command_slew_of_optimum": None if score.slew is None else score.slew.record(),
+        "optimal_reversals": None if score.optimal_reversals is None else score.optimal_reversals.record(),
         "arrived": score.arrived.count,
         "confidence_interval": list(score.arrived.interval),
         "within": {f"{threshold:g}": share.count for threshold, share in score.within.items()},

@@ -56,9 +56,9 @@ def table_of(title: str, columns: Sequence[Column], scores: Sequence[Score]) -> 
 
 def score_tables(scores: Sequence[Score]) -> list[Table]:
     """Everything: time and arrivals, what it asks of the sail, what guidance lacked, how near."""
-    first = [SERIES, PERIOD, FLIGHTS]
+    first, turns = [SERIES, PERIOD, FLIGHTS], [REVERSALS, OPTIMAL_REVERSALS]
     return [
-        table_of("Time and arrivals", [*first, MEAN, HOME, REVERSALS, LATE, ARRIVE, FAIL, UNKNOWN], scores),
+        table_of("Time and arrivals", [*first, MEAN, HOME, *turns, LATE, ARRIVE, FAIL, UNKNOWN], scores),
         table_of("Attitude", [*first, SLEW, SLEW_OF_OPTIMUM, TURNED, RATE, KEPT, BEYOND], scores),
         table_of("What guidance had to go by", [*first, OUTSIDE, AT_LIMIT, UNSEEN, RECKONED], scores),
         table_of(
@@ -196,6 +196,10 @@ HOME: Column = (
     _excess(lambda _, __, home: share_text(home)),
 )
 REVERSALS: Column = ("reversals: median, 99 %, worst", lambda s: _reversals(s, s.behaviour.reversals))
+OPTIMAL_REVERSALS: Column = (
+    "of the optimum as assumed",
+    lambda s: NOTHING if s.optimal_reversals is None else _reversals(s, s.optimal_reversals),
+)
 LATE: Column = (
     "above own optimum: median, 99 %, worst",
     lambda s: NOTHING if s.excess is None else _percents(s, s.excess.relative),

@@ -74,10 +74,13 @@ def test_optima_are_the_experts_for_all_periods_of_the_first_flights(small: Resu
     assert np.isnan(optimal[small.rows(1, 0.05)]).all()
     slews = small.flights["optimal_slew"]
     np.testing.assert_array_equal(np.isnan(slews), np.isnan(optimal))
+    np.testing.assert_array_equal(np.isnan(small.flights["optimal_reversals"]), np.isnan(optimal))
     score = scores_of(small)[0]
     assert score.slew is not None
     first = small.rows(0, 0.02)[0]
     assert score.slew.worst == pytest.approx(small.flights["command_slew"][first] / slews[first])
+    assert score.optimal_reversals is not None
+    assert score.optimal_reversals.worst == 1.0
 
 
 @pytest.mark.slow

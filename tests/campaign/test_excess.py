@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from sailnet.campaign.excess import counted_times, excess_of, excess_record, made_detour
+from sailnet.campaign.own_optima import Turns
 from sailnet.campaign.scores import score_of
 from sailnet.campaign.shares import Share
 from sailnet.campaign.time_to_go import least_time
@@ -67,7 +68,7 @@ def test_a_detour_is_told_by_the_time_that_counts() -> None:
     optimal = np.array([6.0, 6.0, 6.0, 6.0, np.nan])
     made = made_detour(MISSION, flights, optimal)
     assert made.tolist() == [False, True, True, False, False]
-    score = score_of(MISSION, flights, optimal, np.full(5, np.nan), [], 0, "late", 0.005)
+    score = score_of(MISSION, flights, optimal, Turns(*np.full((2, 5), np.nan)), [], 0, "late", 0.005)
     assert score.detours == Share(2, 3)
 
 

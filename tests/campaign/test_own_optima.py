@@ -1,6 +1,6 @@
 """The optimum of the sail that flew, whatever the guidance was told of it."""
 
-from dataclasses import replace
+from dataclasses import astuple, replace
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +8,7 @@ import pytest
 
 from sailnet.campaign import own_optima
 from sailnet.campaign.batches import Job
-from sailnet.campaign.own_optima import assumed_optima, optimal_slews, own_optimal_times
+from sailnet.campaign.own_optima import assumed_optima, optimal_turns, own_optimal_times
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.errors import CampaignError
@@ -20,6 +20,7 @@ from tests.campaign.small_plan import plan_of, short
 from tests.pilots import MISSION
 
 PROBLEM = MISSION.problem
+PERIOD = MISSION.flight.period
 STATES = np.array([[1.05, 0.15, 1.03], [1.0, 0.0, 1.0], [1.05, 0.15, 1.03]])
 
 
@@ -55,15 +56,27 @@ def test_of_many_what_cannot_be_followed_stays_unknown(monkeypatch: pytest.Monke
 
 
 @pytest.mark.slow
-def test_the_slew_of_an_optimum_is_that_of_its_command(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_turns_of_an_optimum_are_those_of_its_command(monkeypatch: pytest.MonkeyPatch) -> None:
     """However many are followed at once, and none where there is no optimum."""
     assumed = assumed_optima(MISSION, STATES, anywhere=True)
     monkeypatch.setattr(own_optima, "TOGETHER", 2)
-    expected = [np.abs(np.diff(sample(PROBLEM, solve(PROBLEM, state))[1][:, 6])).sum() for state in STATES]
-    np.testing.assert_allclose(optimal_slews(PROBLEM, assumed), expected, rtol=1e-4)
+    steps = [np.abs(np.diff(sample(PROBLEM, solve(PROBLEM, state))[1][:, 6])) for state in STATES]
+    expected = [of_one.sum() for of_one in steps]
+    turns = optimal_turns(PROBLEM, assumed, PERIOD)
+    np.testing.assert_allclose(turns.slew, expected, rtol=1e-4)
+    np.testing.assert_array_equal(turns.reversals, [(of_one > np.radians(40.0)).sum() for of_one in steps])
     assert np.degrees(expected[0]) > 120.0  # it jumps from bound to bound
+    assert turns.reversals[0] == 1.0
     some = replace(assumed, time_of_flight=np.where([True, False, True], assumed.time_of_flight, np.nan))
-    np.testing.assert_array_equal(np.isnan(optimal_slews(PROBLEM, some)), [False, True, False])
+    for values in astuple(optimal_turns(PROBLEM, some, PERIOD)):
+        np.testing.assert_array_equal(np.isnan(values), [False, True, False])
+
+
+def test_a_turn_that_takes_several_periods_is_no_reversal() -> None:
+    """As with flights: steps from one period to the next count. That the sail turns in half a TU does not."""
+    assumed = assumed_optima(MISSION, STATES[1:2], anywhere=True)
+    assert optimal_turns(PROBLEM, assumed, 0.5).reversals == 1.0
+    assert optimal_turns(PROBLEM, assumed, PERIOD).reversals == 0.0
 
 
 def test_every_flight_of_a_campaign_has_the_optimum_of_its_own_sail(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ import pytest
 from scipy.stats import binomtest
 
 from sailnet.campaign.behaviour import DEGREE_PER_HOUR, behaviour_of, behaviour_record
+from sailnet.campaign.own_optima import Turns
 from sailnet.campaign.scores import Score, score_of
 from sailnet.campaign.shares import Share, Spread
 from sailnet.campaign.tables import Table, failures_text, percent, plain, score_tables, side_by_side
@@ -18,7 +19,8 @@ GUIDANCE = load_guidance(MISSION)
 STARTS = [(1.0, 0.0, 1.0), (1.05, 0.15, 1.03), (1.1, 0.18, 0.93)]
 
 
-SLEWS = np.array([2.0, 3.4, np.nan])
+TURNS = Turns(np.array([2.0, 3.4, np.nan]), np.array([1.0, 2.0, np.nan]))
+NO_TURNS = Turns(*np.full((2, 30), np.nan))
 
 
 def score_flights() -> Flights:
@@ -27,7 +29,7 @@ def score_flights() -> Flights:
 
 @pytest.fixture(scope="module")
 def score() -> Score:
-    return score_of(MISSION, score_flights(), np.array([7.0, 6.1, np.nan]), SLEWS, [1e-4], 0, "slow", 0.005)
+    return score_of(MISSION, score_flights(), np.array([7.0, 6.1, np.nan]), TURNS, [1e-4], 0, "slow", 0.005)
 
 
 def test_no_failure_in_many_says_how_many_there_may_be() -> None:
@@ -49,12 +51,13 @@ def test_time_counts_first(score: Score) -> None:
     above, days = score.excess.relative, score.excess.days
     assert row["mean time above own optimum"] == f"{percent(above.mean)} ({plain(days.mean)} days)"
     assert row["optimum unknown"] == "1"
+    assert row["of the optimum as assumed"] == "2, 2, 2"
     assert row["period [TU]"] == "0.005 (7.0 h)"
     assert dict(zip(attitude.heads, attitude.cells[0], strict=True))["attitude beyond the bound"].endswith(
         "by up to 1.15°"
     )
     assert "km; " in ends.cells[0][ends.heads.index("median error (r, u, v)")]
-    told = np.sort(score_flights().command_slew[:2] / SLEWS[:2])
+    told = np.sort(score_flights().command_slew[:2] / TURNS.slew[:2])
     row = dict(zip(attitude.heads, attitude.cells[0], strict=True))
     assert row["slew of the command, in optima: median, 99 %"].startswith(f"{told.mean():.2f}, ")
     assert known.cells[0][3:] == ["none"] * 4
@@ -94,7 +97,7 @@ def test_outages_and_what_is_reckoned_are_counted_apart() -> None:
     assert found.reckoned_periods == flights.reckoned.sum()
     assert 0 < found.reckoned_periods < found.unseen_periods - RULES.longest_reckoning / period
     assert found.reckoned.count <= found.unseen.count
-    cells = score_of(MISSION, flights, np.full(30, np.nan), np.full(30, np.nan), [], 0, "away", period)
+    cells = score_of(MISSION, flights, np.full(30, np.nan), NO_TURNS, [], 0, "away", period)
     table = score_tables([cells])[2]
     row = dict(zip(table.heads, table.cells[0], strict=True))
     share = 100.0 * found.reckoned_periods / found.periods

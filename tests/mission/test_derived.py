@@ -180,3 +180,8 @@ def test_quick_is_the_same_problem_with_smaller_recipes() -> None:
     assert quick.dataset.wide.starts == QUICK["dataset"]["starts"] < whole.dataset.wide.starts
     assert quick.dataset.wide.around == 0 < whole.dataset.wide.around
     assert quick.training.wide.epochs == QUICK["training"]["epochs"] < whole.training.wide.epochs
+
+
+def test_quick_has_nothing_from_the_ways_of_others() -> None:
+    whole = load_mission("earth_mars")
+    assert sized(whole, "quick").dataset.wide.crossings == 0 < whole.dataset.wide.crossings
