@@ -5,7 +5,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
@@ -19,9 +18,11 @@ from sailnet.campaign.run import fly_plan
 from sailnet.cli import main
 from sailnet.guidance.backends import exported_digest, load_guidance
 from sailnet.mission.mission import load_mission
-from tests.data.test_resume import children, mounted
+from tests.campaign.finished_batches import parts, until
+from tests.data.test_resume import mounted
 from tests.gate import gate
 from tests.paths import ROOT
+from tests.processes import children
 
 TOML = """schema = 1
 name = "many"
@@ -60,20 +61,6 @@ def finish(run: subprocess.Popen[str]) -> tuple[int, str]:
     _, said = run.communicate(timeout=120)
     assert "Traceback" not in said
     return run.returncode, said
-
-
-def parts(output: Path) -> dict[str, int]:
-    """Finished batches, and when each was written."""
-    found = (output / ".many.h5.parts").glob("*.safetensors")
-    return {path.name: path.stat().st_mtime_ns for path in found}
-
-
-def until(output: Path, run: subprocess.Popen[str], count: int) -> None:
-    give_up = time.monotonic() + 60
-    while len(parts(output)) < count:
-        assert run.poll() is None
-        assert time.monotonic() < give_up
-        time.sleep(0.001)
 
 
 @pytest.mark.exhaustive

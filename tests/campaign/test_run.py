@@ -5,7 +5,6 @@ import resource
 import signal
 import subprocess
 import sys
-import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -21,6 +20,7 @@ from sailnet.campaign.scores import scores_of
 from sailnet.errors import CampaignError, SailnetError
 from sailnet.guidance.backends import exported_digest
 from sailnet.workers.executors import Workers, processes
+from tests.campaign.finished_batches import parts, until
 from tests.campaign.small_plan import CASE, GUIDANCE, MISSION, plan_of, short
 from tests.gate import gate
 from tests.paths import ROOT
@@ -84,50 +84,37 @@ def start(folder: Path, free: int = 8, file_size: int = 0) -> subprocess.Popen[s
     )  # fmt: skip
 
 
-def parts(folder: Path) -> dict[str, int]:
-    """Finished batches, and when each was written."""
-    found = (folder / "out" / ".many.h5.parts").glob("*.safetensors")
-    return {path.name: path.stat().st_mtime_ns for path in found}
-
-
 @pytest.mark.slow
 def test_interrupted_and_killed_it_goes_on(tmp_path: Path) -> None:
     """Ctrl-C, then SIGKILL, then a file that is too large; what was flown is not flown again."""
-
-    def until(count: int, run: subprocess.Popen[str]) -> None:
-        give_up = time.monotonic() + 60
-        while len(parts(tmp_path)) < count:
-            assert run.poll() is None
-            assert time.monotonic() < give_up
-            time.sleep(0.001)
-
+    out = tmp_path / "out"
     run = start(tmp_path, free=4)
-    until(2, run)
+    until(out, run, 2)
     run.send_signal(signal.SIGINT)
     _, said = run.communicate(timeout=60)
     assert run.returncode == 130
-    kept = parts(tmp_path)
+    kept = parts(out)
     assert 2 <= len(kept) <= 4
-    folder = tmp_path / "out" / ".many.h5.parts"
+    folder = out / ".many.h5.parts"
     way_on = f"{len(kept)} finished batches wait in {folder}: the same command goes on"
     assert said == f"interrupted by SIGINT: {way_on}\n"
 
     run = start(tmp_path, free=7)
-    until(len(kept) + 2, run)
+    until(out, run, len(kept) + 2)
     run.kill()
     run.communicate()
-    more = parts(tmp_path)
+    more = parts(out)
     assert len(more) <= 7
     assert kept.items() < more.items()
-    assert not (tmp_path / "out" / "many.h5").exists()
+    assert not (out / "many.h5").exists()
 
     run = start(tmp_path, file_size=60_000)
     _, said = run.communicate(timeout=60)
     assert run.returncode == 1
     assert f"error: cannot write results {tmp_path / 'out' / 'many.h5'}" in said
     assert "Traceback" not in said
-    assert more.items() < parts(tmp_path).items()
-    assert len(parts(tmp_path)) == 8
+    assert more.items() < parts(out).items()
+    assert len(parts(out)) == 8
 
     damaged = folder / sorted(more)[0]
     damaged.write_bytes(damaged.read_bytes()[:-3])

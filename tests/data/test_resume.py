@@ -18,6 +18,7 @@ from sailnet.dataset import open_dataset
 from sailnet.mission.mission import load_mission
 from tests.gate import gate
 from tests.paths import ROOT
+from tests.processes import alive, children
 from tests.small_datasets import INVENTED, undisturbed
 
 TRAJECTORIES = 1000
@@ -77,17 +78,6 @@ def until_shards(output: Path, wanted: int, run: subprocess.Popen[str]) -> None:
         assert run.poll() is None
         assert time.monotonic() < until
         time.sleep(0.002)
-
-
-def children(process: subprocess.Popen[str]) -> list[int]:
-    """Worker processes, not multiprocessing's tracker of resources."""
-    listed = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-    return [int(pid) for pid in listed if b"spawn_main" in Path(f"/proc/{pid}/cmdline").read_bytes()]
-
-
-def alive(pid: int) -> bool:
-    status = Path(f"/proc/{pid}/stat")
-    return status.exists() and status.read_text().rpartition(")")[2].split()[0] != "Z"
 
 
 def completes(output: Path, expected: str, variables: Mapping[str, str] = MappingProxyType({})) -> None:

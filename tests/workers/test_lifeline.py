@@ -9,15 +9,8 @@ from pathlib import Path
 import pytest
 
 from tests.paths import ROOT
+from tests.processes import alive
 from tests.workers.orphans import BUSY
-
-
-def alive(pid: int) -> bool:
-    status = Path(f"/proc/{pid}/stat")
-    try:
-        return status.read_text().rpartition(")")[2].split()[0] != "Z"
-    except FileNotFoundError:
-        return False
 
 
 def gone(pids: list[int], seconds: float) -> None:
