@@ -24,8 +24,8 @@ from sailnet.physics.arrays import Array
 EXPERT_BATCH = 20
 """Flights side by side where the expert steers: half a minute or so of work."""
 
-OPTIMA_BATCH = 2500
-"""States solved at once."""
+OPTIMA_BATCH = 500
+"""States solved at once: few enough that a thousand are shared by two workers."""
 
 MOST_RECORDS = 1500
 """Periods of a trajectory of the sample that are kept at most: evenly spread, and a fifth are the last."""
