@@ -6,12 +6,13 @@ only guess what is best.
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
 from data.domain import flights_block
 from data.flights import sample_evenly
-from sailnet.dataset import Block
+from sailnet.dataset import CROSSING_FLAG, Block
 from sailnet.expert.neighbours import next_optima
 from sailnet.expert.optima import Optima
 from sailnet.mission.recipes import WideRecipe
@@ -94,5 +95,7 @@ def crossings_blocks(
         costates = np.concatenate([part.arrival_costates for part in parts])
         duration = np.concatenate([part.time_of_flight for part in parts])
         if len(duration):
-            blocks.append(flights_block(sails[number], costates, duration, recipe.spacing))
+            block = flights_block(sails[number], costates, duration, recipe.spacing)
+            flags = block.trajectories["flags"] | CROSSING_FLAG
+            blocks.append(replace(block, trajectories={**block.trajectories, "flags": flags}))
     return blocks

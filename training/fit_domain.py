@@ -30,7 +30,7 @@ from sailnet.networks.trained_domain import (
 )
 from sailnet.physics.arrays import Array
 from sailnet.workers.interruption import run_command
-from training.samples import ROWS_READ, split_trajectories
+from training.samples import ROWS_READ, crossings, split_trajectories
 
 MARGIN = 0.01
 """Margin of the bounds on the direction, whose components are at most 1, and, relative, of the ranges of
@@ -94,7 +94,7 @@ def _least_above(highest: Array) -> Array:
 
 
 def fit_domain(data: Dataset, seed: int) -> TrainedDomain:
-    """The domain of the training trajectories; memory holds a block of rows.
+    """The domain of the training trajectories that all networks learn from; memory holds a block of rows.
 
     Args:
         data: what the networks were trained on.
@@ -105,7 +105,7 @@ def fit_domain(data: Dataset, seed: int) -> TrainedDomain:
     """
     problem = data.mission.problem
     momenta, sizes = [], []
-    training = split_trajectories(data.trajectories, seed) == 0
+    training = (split_trajectories(data.trajectories, seed) == 0) & ~crossings(data)
     for states, beta in _samples(data, training):
         if len(states):
             sizes.append(size_and_direction(states, beta, problem.target_state)[0].max())
@@ -191,7 +191,8 @@ def add_domain(dataset: Path, folder: Path, *, quiet: bool = False) -> Network:
             bar.update()
             domain = fit_domain(data, seed)
             bar.update(2)
-            held_out = share_outside(data, domain, split_trajectories(data.trajectories, seed) != 0)
+            others = (split_trajectories(data.trajectories, seed) != 0) & ~crossings(data)
+            held_out = share_outside(data, domain, others)
             bar.update()
     record = {"domain": asdict(domain), "held_out_outside_domain": held_out}
     described = replace(tau, provenance={**tau.provenance, **record})

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.dataset import Dataset
+from sailnet.dataset import CROSSING_FLAG, Dataset
 from sailnet.errors import DatasetError
 from sailnet.physics.arrays import Array
 from training.targets import Target
@@ -81,10 +81,18 @@ def split_trajectories(trajectories: int, seed: int) -> NDArray[np.int8]:
     return np.random.default_rng([seed, 0]).permutation(parts)
 
 
+def crossings(data: Dataset) -> NDArray[np.bool_]:
+    """(trajectories,) which begin on the way of another sail."""
+    flags = data.read_trajectories(["flags"])["flags"].astype(int)
+    return np.asarray(flags & CROSSING_FLAG != 0)
+
+
 def load_samples(
     data: Dataset, target: Target, seed: int, train_samples: int, validation_samples: int
 ) -> SampleSet:
     """Read one network's samples; memory holds what is returned and a block of rows.
+
+    Ranges are over all training trajectories, so that they are those of every network.
 
     Raises:
         DatasetError: damaged, or too few trajectories to split.
@@ -92,10 +100,13 @@ def load_samples(
     part_of_row = np.repeat(split_trajectories(data.trajectories, seed), np.diff(data.first_sample))
     if target.approach:
         part_of_row[data.first_sample[:-1]] = -1
+    learnt = part_of_row
+    if not target.crossings:
+        learnt = np.where(np.repeat(crossings(data), np.diff(data.first_sample)), -1, part_of_row)
     rng = np.random.default_rng([seed, 1])
     drawn = []
     for part, limit in enumerate((train_samples, validation_samples, data.samples)):
-        rows = np.flatnonzero(part_of_row == part)
+        rows = np.flatnonzero(learnt == part)
         drawn.append(rows if limit >= len(rows) else np.sort(rng.choice(rows, limit, replace=False)))
     collected: list[list[Mapping[str, Array]]] = [[] for _ in PARTS]
     ranges = (*target.inputs, "value", "r", "u", "v")

@@ -44,6 +44,8 @@ class Target:
         value: the target from those columns.
         definition: the target in words, as stored in the network's provenance.
         size: |alpha| [rad] from the network's output and phi_max, or None if it is no command.
+        crossings: whether it learns what is optimal on the ways of other sails, where data have that. There
+            the side is what matters; time and angle would only be less exact where sails are.
     """
 
     name: str
@@ -52,6 +54,7 @@ class Target:
     value: Callable[[Columns], Array]
     definition: str
     size: Callable[[Array, float], Array] | None = None
+    crossings: bool = False
 
     @property
     def approach(self) -> bool:
@@ -147,6 +150,7 @@ _WIDE = (
         ("lambda_v",),
         lambda columns: np.arcsinh(columns["lambda_v"] * columns["acceleration"] / APPROACH_SIGN_SCALE),
         f"asinh(lambda_v beta / (r_f^2 {APPROACH_SIGN_SCALE:g})): same sign, resolved best where it changes",
+        crossings=True,
     ),
 )
 

@@ -8,6 +8,7 @@ it came from in the root attributes.
 from sailnet.dataset.block import Block
 from sailnet.dataset.reader import Dataset, open_dataset
 from sailnet.dataset.schema import (
+    CROSSING_FLAG,
     INTEGER,
     JUMP_FLAG,
     NEGATIVE_ARRIVAL_FLAG,
@@ -18,6 +19,7 @@ from sailnet.dataset.schema import (
 from sailnet.dataset.writer import write_dataset
 
 __all__ = [
+    "CROSSING_FLAG",
     "INTEGER",
     "JUMP_FLAG",
     "NEGATIVE_ARRIVAL_FLAG",

@@ -25,11 +25,11 @@ TRAJECTORIES: Mapping[str, tuple[str, str]] = {
     "lambda_u0": ("TU^2/AU", "costate of u at arrival"),
     "lambda_v0": ("TU^2/AU", "costate of v at arrival"),
     "jump_time": ("TU", "time of flight left at the jump of the cone angle; NaN without a jump"),
-    "flags": ("1", "bit 0: the cone angle jumps; bit 1: the cone angle at arrival is negative"),
+    "flags": ("1", "bit 0: the cone angle jumps; 1: it is negative at arrival; 2: begins on another's way"),
     "first_sample": ("1", "row of /samples where the trajectory begins, at arrival (tau = 0)"),
 }
 INTEGER = {"trajectory": "<i4", "flags": "<u1", "first_sample": "<i8"}
-JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG = 1, 2
+JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG, CROSSING_FLAG = 1, 2, 4
 
 LAYOUT = Layout(
     schema=SCHEMA,

@@ -7,6 +7,7 @@ import pytest
 
 from data.crossings import LATEST, REACH, crossings, crossings_blocks, on_their_ways
 from data.flights import sample_evenly
+from sailnet.dataset import CROSSING_FLAG
 from sailnet.expert.fastest import solve_states
 from sailnet.expert.optima import Optima
 from sailnet.mission.mission import load_mission
@@ -83,6 +84,7 @@ def test_blocks_hold_every_sails_samples_back_to_the_ways(optima: Optima) -> Non
     for block in blocks:
         assert np.unique(block.samples["beta"]).size == 1
         assert all(np.isfinite(column).all() for column in block.samples.values())
+        assert (block.trajectories["flags"].astype(int) & CROSSING_FLAG).all()
     assert len(blocks[OWN - 1].lengths) <= 5 < len(blocks[0].lengths) <= 10
     short = crossings_blocks(recipe, SAILS, {OWN: optima}, 2.0, np.random.default_rng(3))
     assert max(block.samples["tau"].max() for block in short) <= 2.0

@@ -10,7 +10,7 @@ from scipy.spatial.distance import cdist
 from data.generate import generate
 from data.recipes import prepare
 from data.wide import AROUND, RADIUS, SAMPLES, SLOWER, around_target, wide_shard, wide_shards
-from sailnet.dataset import Block, open_dataset, write_dataset
+from sailnet.dataset import CROSSING_FLAG, Block, open_dataset, write_dataset
 from sailnet.dataset.inspection import ORIGIN, inspect_dataset
 from sailnet.expert.fastest import solve
 from sailnet.mission.mission import Mission, load_mission
@@ -120,6 +120,8 @@ def test_crossings_are_added_to_what_there_is_without(narrow: Mission) -> None:
     assert count + 7 <= len(block.lengths) <= count + 10
     beta = block.samples["beta"][np.cumsum(block.lengths)[count:] - 1]
     assert np.unique(beta) == pytest.approx(np.array(wide.beta) * mission.sail.beta)
+    marked = (block.trajectories["flags"].astype(int) & CROSSING_FLAG) > 0
+    assert marked.tolist() == [False] * count + [True] * (len(block.lengths) - count)
     assert prepare(mission, "wide").trajectories == 2 * (8 + 20 + 2 * 5)
 
 
