@@ -96,6 +96,6 @@ def crossings_blocks(
         duration = np.concatenate([part.time_of_flight for part in parts])
         if len(duration):
             block = flights_block(sails[number], costates, duration, recipe.spacing)
-            flags = block.trajectories["flags"] | CROSSING_FLAG
+            flags = block.trajectories["flags"] + CROSSING_FLAG
             blocks.append(replace(block, trajectories={**block.trajectories, "flags": flags}))
     return blocks
