@@ -18,8 +18,8 @@ from sailnet.physics.arrays import Array
 from sailnet.physics.optics import Optics
 from sailnet.physics.transfer import Transfer
 
-TOGETHER = 256
-"""Optima that are followed at once, for what a sail turns along them."""
+TOGETHER = 400_000
+"""Samples of optima at once, for what a sail turns along them: some 60 MB."""
 
 FEW = 25
 """Up to so many states are solved one by one: indexing the generalisation set takes some twenty seconds."""
@@ -93,13 +93,13 @@ def optimal_turns(transfer: Transfer, optima: Optima, period: float) -> Turns:
         period: guidance period [TU].
     """
     slew, reversals = np.full((2, len(optima.time_of_flight)), np.nan)
-    # Those of like duration together: the longest says how many samples each has.
-    order = np.argsort(optima.time_of_flight, kind="stable")
-    order = order[optima.found[order]]
-    for first in range(0, len(order), TOGETHER):
-        rows = order[first : first + TOGETHER]
+    # Those of like duration together, the longest first: it says how many samples each has.
+    left = np.flatnonzero(optima.found)
+    left = left[np.argsort(-optima.time_of_flight[left], kind="stable")]
+    while len(left):
+        count = math.ceil(optima.time_of_flight[left[0]] / period) + 1
+        rows, left = np.split(left, [max(1, TOGETHER // count)])
         duration = optima.time_of_flight[rows]
-        count = math.ceil(duration.max() / period) + 1
         _, columns = sample_many(transfer, optima.arrival_costates[rows], duration, count)
         steps = np.abs(np.diff(columns[..., 6], axis=1))
         slew[rows], reversals[rows] = steps.sum(axis=1), (steps > REVERSAL).sum(axis=1)
