@@ -21,6 +21,8 @@ from tests.held_angle import hold_angle
 
 MISSION = load_mission("earth_mars")
 NETWORKS = load_guidance(MISSION)
+ALL_OF_IT = "look-ahead-without-reserve"
+"""Which plans with the estimate as it is."""
 
 
 class Sooner(Told):
@@ -52,7 +54,7 @@ def test_it_asks_at_the_end_of_the_horizon() -> None:
             polar = runge_kutta_step(polar, told, beta, PERIOD)
             told = NETWORKS.command(polar[[0, 2, 3]].T).cone_angle
         left.append(NETWORKS.command(polar[[0, 2, 3]].T).time_of_flight[0])
-    steered = LookingAhead(NETWORKS).steering(1).steer(states, PERIOD, ONE)
+    steered = LookingAhead(NETWORKS, ALL_OF_IT).steering(1).steer(states, PERIOD, ONE)
     assert steered.cone_angle[0] == (angle if left[0] <= left[1] else -angle)[0]
     assert left[0] != left[1]
 
@@ -72,7 +74,7 @@ class Asked(Told):
 def test_it_looks_along_the_way_of_the_mission_s_sail(optics: str) -> None:
     asked = Asked(cone_angle=0.6)
     asked.mission = MISSION.with_optics(OPTICS[optics])
-    LookingAhead(asked).steering(1).steer(departed()[[0, 2, 3]].T, PERIOD, ONE)
+    LookingAhead(asked, ALL_OF_IT).steering(1).steer(departed()[[0, 2, 3]].T, PERIOD, ONE)
     force = OPTICS[optics].force
     for first, side in ((1, 0.6), (1 + HORIZON, -0.6)):
         expected = hold_angle(departed(), MISSION.sail.beta, side, PERIOD, force)[[0, 2, 3]].T
