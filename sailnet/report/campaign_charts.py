@@ -173,11 +173,13 @@ def _reversals(results: Results, scores: list[Score]) -> Chart:
         counts, level = _distribution(results.flights["reversals"][results.rows(score.series, score.period)])
         columns |= {f"reversals_{number}": np.maximum(counts, NONE), f"share_{number}": level}
         curves.append(_curve(number, "reversals", _label(score, scores)))
+    optimal = [score.optimal_reversals.worst for score in scores if score.optimal_reversals is not None]
+    of_optima = f"; optima of the sail as assumed have {max(optimal):.0f} at most" if optimal else ""
     return Chart(
         "reversals",
         "Reversals",
-        "Share of the flights with no more steps of the command over 40° from one period to the next; an "
-        f"optimum has one at most. No reversal is drawn at {NONE:g}.",
+        "Share of the flights with no more steps of the command over 40° from one period to the next"
+        f"{of_optima}. No reversal is drawn at {NONE:g}.",
         "reversals of a flight",
         "flights [%]",
         curves,

@@ -56,7 +56,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> tuple[Results, Path]:
         {
             "schema": 1, "name": "page", "title": "A <page> & more", "sample": 1, "failures": 3, "optima": 0,
             "series": [
-                {"name": "calm", "flights": 60, "periods": [0.02, 0.05]},
+                {"name": "calm", "flights": 60, "periods": [0.02, 0.05], "optima": 1},
                 {"name": "</script> noisy", "flights": 60, "periods": [0.05],
                  "disturbance": {"beta_noise": 0.15, "r_noise": 1e-5, "optics": "jpl"}},
                 {"name": "case", "starts": [[1.05, 0.15, 1.03]], "optima": 1},
@@ -233,6 +233,8 @@ def test_the_page_is_self_contained_and_says_what_was_flown(flown: tuple[Results
     assert f"Of the other {failed - kept}, 0 have theirs in" in text
     assert results.digest[:16] in text
     assert "beta_noise = 0.15, r_noise = 1e-05, optics = jpl" in text
+    most = int(np.nanmax(results.flights["optimal_reversals"]))
+    assert f"; optima of the sail as assumed have {most} at most. No reversal is drawn" in text
     scores = json.loads((folder / "scores.json").read_text())["scores"]
     shares = [score for score in scores if score["flights"] > 10]  # of fewer it gives the numbers
     assert shares
