@@ -19,7 +19,7 @@ COMMAND_INPUTS = ("r", "u", "v", "tau")
 
 SIGN_SCALE = 10.0
 """Size of lambda_v [TU^2/AU] below which the sign network's target is nearly linear in it: the target is
-asinh(lambda_v / SIGN_SCALE), same sign, resolved best where the sign changes (training/README.md)."""
+asinh(lambda_v / SIGN_SCALE), same sign, resolved best where the sign changes (training/TRIED.md)."""
 
 APPROACH_SIGN_SCALE = 0.7
 """The same for lambda_v times the acceleration at the target, which has no unit."""
