@@ -318,6 +318,11 @@ def test_defects_are_found(approach_exported: Exported, tmp_path: Path, name: st
     # The tube of random networks holds every state.
     exported = SHIPPED if name == "a knot beyond the last" else approach_exported.folder
     folder = mutant.write(exported, tmp_path / "exported")
+    if name == "an arrival outside the domain":
+        # So many inputs come upon it only where all of the estimate is planned with.
+        header = folder / "sailnet_guidance.h"
+        kept = re.compile(r"(?<=SAILNET_LEAST_RESERVE SAILNET_REAL)\(.*\)")
+        header.write_text(kept.sub("(0.0)", header.read_text(), count=1))
     run = make(mutant.target, folder, tmp_path, f"BUILDS={mutant.build}", "FUZZ_RUNS=50000")
     assert run.returncode != 0, run.stdout
     assert mutant.says in run.stdout + run.stderr
