@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.campaign.columns import KEPT, RECORDS, flight_columns, record_columns
+from sailnet.campaign.columns import COSTATES, KEPT, RECORDS, flight_columns, record_columns
 from sailnet.campaign.own_optima import assumed_optima, optimal_turns, own_optimal_times
 from sailnet.campaign.plan import Plan, Starts
 from sailnet.campaign.random_flights import BATCH
@@ -162,8 +162,7 @@ class Job:
         columns = {"optimal_time": optima.time_of_flight}
         turns = optimal_turns(self.mission.problem, optima, self.mission.flight.period)
         columns |= {"optimal_slew": turns.slew, "optimal_reversals": turns.reversals}
-        for i, name in enumerate(("lambda_r", "lambda_u", "lambda_v")):
-            columns[f"optimal_{name}"] = optima.arrival_costates[:, i]
+        columns |= zip(COSTATES, optima.arrival_costates.T, strict=True)
         for number in sharing:
             known = max(0, min(batch.count, whole[number].known - batch.first))
             own = np.full(batch.count, np.nan)

@@ -96,8 +96,8 @@ LAYOUT = Layout(
     small=True,
 )
 OWN = "own_optimal_time"
-_COSTATES = ("optimal_lambda_r", "optimal_lambda_u", "optimal_lambda_v")
-OPTIMUM = ("optimal_time", *_COSTATES, "optimal_slew", "optimal_reversals", OWN)
+COSTATES = ("optimal_lambda_r", "optimal_lambda_u", "optimal_lambda_v")
+OPTIMUM = ("optimal_time", *COSTATES, "optimal_slew", "optimal_reversals", OWN)
 """Columns of ``FLIGHTS`` that the expert fills."""
 
 _TRIPLES = {"starts": "start", "ends": "end", "terminal_error": "error"}

@@ -32,9 +32,9 @@ class SteeringRules:
         reserve_white: reserve per standard deviation that white noise leaves in the mean of the periods left.
         least_reserve: share of beta that is kept back at least, for what the networks themselves err by. Some
             optima arrive with all the thrust there is, and who is late there misses. Flown 1,000 to 4,000
-            times each: without it 4 flights in 1,000 of JPL's sail missed, 29 to 0.9 AU, and to Mars by
-            networks of another seed 18 (mean time above the optimum 0.48 % for 0.083 %); networks that need
-            none pay 0.005 %. Of 0.003, 0.006 and 0.01 none saves more than the first, which costs the least.
+            times each: without it 4 flights in 1,000 of JPL's sail missed and 29 to 0.9 AU, and networks of
+            another seed took 0.48 % longer than the optimum to Mars, for 0.083 %; networks that need none
+            pay 0.005 %. Of 0.003, 0.006 and 0.01 none saves more than the first, which costs the least.
         largest_reserve: share of beta that is kept back at most.
         let_go: time of flight from which on the reserve shrinks to nothing [TU].
         reversal: a step of the command that changes its sign and is above this waits for patience [rad].
