@@ -16,9 +16,8 @@ from scipy.spatial import cKDTree
 from data.block import block_of
 from data.crossings import crossings_blocks
 from data.domain import flights_block, widened
+from data.sails import solve_neighbouring_sails
 from sailnet.dataset import Block
-from sailnet.expert.fastest import solve_some
-from sailnet.expert.neighbours import solve_among
 from sailnet.expert.optima import Optima
 from sailnet.mission.mission import Mission
 from sailnet.mission.recipes import WideRecipe
@@ -30,9 +29,6 @@ from sailnet.physics.transfer import Transfer
 TOGETHER = 7
 """Values of beta that share a search, of the middle one: the extremals of a sail some per cent weaker or
 stronger are a few Newton steps away."""
-
-SEEDS = 256
-"""States of the middle one that are searched for by an index; the others begin at neighbours."""
 
 AROUND = (3e-4, 0.1)
 """How far from the target, evenly in the logarithm, states around it lie, in units of its orbit."""
@@ -77,7 +73,7 @@ def wide_shard(mission: Mission, shard: int) -> Block:
     low, high = widened(mission, recipe.margin)
     power = math.ceil(math.log2(recipe.starts))
     shares = [Sobol(3, rng=rng).random_base2(power)[: recipe.starts] for rng in streams]
-    optima = _outward(sails, [low + (high - low) * share for share in shares])
+    optima = solve_neighbouring_sails(sails, [low + (high - low) * share for share in shares])
     blocks = [_one_sail(mission, *of_one) for of_one in zip(sails, optima, streams, strict=True)]
     if recipe.crossings:
         ways = {level: _short_enough(mission, found) for level, found in zip(levels, optima, strict=True)}
@@ -113,21 +109,10 @@ def _from_around(mission: Mission) -> Block:
     states = around_target(mission.problem, recipe.around, recipe.seed)
     sails = _sails(mission, range(recipe.levels))
     blocks = []
-    for sail, found in zip(sails, _outward(sails, [states] * len(sails)), strict=True):
+    for sail, found in zip(sails, solve_neighbouring_sails(sails, [states] * len(sails)), strict=True):
         flown = _short_enough(mission, found)
         blocks.append(flights_block(sail, flown.arrival_costates, flown.time_of_flight, recipe.spacing))
     return Block.join(blocks)
-
-
-def _outward(sails: list[Transfer], states: list[Array]) -> list[Optima]:
-    """Optima of neighbouring sails, from the middle one outward, each from those of the one before."""
-    middle = len(sails) // 2
-    seeds = solve_some(sails[middle], states[middle][:SEEDS])
-    optima = {middle: solve_among(sails[middle], states[middle], seeds)}
-    for level in [*range(middle + 1, len(sails)), *range(middle - 1, -1, -1)]:
-        inner = level - 1 if level > middle else level + 1
-        optima[level] = solve_among(sails[level], states[level], optima[inner])
-    return [optima[level] for level in range(len(sails))]
 
 
 def _one_sail(mission: Mission, problem: Transfer, optima: Optima, rng: np.random.Generator) -> Block:

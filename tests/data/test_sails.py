@@ -1,0 +1,36 @@
+"""Slow flights that neighbours do not lead to: searched for if there are many, and led from sail to sail."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from data import sails
+from sailnet.expert.fastest import solve
+from sailnet.expert.optima import Optima
+from sailnet.mission.mission import load_mission
+
+MISSION = load_mission("earth_mars")
+
+STARTS = 24
+"""In the fastest corner, where a weak sail flies out beyond Mars before it comes back."""
+
+
+@pytest.mark.exhaustive
+def test_what_neighbours_leave_out_is_searched_for_and_led_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    weak = [replace(MISSION.problem, beta=share * MISSION.sail.beta) for share in (0.95, 0.9667)]
+    rng = np.random.default_rng(5)
+    states = [rng.uniform([1.13, 0.03, 1.19], [1.18, 0.13, 1.23], (STARTS, 3)) for _ in weak]
+
+    def solved(worth: int) -> list[Optima]:
+        monkeypatch.setattr(sails, "WORTH_A_SEARCH", worth)
+        return sails.solve_neighbouring_sails(weak, states)
+
+    before, after = solved(STARTS + 1), solved(1)
+    for sail, one, two in zip(weak, before, after, strict=True):
+        assert np.count_nonzero(~one.found) >= STARTS // 3
+        assert np.count_nonzero(~two.found) <= STARTS // 12
+        assert not (two.time_of_flight > one.time_of_flight + 1e-9)[one.found].any()
+        for row in np.flatnonzero(two.found & ~one.found)[:2]:
+            best = solve(sail, two.state[row])
+            assert two.time_of_flight[row] == pytest.approx(best.time_of_flight, abs=1e-6)
