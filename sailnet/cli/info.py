@@ -31,6 +31,7 @@ LINES = {
     "samples": Line("samples", number),
     "jump_share": Line("jumps of the cone angle", percent),
     "negative_arrival_share": Line("arrivals at a negative cone angle", percent),
+    "crossing_share": Line("flights that begin on another sail's way", percent),
     "largest_hamiltonian": Line("largest Hamiltonian, 0 at an optimum", number),
     "ranges": Line("ranges", _ranges),
     "software": Line("made by", table(str)),

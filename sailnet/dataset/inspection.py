@@ -8,7 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 from tqdm import tqdm
 
-from sailnet.dataset import JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG, SAMPLES, TRAJECTORIES, Dataset, open_dataset
+from sailnet.dataset import (
+    CROSSING_FLAG,
+    JUMP_FLAG,
+    NEGATIVE_ARRIVAL_FLAG,
+    SAMPLES,
+    TRAJECTORIES,
+    Dataset,
+    open_dataset,
+)
 from sailnet.errors import DatasetError
 from sailnet.physics.pontryagin import evaluate_hamiltonian, guidance_law, hamiltonian_bound
 
@@ -58,6 +66,7 @@ def inspect_dataset(path: Path, bar: "tqdm[Any] | None" = None) -> dict[str, obj
             "samples": data.samples,
             "jump_share": float(np.mean((flags & JUMP_FLAG) > 0)),
             "negative_arrival_share": float(np.mean((flags & NEGATIVE_ARRIVAL_FLAG) > 0)),
+            "crossing_share": float(np.mean((flags & CROSSING_FLAG) > 0)),
             "largest_hamiltonian": hamiltonian,
             "ranges": check.ranges,
             "software": {name: data.provenance[name] for name in ORIGIN[2:-1]},
@@ -126,7 +135,8 @@ class _Check:
         expected = JUMP_FLAG * np.isfinite(rows["jump_time"]) + NEGATIVE_ARRIVAL_FLAG * (
             rows["lambda_v0"] > 0
         )
-        self._require("trajectories/flags", 0, flags == expected, flags, "contradicts jump_time or lambda_v0")
+        agree = (flags & ~CROSSING_FLAG) == expected
+        self._require("trajectories/flags", 0, agree, flags, "contradicts jump_time or lambda_v0")
         return flags
 
     def _require(

@@ -106,8 +106,8 @@ def test_a_recipe_without_them_is_written_as_ever(narrow: Mission) -> None:
         assert wide.model_copy(update={name: 3}).model_dump()[name] == 3
 
 
-def test_crossings_are_added_to_what_there_is_without(narrow: Mission) -> None:
-    """From ways of both sails, each other's: two apart by a tenth."""
+def test_crossings_are_added_to_what_there_is_without(narrow: Mission, tmp_path: Path) -> None:
+    """From ways of both sails, each other's: two apart by a tenth. A file that holds them is a sound one."""
     change = {"beta": (0.95, 1.05), "starts": 8, "approaches": 20, "crossings": 5}
     wide = narrow.dataset.wide.model_copy(update=change)
     mission = narrow.model_copy(update={"dataset": narrow.dataset.model_copy(update={"wide": wide})})
@@ -122,7 +122,10 @@ def test_crossings_are_added_to_what_there_is_without(narrow: Mission) -> None:
     assert np.unique(beta) == pytest.approx(np.array(wide.beta) * mission.sail.beta)
     marked = (block.trajectories["flags"].astype(int) & CROSSING_FLAG) > 0
     assert marked.tolist() == [False] * count + [True] * (len(block.lengths) - count)
-    assert prepare(mission, "wide").trajectories == 2 * (8 + 20 + 2 * 5)
+    prepared = prepare(mission, "wide")
+    assert prepared.trajectories == 2 * (8 + 20 + 2 * 5)
+    write_dataset(tmp_path / "wide.h5", mission, iter([block]), dict.fromkeys(ORIGIN, "x") | prepared.origin)
+    assert inspect_dataset(tmp_path / "wide.h5")["crossing_share"] == pytest.approx(marked.mean())
 
 
 def test_approaches_come_from_all_sides(narrow: Mission, shards: list[Block]) -> None:
