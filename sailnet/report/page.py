@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoescape
+from markupsafe import Markup, escape
 
 FOLDER = Path(__file__).parent
 """Where the templates of this package are."""
@@ -22,4 +23,14 @@ def render(template: str, folder: Path = FOLDER, /, **content: object) -> str:
         undefined=StrictUndefined,
         trim_blocks=False,
     )
+    environment.filters["with_code"] = with_code
     return environment.get_template(template).render(**content)
+
+
+def with_code(text: str) -> Markup:
+    """A campaign's text for a page: escaped, and what stands between backticks as code."""
+    parts = text.split("`")
+    if len(parts) % 2 == 0:  # a backtick without its second
+        return escape(text)
+    code = Markup("<code>{}</code>")
+    return Markup("").join(code.format(part) if n % 2 else escape(part) for n, part in enumerate(parts))

@@ -40,6 +40,7 @@ from sailnet.report.charts import Chart, Curve, page_columns, write_csv
 from sailnet.report.compressed_flights import TOGETHER, compress_flights
 from sailnet.report.flight_charts import flight_charts, flight_columns
 from sailnet.report.flight_page import LIBRARY, chart_page
+from sailnet.report.page import with_code
 from sailnet.report.shown_flights import shown_groups
 from tests.browser import browse, told
 from tests.tools import needs_browser
@@ -350,6 +351,18 @@ def test_charts_say_null_for_what_is_no_number(tmp_path: Path) -> None:
     chart = Chart("n", "t", "c", "x", "y", [Curve("x", "y", "one"), Curve("x", "none", "two")])
     assert [curve.label for curve in chart.with_columns(columns).curves] == ["one"]
     assert set(chart.with_columns(columns).columns) == {"x", "y"}
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("as in `law`, 1 < 2", "as in <code>law</code>, 1 &lt; 2"),
+        ("`<b>`", "<code>&lt;b&gt;</code>"),
+        ("one ` alone <i>", "one ` alone &lt;i&gt;"),
+    ],
+)
+def test_code_in_a_campaigns_text_is_shown_as_such_and_nothing_runs(text: str, shown: str) -> None:
+    assert str(with_code(text)) == shown
 
 
 def test_shares_of_a_few_are_counted() -> None:
