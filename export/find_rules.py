@@ -127,7 +127,7 @@ class Trials:
 
     def _flights(self, guidance: CGuidance, series: Series) -> dict[str, float]:
         mission, seed = self._mission, self._plan.seed
-        starts = series.states(mission, seed, 0, series.count)
+        starts = series.states(mission, guidance, seed, 0, series.count)
         disturbance = series.disturbances(mission, seed)
         flights = fly(mission, guidance, starts, disturbance=disturbance)
         if series.name not in self._optima:

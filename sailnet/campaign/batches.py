@@ -8,7 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.campaign.columns import COSTATES, KEPT, RECORDS, flight_columns, record_columns
-from sailnet.campaign.own_optima import assumed_optima, optimal_turns, own_optimal_times
+from sailnet.campaign.own_optima import (
+    assumed_optima,
+    optima_beside_flights,
+    optimal_turns,
+    own_optimal_times,
+)
 from sailnet.campaign.plan import Plan, Starts
 from sailnet.campaign.random_flights import BATCH
 from sailnet.campaign.time_to_go import time_to_go
@@ -108,7 +113,7 @@ class Job:
 
     def _fly(self, batch: Batch) -> Columns:
         series = self.plan.whole[batch.series]
-        starts = series.states(self.mission, self.plan.seed, batch.first, batch.count)
+        starts = series.states(self.mission, self.guidance, self.plan.seed, batch.first, batch.count)
         disturbance = series.disturbances(self.mission, self.plan.seed)
 
         def recorded(row: int) -> tuple[Flights, list[History]]:
@@ -157,8 +162,12 @@ class Job:
         whole = self.plan.whole
         series = whole[batch.series]
         sharing = [number for number, other in enumerate(whole) if other.starts == series.starts]
-        states = series.states(self.mission, self.plan.seed, batch.first, batch.count)
-        optima = assumed_optima(self.mission, states, anywhere=series.starts != "generalisation")
+        states = series.states(self.mission, self.guidance, self.plan.seed, batch.first, batch.count)
+        if series.starts == "generalisation" or isinstance(series.starts, tuple):
+            listed = isinstance(series.starts, tuple)
+            optima = assumed_optima(self.mission, states, anywhere=listed)
+        else:
+            optima = optima_beside_flights(self.mission, states)
         columns = {"optimal_time": optima.time_of_flight}
         turns = optimal_turns(self.mission.problem, optima, self.mission.flight.period)
         columns |= {"optimal_slew": turns.slew, "optimal_reversals": turns.reversals}
