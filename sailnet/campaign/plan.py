@@ -21,18 +21,7 @@ from sailnet.physics.arrays import Array
 State = Annotated[tuple[Positive, float, float], Field(strict=False)]
 UpTo = Annotated[int, Field(ge=0, le=10**9)]
 
-
-class OffOptima(Section):
-    """Starts on optimal flights, off by a share of what is left: :func:`sailnet.flight.starts.off_optima`.
-
-    Attributes:
-        off_optimum: that share.
-    """
-
-    off_optimum: Annotated[float, Field(gt=0.0, le=1.0)]
-
-
-Random = Literal["generalisation", "departure", "domain"] | OffOptima
+Random = Literal["generalisation", "departure", "optima", "domain"]
 Starts = Random | Annotated[tuple[State, ...], Field(strict=False, min_length=1)]
 
 
@@ -77,8 +66,9 @@ class Series(Section):
         flights: how many; by default one from each start that is listed.
         starts: ``generalisation`` for random ones of the mission's generalisation set, ``departure`` for
             such of the departure orbit's neighbourhood, ``domain`` for such of all that the guidance says it
-            knows, ``{ off_optimum = 0.05 }`` for such beside optimal flights
-            (:mod:`sailnet.flight.starts`); or a list of (r, u, v), flown in turn.
+            knows, ``optima`` for such beside optimal flights (:mod:`sailnet.flight.starts`); or a list of
+            (r, u, v), flown in turn.
+        off: of starts beside optimal flights, how far off they are, as a share of what is left to the target.
         periods: guidance periods [TU], each of which flies all the flights; the mission's by default.
         disturbance: table of disturbances by name, on top of the mission's.
         optima: the expert is asked how fast the first so many flights could have been; by default all.
@@ -88,9 +78,15 @@ class Series(Section):
     mission: str | None = None
     flights: Count | None = None
     starts: Starts | None = None
+    off: Annotated[float, Field(gt=0.0, le=1.0)] | None = None
     periods: Periods | None = None
     disturbance: Annotated[dict[str, Any], AfterValidator(_known)] = Field(default_factory=dict)
     optima: UpTo | None = None
+
+    @property
+    def source(self) -> tuple[Starts | None, float | None]:
+        """Where it starts: the same starts have the same optima."""
+        return self.starts, self.off
 
     @property
     def known(self) -> int:
@@ -114,8 +110,9 @@ class Series(Section):
         match self.starts:
             case tuple(listed):
                 return np.array(listed)[np.arange(first, first + count) % len(listed)]
-            case OffOptima(off_optimum=error):
-                return off_optima(mission, count, seed, error, first)
+            case "optima":
+                assert self.off is not None
+                return off_optima(mission, count, seed, self.off, first)
             case "departure":
                 return near_departure(mission, count, seed, first)
             case "domain":
@@ -165,6 +162,8 @@ class Plan(Section):
         for series in self.whole:
             if not isinstance(series.starts, tuple) and series.flights is None:
                 raise ValueError(f"say how many flights of {series.name!r} there are: flights = 1000")
+            if (series.starts == "optima") != (series.off is not None):
+                raise ValueError(f"off, as off = 0.05, belongs to starts beside optima; see {series.name!r}")
         return self
 
     @property

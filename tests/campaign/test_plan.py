@@ -40,7 +40,12 @@ def broken(change: Callable[[dict[str, Any]], object]) -> str:
         (lambda c: c.update(thresholds=[float("nan")]), "thresholds"),
         (lambda c: c["series"][0].update(starts=[[-1.0, 0.0, 1.0]]), "starts"),
         (lambda c: c["series"][0].update(starts="everywhere"), "starts"),
-        (lambda c: c["series"][0].update(starts={"off_optimum": 0.0}), "starts"),
+        (
+            lambda c: c["series"][1].update(starts="optima", off=0.0),
+            "series.1.off = 0.0: must be greater than 0",
+        ),
+        (lambda c: c["series"][1].update(starts="optima"), "off = 0.05, belongs to starts beside optima"),
+        (lambda c: c["series"][1].update(off=0.1), "belongs to starts beside optima; see 'rough'"),
         (lambda c: c["series"][0].update(starts="domain"), "how many flights of 'calm'"),
         (lambda c: c.update(seed=-1), "seed = -1"),
         (lambda c: c.pop("title"), "title: this key is missing"),
@@ -71,10 +76,12 @@ def test_starts_are_where_a_series_says(monkeypatch: pytest.MonkeyPatch) -> None
     kinds = {
         "random_starts": "generalisation",
         "near_departure": "departure",
-        "off_optima": {"off_optimum": 0.05},
+        "off_optima": "optima",
         "inside_domain": "domain",
     }
+    series: list[dict[str, object]]
     series = [{"name": name, "starts": starts, "flights": 9} for name, starts in kinds.items()]
+    series[2]["off"] = 0.05
     plan = plan_of(series=series)
     assert [one.states(MISSION, GUIDANCE, 5, 2, 4)[0, 0] for one in plan.whole] == [1, 2, 3, 4]
     common = (MISSION, 4, 5)
