@@ -43,7 +43,7 @@ fly_campaign = $(SAILNET) evaluate --overwrite --mission $(MISSION) --workers 2 
 # Where the tables of campaigns stand: those of other missions beside their networks.
 campaign_tables := $(if $(filter earth_mars,$(NAME)),sailnet/campaign,sailnet/shipped/$(NAME))/RESULTS.md
 
-.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns others bench benchmarks bad-days report ship quick test test-tools tools peers docs mutation checks lint clean
+.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns others missions bench benchmarks bad-days report ship quick test test-tools tools peers docs mutation checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -149,6 +149,10 @@ ship: accept $(run)/bench.json $(run)/agreement.json
 	$(PYTHON) -m export.ship $(run) sailnet/shipped/$(NAME) --mission $(MISSION) --results RESULTS.md \
 	    $(if $(filter earth_mars,$(NAME)),--readme README.md --picture docs/flight.png) \
 	    $(addprefix --paper ,$(wildcard $(BUILD)/box/report/report.json))
+
+# The missions that ship as one table with pictures, from what was written by `make ship` and `make campaigns`.
+missions: | $(READY)
+	$(PYTHON) -m export.shipped_index sailnet/shipped/README.md --draw build
 
 # The expert, generation, coverage and training beside their peers; some twenty minutes.
 # torch-levenberg-marquardt takes part if it is installed: make peers.

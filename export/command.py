@@ -75,13 +75,13 @@ def _export(options: argparse.Namespace) -> list[Path]:
     # Torch takes seconds to load: whoever comes second into a folder has been sent away by now.
     from export.made_of import MADE_OF, made_of, same
     from export.write import CHECKSUMS, UNFINISHED, export
-    from sailnet.guidance.rules import PLAIN, RULES
+    from sailnet.guidance.rules import PLAIN, rules_for
     from sailnet.mission.mission import load_mission
 
     mission = load_mission(options.mission)
     if options.degradation is not None:
         mission = mission.with_degradation(options.degradation)
-    rules = PLAIN if options.plain_law else RULES
+    rules = PLAIN if options.plain_law else rules_for(mission)
     origin = made_of(options.networks, mission, options.baseline, options.plain_law)
     if options.resume and same(options.target, origin):
         print(f"{options.target} is there already, made by the same run", file=sys.stderr)

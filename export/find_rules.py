@@ -37,7 +37,7 @@ from sailnet.campaign.scores import largest_error
 from sailnet.flight.closed_loop import Flights, fly
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import describe
-from sailnet.guidance.rules import RULES, SteeringRules
+from sailnet.guidance.rules import RULES, SteeringRules, rules_for
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_networks import GuidanceNetworks, load_guidance_networks
 from sailnet.physics.arrays import Array
@@ -127,7 +127,7 @@ class Trials:
 
     def _flights(self, guidance: CGuidance, series: Series) -> dict[str, float]:
         mission, seed = self._mission, self._plan.seed
-        starts = series.states(mission, seed, 0, series.count)
+        starts = series.states(mission, guidance, seed, 0, series.count)
         disturbance = series.disturbances(mission, seed)
         flights = fly(mission, guidance, starts, disturbance=disturbance)
         if series.name not in self._optima:
@@ -149,8 +149,8 @@ def _row(mission: Mission, flights: Flights, optimal: Array) -> dict[str, float]
     }
 
 
-def candidate(text: str) -> SteeringRules:
-    """The rules that fly now, but for some numbers: ``reserve_white=4,let_go=0.1``; or for none.
+def candidate(text: str, rules: SteeringRules = RULES) -> SteeringRules:
+    """Rules but for some numbers: ``reserve_white=4,let_go=0.1``; or for none.
 
     Raises:
         ValueError: not numbers of ``SteeringRules``.
@@ -159,7 +159,7 @@ def candidate(text: str) -> SteeringRules:
     if unknown := sorted({name for name, _ in pairs} - set(vars(RULES))):
         known = ", ".join(vars(RULES))
         raise ValueError(f"the rules have no number {', '.join(unknown)}; these are: {known}")
-    return replace(RULES, **{name: float(value) for name, value in pairs})
+    return replace(rules, **{name: float(value) for name, value in pairs})
 
 
 def search(trials: Trials, evaluations: int) -> Record:
@@ -222,7 +222,8 @@ def main(arguments: list[str] | None = None) -> int:
         if options.candidate is None:
             best = search(trials, options.evaluations)
         else:
-            best = min((trials.fly(candidate(text)) for text in options.candidate), key=_score)
+            rules = rules_for(mission)
+            best = min((trials.fly(candidate(text, rules)) for text in options.candidate), key=_score)
     except (SailnetError, CompilerError, OSError, ValueError) as error:
         print(f"export.find_rules: {error}", file=sys.stderr)
         return 1

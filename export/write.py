@@ -15,7 +15,7 @@ from sailnet.artefacts.room import room_told
 from sailnet.errors import NetworkError, reason
 from sailnet.guidance.exported_files import graph_name
 from sailnet.guidance.facts import GuidanceFacts, describe
-from sailnet.guidance.rules import RULES, SteeringRules
+from sailnet.guidance.rules import SteeringRules, rules_for
 from sailnet.mission.mission import Mission
 from sailnet.networks.approach import APPROACH_INPUTS
 from sailnet.networks.guidance_networks import (
@@ -38,7 +38,7 @@ def export(
     mission: Mission,
     baseline: Path | None = None,
     progress: bool = True,
-    rules: SteeringRules = RULES,
+    rules: SteeringRules | None = None,
 ) -> list[Path]:
     """Write ONNX graphs, C and compiled libraries of the networks in a folder; returns what was written.
 
@@ -50,7 +50,7 @@ def export(
         mission: whose rules of flight are built in, and whose problem the networks must be trained for.
         baseline: ``alpha.safetensors``, a network that gives the signed cone angle from (r, u, v, tau).
         progress: show a bar on stderr.
-        rules: of steering, which the C has built in.
+        rules: of steering, which the C has built in; the mission's by default.
 
     Raises:
         NetworkError: a network is missing, damaged or does not fit.
@@ -66,6 +66,7 @@ def export(
                 f"a baseline takes {COMMAND_INPUTS} and flies with a tau of {STATE_INPUTS}, "
                 f"not {alpha.inputs} with {networks.tau.inputs}"
             )
+    rules = rules or rules_for(mission)
     try:
         target.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=target, prefix=UNFINISHED) as name, room_told(Path(name)):

@@ -8,7 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.campaign.columns import COSTATES, KEPT, RECORDS, flight_columns, record_columns
-from sailnet.campaign.own_optima import assumed_optima, optimal_turns, own_optimal_times
+from sailnet.campaign.own_optima import (
+    assumed_optima,
+    optima_beside_flights,
+    optimal_turns,
+    own_optimal_times,
+)
 from sailnet.campaign.plan import Plan, Starts
 from sailnet.campaign.random_flights import BATCH
 from sailnet.campaign.time_to_go import time_to_go
@@ -62,7 +67,7 @@ class Batch:
 def batches_of(plan: Plan, mission: Mission, size: int = BATCH) -> list[Batch]:
     """The batches of a campaign: so many flights in order of series, period and number, then optima."""
     batches: list[Batch] = []
-    wanted: dict[Starts | None, tuple[int, int]] = {}
+    wanted: dict[tuple[Starts | None, float | None], tuple[int, int]] = {}
     for number, series in enumerate(plan.whole):
         for period in plan.periods_of(series, mission):
             sampled = plan.sample if period == plan.sampled_period(series, mission) else 0
@@ -70,8 +75,8 @@ def batches_of(plan: Plan, mission: Mission, size: int = BATCH) -> list[Batch]:
                 count = min(size, series.count - first)
                 batches.append(Batch("flights", number, period, first, count, sampled, plan.failures))
         if series.known:
-            shown_by, most = wanted.get(series.starts, (number, 0))
-            wanted[series.starts] = (shown_by, max(most, series.known))
+            shown_by, most = wanted.get(series.source, (number, 0))
+            wanted[series.source] = (shown_by, max(most, series.known))
     for number, count in wanted.values():
         for first in range(0, count, OPTIMA_BATCH):
             batches.append(Batch("optima", number, 0.0, first, min(OPTIMA_BATCH, count - first), 0, 0))
@@ -108,7 +113,7 @@ class Job:
 
     def _fly(self, batch: Batch) -> Columns:
         series = self.plan.whole[batch.series]
-        starts = series.states(self.mission, self.plan.seed, batch.first, batch.count)
+        starts = series.states(self.mission, self.guidance, self.plan.seed, batch.first, batch.count)
         disturbance = series.disturbances(self.mission, self.plan.seed)
 
         def recorded(row: int) -> tuple[Flights, list[History]]:
@@ -156,9 +161,13 @@ class Job:
         """Of the sail as assumed, which all series with these starts share, and of each series' own sails."""
         whole = self.plan.whole
         series = whole[batch.series]
-        sharing = [number for number, other in enumerate(whole) if other.starts == series.starts]
-        states = series.states(self.mission, self.plan.seed, batch.first, batch.count)
-        optima = assumed_optima(self.mission, states, anywhere=series.starts != "generalisation")
+        sharing = [number for number, other in enumerate(whole) if other.source == series.source]
+        states = series.states(self.mission, self.guidance, self.plan.seed, batch.first, batch.count)
+        if series.starts == "generalisation" or isinstance(series.starts, tuple):
+            listed = isinstance(series.starts, tuple)
+            optima = assumed_optima(self.mission, states, anywhere=listed)
+        else:
+            optima = optima_beside_flights(self.mission, states)
         columns = {"optimal_time": optima.time_of_flight}
         turns = optimal_turns(self.mission.problem, optima, self.mission.flight.period)
         columns |= {"optimal_slew": turns.slew, "optimal_reversals": turns.reversals}

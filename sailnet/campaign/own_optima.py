@@ -2,24 +2,30 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from sailnet.expert.fastest import solve_states
+from sailnet.expert.neighbours import solve_among
 from sailnet.expert.optima import Optima, sample_many
 from sailnet.expert.real_sails import own_optima
 from sailnet.flight.closed_loop import Flights
 from sailnet.flight.drawn_optics import forces, optics_of_flights
 from sailnet.flight.plant import REVERSAL
+from sailnet.flight.starts import some_optima
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
+from sailnet.physics.extremals import propagate_extremals
 from sailnet.physics.optics import Optics
 from sailnet.physics.transfer import Transfer
 
 TOGETHER = 400_000
 """Samples of optima at once, for what a sail turns along them: some 60 MB."""
+
+POINTS = 60
+"""Of each optimal flight that others are solved from."""
 
 FEW = 25
 """Up to so many states are solved one by one: indexing the generalisation set takes some twenty seconds."""
@@ -69,6 +75,24 @@ def assumed_optima(mission: Mission, states: Array, *, anywhere: bool = False) -
     distinct, which = np.unique(states, axis=0, return_inverse=True)
     region = None if anywhere or len(distinct) <= FEW else mission.generalisation.corners
     return solve_states(mission.problem, distinct, region=region).rows(which.ravel())
+
+
+def optima_beside_flights(mission: Mission, states: Array) -> Optima:
+    """Optima of the sail as assumed from (n, 3) states that may lie anywhere about optimal flights.
+
+    By Newton's method from the nearest points of :func:`sailnet.flight.starts.some_optima`, and from one
+    another: to index all that surrounds such states would take some half a second for each. That nothing
+    else is faster is known from the neighbours alone, so times above these are floors; NaN where none leads
+    on.
+    """
+    flights = some_optima(mission)
+    share = np.linspace(0.0, 1.0, POINTS + 1)
+    tau = share * flights.time_of_flight[:, None]
+    extremals = propagate_extremals(mission.problem, flights.arrival_costates, tau)
+    points = flights.rows(np.repeat(np.arange(len(tau)), POINTS))
+    way = extremals.states[:, 1:, :3].reshape(-1, 3)
+    known = replace(points, state=way, time_of_flight=tau[:, 1:].ravel())
+    return solve_among(mission.problem, states, known)
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,8 @@ import numpy as np
 from pydantic import AfterValidator, Field, ValidationError, model_validator
 
 from sailnet.errors import CampaignError, GuidanceError, SailnetError
-from sailnet.flight.starts import random_starts
+from sailnet.flight.starts import inside_domain, near_departure, off_optima, random_starts
+from sailnet.guidance.interface import Guidance
 from sailnet.guidance.rules import refuse_long_period
 from sailnet.mission.disturbances import Disturbance, disturbance_from
 from sailnet.mission.explanation import explain
@@ -19,7 +20,9 @@ from sailnet.physics.arrays import Array
 
 State = Annotated[tuple[Positive, float, float], Field(strict=False)]
 UpTo = Annotated[int, Field(ge=0, le=10**9)]
-Starts = Literal["generalisation"] | Annotated[tuple[State, ...], Field(strict=False, min_length=1)]
+
+Random = Literal["generalisation", "departure", "optima", "domain"]
+Starts = Random | Annotated[tuple[State, ...], Field(strict=False, min_length=1)]
 
 
 def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
@@ -61,8 +64,11 @@ class Series(Section):
         name: in a few words, unique in the campaign.
         mission: name of the only mission that flies it; by default all do.
         flights: how many; by default one from each start that is listed.
-        starts: ``generalisation`` for random ones of the mission's generalisation set, or a list of
+        starts: ``generalisation`` for random ones of the mission's generalisation set, ``departure`` for
+            such of the departure orbit's neighbourhood, ``domain`` for such of all that the guidance says it
+            knows, ``optima`` for such beside optimal flights (:mod:`sailnet.flight.starts`); or a list of
             (r, u, v), flown in turn.
+        off: of starts beside optimal flights, how far off they are, as a share of what is left to the target.
         periods: guidance periods [TU], each of which flies all the flights; the mission's by default.
         disturbance: table of disturbances by name, on top of the mission's.
         optima: the expert is asked how fast the first so many flights could have been; by default all.
@@ -72,9 +78,15 @@ class Series(Section):
     mission: str | None = None
     flights: Count | None = None
     starts: Starts | None = None
+    off: Annotated[float, Field(gt=0.0, le=1.0)] | None = None
     periods: Periods | None = None
     disturbance: Annotated[dict[str, Any], AfterValidator(_known)] = Field(default_factory=dict)
     optima: UpTo | None = None
+
+    @property
+    def source(self) -> tuple[Starts | None, float | None]:
+        """Where it starts: the same starts have the same optima."""
+        return self.starts, self.off
 
     @property
     def known(self) -> int:
@@ -89,11 +101,23 @@ class Series(Section):
         assert isinstance(self.starts, tuple)
         return len(self.starts)
 
-    def states(self, mission: Mission, seed: int, first: int, count: int) -> Array:
-        """(count, 3) starts r, u, v of flights number ``first`` and on."""
-        if not isinstance(self.starts, tuple):
-            return random_starts(mission, count, seed, first)
-        return np.array(self.starts)[np.arange(first, first + count) % len(self.starts)]
+    def states(self, mission: Mission, guidance: Guidance, seed: int, first: int, count: int) -> Array:
+        """(count, 3) starts r, u, v of flights number ``first`` and on.
+
+        Raises:
+            GuidanceError: starts are to be of the guidance's domain, and it has hardly any.
+        """
+        match self.starts:
+            case tuple(listed):
+                return np.array(listed)[np.arange(first, first + count) % len(listed)]
+            case "optima":
+                assert self.off is not None
+                return off_optima(mission, count, seed, self.off, first)
+            case "departure":
+                return near_departure(mission, count, seed, first)
+            case "domain":
+                return inside_domain(mission, guidance, count, seed, first)
+        return random_starts(mission, count, seed, first)
 
     def disturbances(self, mission: Mission, seed: int) -> Disturbance:
         """Everything that disturbs the flights."""
@@ -136,8 +160,10 @@ class Plan(Section):
         if len(set(names)) < len(names):
             raise ValueError("two series have the same name")
         for series in self.whole:
-            if series.starts == "generalisation" and series.flights is None:
+            if not isinstance(series.starts, tuple) and series.flights is None:
                 raise ValueError(f"say how many flights of {series.name!r} there are: flights = 1000")
+            if (series.starts == "optima") != (series.off is not None):
+                raise ValueError(f"off, as off = 0.05, belongs to starts beside optima; see {series.name!r}")
         return self
 
     @property
@@ -187,7 +213,7 @@ class Plan(Section):
         if flights is not None:
             content["flights"] = flights
             for series in content["series"]:
-                if series.get("starts", content["starts"]) == "generalisation":
+                if not isinstance(series.get("starts", content["starts"]), list):
                     series["flights"] = flights
         return parse_plan(content, f"{self.name} with other numbers")
 

@@ -90,7 +90,7 @@ def _spread(plan: Plan, batch: Batch, optima: Columns, flown: list[tuple[Batch, 
         series = whole[flights.series]
         low = max(batch.first, flights.first)
         high = min(batch.first + batch.count, flights.first + flights.count, series.known)
-        if series.starts == whole[batch.series].starts and low < high:
+        if series.source == whole[batch.series].source and low < high:
             target = slice(low - flights.first, high - flights.first)
             source = slice(low - batch.first, high - batch.first)
             for name in OPTIMUM:

@@ -2,7 +2,8 @@
 
 Of the networks' command and its mirror image the one is taken after which the sail is sooner there: each is
 held for a period, the networks' own commands follow for some more, and the networks say how long it takes
-from there. It needs no memory of a side and no lambda_v, and asks the networks some twenty times a command.
+from there. So near the target that this would be past it, their command stands. It needs no memory of a side
+and no lambda_v, and asks the networks some twenty times a command.
 """
 
 from dataclasses import dataclass, field, replace
@@ -58,8 +59,9 @@ class LookAheadSteering(ReferenceSteering):
 
     def _command(self, states: Array, beta: Array, hold: Array, sails: NDArray[np.intp]) -> Commands:
         command = self._guidance.command(states, beta)
-        # Where both are the same, or nothing is known, there is nothing to choose.
-        differ = np.flatnonzero(np.isfinite(states).all(axis=1) & (command.cone_angle != 0.0) & (hold > 0.0))
+        # Where both are the same, or nothing is known, there is nothing to choose; past arrival, to see.
+        known = np.isfinite(states).all(axis=1) & (command.time_of_flight > HORIZON * hold)
+        differ = np.flatnonzero(known & (command.cone_angle != 0.0) & (hold > 0.0))
         if not len(differ):
             return command
         sides = [

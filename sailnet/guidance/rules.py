@@ -2,9 +2,13 @@
 
 import math
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from sailnet.errors import GuidanceError
 from sailnet.physics.units import DAY, TU
+
+if TYPE_CHECKING:
+    from sailnet.mission.mission import Mission
 
 LARGEST_PERIOD = 0.5
 """Longest guidance period [TU], some 29 days: beyond it one step no longer predicts what the sail does."""
@@ -92,7 +96,14 @@ class SteeringRules:
 
 
 RULES = SteeringRules()
-"""What flies."""
+"""What flies, where the mission says nothing else."""
+
+
+def rules_for(mission: "Mission") -> SteeringRules:
+    """What flies a mission, which may say itself what is kept in reserve at least."""
+    least = mission.flight.least_reserve
+    return RULES if least is None else replace(RULES, least_reserve=least)
+
 
 AT_ONCE = replace(RULES, largest_patience=0.0, largest_wait=0.0)
 """The same reserve, but every turn at once."""

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Steered, as_attitudes
 from sailnet.guidance.memory import Memory
-from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
+from sailnet.guidance.rules import LARGEST_PERIOD, SteeringRules, rules_for
 from sailnet.guidance.side import Change, SideKeeping
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import Coefficients, runge_kutta_change
@@ -54,12 +54,12 @@ class ReferenceSteering:
     Args:
         guidance: gives the commands.
         count: number of sails.
-        rules: the numbers.
+        rules: the numbers; the mission's by default.
     """
 
-    def __init__(self, guidance: Guidance, count: int, rules: SteeringRules = RULES) -> None:
+    def __init__(self, guidance: Guidance, count: int, rules: SteeringRules | None = None) -> None:
         self._guidance, mission = guidance, guidance.mission
-        self._rules = rules
+        self._rules = rules = rules or rules_for(mission)
         self._turn_rate = mission.flight.turn_rate
         self._force: Coefficients = mission.sail.optics.force
         self._degradation = mission.degradation

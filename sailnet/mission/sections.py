@@ -146,7 +146,11 @@ class Orbits(Section):
 
 
 class FlightRules(Section):
-    """Closed-loop flight [TU]; how fast the sail turns [deg/h]: as Solar Polar Imager, 70° in 3 h."""
+    """Closed-loop flight [TU]; how fast the sail turns [deg/h]: as Solar Polar Imager, 70° in 3 h.
+
+    ``least_reserve`` is the share of its thrust that the sail keeps in reserve at least; without it the
+    law's own (:attr:`sailnet.guidance.rules.SteeringRules.least_reserve`).
+    """
 
     instead = {"period": ("period_hours",)}
     period: Positive
@@ -154,6 +158,7 @@ class FlightRules(Section):
     arrival_tolerance: Positive
     longest: Positive
     slew_rate: Positive = 70.0 / 3.0
+    least_reserve: Annotated[float, Field(ge=0.0, le=0.1)] | None = None
 
     @model_validator(mode="after")
     def _comes_to_an_end(self) -> "FlightRules":

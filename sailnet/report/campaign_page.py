@@ -27,6 +27,7 @@ from sailnet.report.compressed_flights import TOGETHER, Flight, compress_flights
 from sailnet.report.flight_charts import SHOWN, common_columns, flight_templates
 from sailnet.report.flight_page import chart_page, write_flight_picture
 from sailnet.report.paper_figures import paper_charts
+from sailnet.report.reach_charts import reach_charts
 from sailnet.report.reproduction import Reproduction, shipped_record
 from sailnet.report.section5 import Section5, has_section5, section5_of
 from sailnet.report.shown_flights import (
@@ -77,7 +78,7 @@ def write_report(
         The rows of "paper | here", of the paper's campaign alone.
     """
     scores = scores_of(results)
-    charts = campaign_charts(results, scores)
+    charts = [*reach_charts(results, scores), *campaign_charts(results, scores)]
     rows: list[Row] = []
     figures: list[Chart] = []
     section5: Section5 | None = None

@@ -8,12 +8,18 @@ import pytest
 
 from sailnet.campaign import own_optima
 from sailnet.campaign.batches import Job
-from sailnet.campaign.own_optima import assumed_optima, optimal_turns, own_optimal_times
+from sailnet.campaign.own_optima import (
+    assumed_optima,
+    optima_beside_flights,
+    optimal_turns,
+    own_optimal_times,
+)
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.run import fly_plan
 from sailnet.errors import CampaignError
 from sailnet.expert.fastest import solve
 from sailnet.expert.optima import sample
+from sailnet.flight import starts
 from sailnet.guidance.backends import load_guidance
 from sailnet.physics.optics import OPTICS
 from tests.campaign.small_plan import plan_of, short
@@ -41,6 +47,21 @@ def test_a_real_sail_is_compared_with_what_a_real_sail_can_do() -> None:
     assumed = assumed_optima(MISSION, STATES[1:2], anywhere=True)
     times = own_optimal_times(PROBLEM, assumed, np.zeros(1), [OPTICS["jpl"]])
     assert times[0] == pytest.approx(7.4397331, abs=1e-6)
+
+
+@pytest.mark.slow
+def test_beside_optimal_flights_they_are_those_of_a_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    flights = assumed_optima(MISSION, STATES[:2], anywhere=True)
+    monkeypatch.setattr(starts, "some_optima", lambda _: flights)
+    monkeypatch.setattr(own_optima, "some_optima", lambda _: flights)
+    states = starts.off_optima(MISSION, 12, 3, 0.02)
+    beside, searched = optima_beside_flights(MISSION, states), assumed_optima(MISSION, states, anywhere=True)
+    assert beside.found.sum() >= 10
+    late = beside.time_of_flight[beside.found] / searched.time_of_flight[beside.found] - 1.0
+    assert late.min() > -1e-8
+    assert np.median(late) < 1e-8
+    # Another planet's neighbourhood leads nowhere: no guess, and no time.
+    assert not optima_beside_flights(MISSION, np.array([[0.3, 0.0, 0.1]])).found.any()
 
 
 @pytest.mark.slow

@@ -28,6 +28,7 @@ from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts, describe, round_down
 from sailnet.guidance.interface import Precision
 from sailnet.guidance.onnx_graphs import OnnxGuidance
+from sailnet.guidance.rules import RULES, rules_for
 from sailnet.networks.approach import approach_coordinates
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import load_network, save_network
@@ -272,6 +273,16 @@ def test_same_weights_same_c(exported: Exported, tmp_path: Path) -> None:
     assert (tmp_path / "sailnet_guidance.c").read_bytes() == (
         exported.folder / "sailnet_guidance.c"
     ).read_bytes()
+
+
+def test_the_c_keeps_what_the_mission_says(exported: Exported, tmp_path: Path) -> None:
+    flight = MISSION.flight.model_copy(update={"least_reserve": 0.02})
+    cautious = MISSION.model_copy(update={"flight": flight})
+    write_c(exported.networks, describe(exported.networks, MISSION), tmp_path, rules_for(cautious))
+    for folder, kept in ((exported.folder, RULES.least_reserve), (tmp_path, 0.02)):
+        header = (folder / "sailnet_guidance.h").read_text()
+        (number,) = re.findall(r"SAILNET_LEAST_RESERVE .*?\(([0-9.e-]+)", header)
+        assert float(number) == kept
 
 
 def snapshot(folder: Path) -> dict[str, bytes]:

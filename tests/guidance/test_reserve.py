@@ -111,3 +111,15 @@ def test_networks_for_one_beta_have_no_limit() -> None:
         steered = steering.steer(state[[0, 2, 3]].T, PERIOD, ONE)
         assert steered.status[0] == GuidanceStatus.OK
         state = hold_command(state, steered.cone_angle, 0.8 * BETA, PERIOD)
+
+
+@pytest.mark.parametrize(("said", "kept"), [(None, RULES.least_reserve), (0.0, 0.0), (0.02, 0.02)])
+def test_a_mission_may_say_what_is_kept_at_least(said: float | None, kept: float) -> None:
+    flight = MISSION.flight.model_copy(update={"least_reserve": said})
+    told = Told()
+    told.mission = MISSION.model_copy(update={"flight": flight})
+    steering, state = ReferenceSteering(told, 1), departed()
+    for _ in range(2):  # the reserve goes by the time to go that was predicted before
+        steered = steering.steer(state[[0, 2, 3]].T, PERIOD, ONE)
+        state = hold_command(state, steered.cone_angle, BETA, PERIOD)
+    assert told.asked[1] == pytest.approx(steered.beta[0] * (1.0 - kept), rel=1e-7)

@@ -8,6 +8,7 @@ from sailnet.campaign.plan import load_plan
 from sailnet.errors import CampaignError, MissionError
 from sailnet.mission.mission import load_mission
 
+RANDOM = "'generalisation', 'departure', 'optima' or 'domain'"
 HEAD = 'schema = 1\nname = "bad"\ntitle = "Bad"\nflights = 3\n'
 
 
@@ -25,7 +26,7 @@ def said_of(text: str, folder: Path) -> list[str]:
 @pytest.mark.parametrize(
     ("series", "says"),
     [
-        ('starts = "random"', ["series.0.starts = 'random': must be 'generalisation' or a list"]),
+        ('starts = "random"', [f"series.0.starts = 'random': must be {RANDOM} or a list"]),
         (
             "starts = [[1.0, 0, 1.0], [0.0, 0, 1.0]]",
             ["series.0.starts.1.0 = 0.0: must be greater than 0"],
@@ -34,7 +35,7 @@ def said_of(text: str, folder: Path) -> list[str]:
         ('starts = [[1.0, 0.1, "x"]]', ["series.0.starts.0.2 = 'x': must be a number"]),
         (
             "starts = []",
-            ["series.0.starts = []: must be 'generalisation' or must have at least 1 item, not 0"],
+            [f"series.0.starts = []: must be {RANDOM} or must have at least 1 item, not 0"],
         ),
         ("periods = [0.1, 0.05]", ["series.0.periods = [0.1, 0.05]: the values must increase"]),
         ("flights = 2.5", ["series.0.flights = 2.5: must be a whole number"]),

@@ -94,6 +94,8 @@ def test_earth_mars_is_the_paper_s_problem() -> None:
         ("flight.slew_rate", 0.0, "greater than 0"),
         ("flight.slew_rate", -1.0, "greater than 0"),
         ("flight.slew_rate", math.inf, "finite"),
+        ("flight.least_reserve", -0.001, "greater than or equal to 0"),
+        ("flight.least_reserve", 0.2, "less than or equal to 0.1"),
         ("dataset.box.lambda_r", [-20.0, -23.0], "lower bound"),
         ("dataset.box.lambda_u", [5.0, 5.0], "lower bound"),
         ("generalisation.v", [1.2, 0.8], "lower bound"),
