@@ -11,7 +11,7 @@ BETA = (0.05, 0.4)
 CONE_ANGLE = (30.0, 85.0)
 """Bound on the cone angle [deg]; 90, no bound at all, is tested as well."""
 SMOOTHING = (0.0, 1e-2)
-TARGET_RADIUS = (0.387, 2.5)
+TARGET_RADIUS = (0.387, 2.77)
 """Radius of the target orbit [AU]."""
 
 

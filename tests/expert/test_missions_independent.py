@@ -22,6 +22,7 @@ from tests.forward_shooting import Forward, shoot_forward
 NOMINALS: dict[str, tuple[str, dict[str, float], float]] = {
     "venus": ("earth_venus", {}, 3.528815054),
     "mercury": ("earth_mercury", {}, 4.566856799),
+    "ceres": ("earth_ceres", {}, 22.646304622),
     "mars at 45 degrees": ("earth_mars", {"max_cone_angle": 45.0}, 7.138440399),
     "mars at 75 degrees": ("earth_mars", {"max_cone_angle": 75.0}, 7.012041176),
     "mars with beta 0.1": ("earth_mars", {"beta": 0.1}, 8.689062184),

@@ -234,19 +234,21 @@ def test_the_command_writes_json_and_overwrites_nothing(
 def test_what_cannot_be_is_said_before_any_work(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    (own := tmp_path / "folder" / "own.toml").parent.mkdir()
+    own.write_text("[sail]\nbeta = 0.12\n[transfer]\ntarget_radius = 0.9\n")
     elsewhere = str(exported_folder(load_mission("earth_mars_jpl")))
     for arguments, says in (
         ([str(tmp_path / "mine.zip")], "OUT.fmu"),
         ([str(tmp_path / "no" / "mine.fmu")], "a folder that is there"),
         ([str(tmp_path / "mine.fmu"), "--networks", elsewhere], "another mission than 'earth_mars'"),
-        ([str(tmp_path / "mine.fmu"), "--mission", "earth_venus"], "no networks are shipped"),
+        ([str(tmp_path / "mine.fmu"), "--mission", str(own)], "no networks are shipped"),
     ):
         assert main(["fmu", *arguments]) == 1
         assert says in capsys.readouterr().err
     monkeypatch.setitem(NEEDS, "fmi", ("no_such_package",))
     assert main(["fmu", str(tmp_path / "mine.fmu")]) == 1
     assert "no no_such_package here: pip install 'sailnet[fmi]'" in capsys.readouterr().err
-    assert not list(tmp_path.iterdir())
+    assert list(tmp_path.iterdir()) == [own.parent]
 
 
 def test_a_damaged_flight_file_is_refused(tmp_path: Path) -> None:
