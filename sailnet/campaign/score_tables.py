@@ -51,7 +51,7 @@ def beside_others(before: str, new: str) -> str:
 def _by_campaign(tables: str) -> dict[str, str]:
     """Everything of a campaign under its name."""
     starts = [*HEADING.finditer(tables)]
-    ends = [match.start() for match in starts[1:]] + [len(tables)]
+    ends = [*(match.start() for match in starts[1:]), len(tables)][: len(starts)]
     texts: dict[str, list[str]] = {}
     for match, end in zip(starts, ends, strict=True):
         texts.setdefault(match[1], []).append(tables[match.start() : end].strip("\n"))
