@@ -42,8 +42,8 @@ CRAFTS = {
 UNTRIMMED = Craft(planets=True, offset=OFFSET)
 
 ORIGIN = (
-    "Written by `python examples/basilisk/fly_attitude.py --text examples/basilisk/README.md --picture "
-    "examples/basilisk/attitude.png` on {machine}, {date}, revision {revision}, Basilisk {basilisk}."
+    "Written by `python examples/basilisk/fly_attitude.py {options}--text examples/basilisk/README.md` on "
+    "{machine}, {date}, revision {revision}, Basilisk {basilisk}."
 )
 
 
@@ -52,9 +52,17 @@ def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
+    parser.add_argument(
+        "--start", type=float, nargs=3, metavar=("R", "U", "V"), help="[AU], [AU/TU] (the mission's orbit)"
+    )
     parser.add_argument("--longest", type=float, help="time after which a flight ends [TU] (the mission's)")
     parser.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
-    parser.add_argument("--text", type=Path, metavar="FILE", help="a text whose table is to be rewritten")
+    parser.add_argument(
+        "--text",
+        type=Path,
+        metavar="FILE",
+        help="a text whose table is to be rewritten: of flights from a start, its second",
+    )
     parser.add_argument("--picture", type=Path, metavar="PNG", help="of the last flight")
     options = parser.parse_args(arguments)
     if options.text is not None and options.longest is not None:
@@ -62,18 +70,22 @@ def main(arguments: list[str] | None = None) -> int:
     mission = load_mission(MISSION)
     guidance, beta = load_guidance(mission), mission.sail.beta
     assert isinstance(guidance, CGuidance)
+    start = START if options.start is None else tuple(options.start)
     began = time.monotonic()
-    point = fly_point(guidance, START, beta, options.longest)
+    point = fly_point(guidance, start, beta, options.longest)
     found: dict[str, Any] = {"point mass": ended(mission, point, time.monotonic() - began)}
     for name, craft in tqdm(CRAFTS.items(), desc="flight", file=sys.stderr, disable=None):
         began = time.monotonic()
-        flight = fly(guidance, START, beta, craft, options.longest)
+        flight = fly(guidance, start, beta, craft, options.longest)
         found[name] = ended(mission, flight.flown, time.monotonic() - began) | watched(mission, flight)
-    hours = filled_after(fly(guidance, START, beta, UNTRIMMED, options.longest))
+    hours = filled_after(fly(guidance, start, beta, UNTRIMMED, options.longest))
     told = table(found, hours, mission)
     if options.text is not None:
-        origin = ORIGIN.format(**software(), basilisk=version("bsk"))
-        fill_block(options.text, "attitude", f"{origin}\n\n{told}")
+        given = [] if options.start is None else ["--start", *map(repr, start)]
+        given += [] if options.picture is None else ["--picture", f"examples/basilisk/{options.picture.name}"]
+        written = "".join(f"{word} " for word in given)
+        origin = ORIGIN.format(**software(), basilisk=version("bsk"), options=written)
+        fill_block(options.text, "attitude" if options.start is None else "start", f"{origin}\n\n{told}")
     if options.picture is not None:
         draw(flight, mission.flight.period, options.picture)
     print(json.dumps(found | {"untrimmed": {"full after [h]": hours}}) if options.json else told)
