@@ -70,5 +70,6 @@ def _both(
     whole = values.size // LOOKS * LOOKS
     parts = values[:whole].reshape(-1, LOOKS)
     days = seconds[:whole:LOOKS] / DAY
-    right.fill_between(days, parts.min(axis=1), parts.max(axis=1), color=color, alpha=0.3, lw=0.0)
+    # A slew is far narrower than a dot of the picture: its line has a width.
+    right.fill_between(days, parts.min(axis=1), parts.max(axis=1), color=color, alpha=0.4, lw=1.2)
     right.plot(days, parts[:, -1], color=color, lw=0.8, label=label)
