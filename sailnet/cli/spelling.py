@@ -15,6 +15,9 @@ PLAIN = {"°": " deg", "–": "-", "−": "-", "±": "+-", "²": "^2", "µ": "mu
 
 CODEC = "sailnet.plain"
 
+LONGEST_USAGE = 6
+"""Lines of options before an error, which would be looked for in vain below more of them."""
+
 
 class HelpfulParser(argparse.ArgumentParser):
     """Refuses with the name of what was probably meant; its sub-commands do likewise."""
@@ -30,7 +33,16 @@ class HelpfulParser(argparse.ArgumentParser):
         """End with status 2."""
         wrong = re.search(r"invalid choice: '(.*)' \(choose from (.*)\)", message)
         known = [] if wrong is None else re.findall(r"'(.*?)'", wrong[2])
-        super().error(message + ("" if wrong is None else did_you_mean(wrong[1], known)))
+        message += "" if wrong is None else did_you_mean(wrong[1], known)
+        self.exit(2, f"{self._short_usage()}{self.prog}: error: {message}\n")
+
+    def _short_usage(self) -> str:
+        whole = self.format_usage()
+        if whole.count("\n") <= LONGEST_USAGE:
+            return whole
+        taken = self._get_formatter()
+        taken.add_usage(None, self._get_positional_actions(), [])
+        return f"{taken.format_help().rstrip()} [OPTIONS]; {self.prog} --help has them\n"
 
     def _meant(self, unknown: Sequence[str]) -> str:
         option = unknown[0].partition("=")[0]

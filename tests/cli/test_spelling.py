@@ -48,6 +48,17 @@ def test_nothing_is_guessed_of_what_is_like_nothing(capsys: pytest.CaptureFixtur
     assert "usage: sailnet solve" in capsys.readouterr().err
 
 
+def test_an_error_is_not_lost_below_all_options(capsys: pytest.CaptureFixture[str]) -> None:
+    for command in (["evaluate", "--workers", "0"], ["fly", "1", "0"]):
+        with pytest.raises(SystemExit):
+            main(command)
+        said = capsys.readouterr().err.splitlines()
+        assert len(said) == 2
+        assert said[0].endswith(f"[OPTIONS]; sailnet {command[0]} --help has them")
+        assert said[1].startswith(f"sailnet {command[0]}: error: ")
+    assert said[0].startswith("usage: sailnet fly R U V ")
+
+
 @pytest.mark.parametrize(
     ("encoding", "written"),
     [
