@@ -6,7 +6,7 @@ import io
 import re
 import unicodedata
 from collections.abc import Sequence
-from typing import IO, NoReturn
+from typing import IO, Any, NoReturn
 
 from sailnet.errors import did_you_mean
 
@@ -19,8 +19,24 @@ LONGEST_USAGE = 6
 """Lines of options before an error, which would be looked for in vain below more of them."""
 
 
+EXAMPLE = "example: "
+
+
+class _OneExampleALine(argparse.HelpFormatter):
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        if not text.startswith(EXAMPLE):
+            return super()._fill_text(text, width, indent)
+        return text.replace("; ", "\n" + " " * len(EXAMPLE))
+
+
 class HelpfulParser(argparse.ArgumentParser):
-    """Refuses with the name of what was probably meant; its sub-commands do likewise."""
+    """Refuses with the name of what was probably meant; its sub-commands do likewise.
+
+    An epilog of examples, one after the other behind semicolons, has each whole on a line.
+    """
+
+    def __init__(self, *args: Any, **given: Any) -> None:
+        super().__init__(*args, **{"formatter_class": _OneExampleALine, **given})
 
     def parse_known_args(self, args=None, namespace=None):  # type: ignore[no-untyped-def]
         """Of all arguments: what is not known is refused here, where the options of a sub-command are."""

@@ -1,11 +1,13 @@
 """What was probably meant, and letters that a terminal does not have."""
 
 import io
+import shlex
 
 import pytest
 
-from sailnet.cli.command_line import main
+from sailnet.cli.command_line import main, parser
 from sailnet.cli.spelling import in_letters_it_has
+from sailnet.cli.stage import STAGES
 
 
 @pytest.mark.parametrize(
@@ -57,6 +59,20 @@ def test_an_error_is_not_lost_below_all_options(capsys: pytest.CaptureFixture[st
         assert said[0].endswith(f"[OPTIONS]; sailnet {command[0]} --help has them")
         assert said[1].startswith(f"sailnet {command[0]}: error: ")
     assert said[0].startswith("usage: sailnet fly R U V ")
+
+
+@pytest.mark.parametrize("command", ["solve", "evaluate", "pipeline", "papers", "export"])
+def test_an_example_is_a_line_that_can_be_copied(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main([command, "--help"])
+    _, _, examples = capsys.readouterr().out.partition("example: ")
+    lines = examples.strip().splitlines()
+    assert lines
+    for line in lines:
+        words = shlex.split(line)
+        assert words[0] == "sailnet"
+        if words[1] not in STAGES:
+            parser().parse_args(words[1:])
 
 
 @pytest.mark.parametrize(
