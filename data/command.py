@@ -42,7 +42,9 @@ def parser() -> argparse.ArgumentParser:
         default="full",
         help="quick: the package's small recipe, wide only (%(default)s)",
     )
-    made.add_argument("--trajectories", type=count, help="instead of the mission's number")
+    made.add_argument(
+        "--trajectories", type=count, help="instead of the mission's number; at least a shard is computed"
+    )
     distribution(made)
     made.add_argument("--restart", action="store_true", help="begin anew, whatever there is")
     made.add_argument(
