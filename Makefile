@@ -216,7 +216,7 @@ test-tools: | $(READY)
 tools:
 	@echo clang libclang-rt-14-dev g++ libc6-dev-i386 valgrind cppcheck frama-c-base chromium \
 	    gcc-arm-none-eabi qemu-system-arm gcc-sparc64-linux-gnu qemu-system-sparc gcc-riscv64-unknown-elf \
-	    qemu-system-misc gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user rustc
+	    qemu-system-misc gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user rustc octave
 
 # Proof, fuzzing, memcheck, MISRA, coverage and warnings of the C that ships; a tool that is missing is named.
 checks: | $(READY)

@@ -42,7 +42,9 @@ def parser() -> argparse.ArgumentParser:
         default="full",
         help="quick: the package's small recipe, wide only (%(default)s)",
     )
-    made.add_argument("--trajectories", type=count, help="instead of the mission's number")
+    made.add_argument(
+        "--trajectories", type=count, help="instead of the mission's number; at least a shard is computed"
+    )
     distribution(made)
     made.add_argument("--restart", action="store_true", help="begin anew, whatever there is")
     made.add_argument(
@@ -52,11 +54,16 @@ def parser() -> argparse.ArgumentParser:
     return made
 
 
-def _watched(blocks: "Iterator[Block]", total: int, quiet: bool) -> "Iterator[Block]":
+def watched(blocks: "Iterator[Block]", total: int, shards: int | None, quiet: bool) -> "Iterator[Block]":
+    """Blocks as they come, with a bar that says which shard is waited for."""
+    of_all = "" if shards is None else f" of {shards}"
     with progress(total, "trajectory", "data set", quiet=quiet) as bar:
-        for block in blocks:
+        # Trajectories come by the shard, and the first takes its time.
+        bar.set_postfix_str(f"shard 1{of_all}")
+        for number, block in enumerate(blocks, start=2):
             yield block
             bar.update(len(block.lengths))
+            bar.set_postfix_str("" if number - 1 == shards else f"shard {number}{of_all}")
 
 
 def _finished(options: argparse.Namespace, run: Mapping[str, object]) -> bool:
@@ -104,7 +111,7 @@ def _run(options: argparse.Namespace, mission: "Mission", parts: "Parts", run: M
         wanted = options.trajectories or prepared.trajectories
         provenance = {**prepared.origin, "run": run, "tolerance": TOLERANCE, **software()}
         made = generate(prepared.shard_of, wanted, pool, parts, prepared.shards)
-        blocks = _watched(made, wanted, options.quiet)
+        blocks = watched(made, wanted, prepared.shards, options.quiet)
         write_dataset(options.output, mission, blocks, provenance, parts.folder)
     seconds = time.perf_counter() - started
     with open_dataset(options.output) as data:

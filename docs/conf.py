@@ -48,6 +48,11 @@ _library = hashlib.sha256(b"".join(path.read_bytes() for path in sorted(ROOT.glo
 nb_execution_mode = "cache"
 nb_execution_cache_path = str(ROOT / "build" / "docs-cells" / _library.hexdigest()[:12])
 nb_execution_in_temp = True
+# Kernels talk to nobody but this build, and need not warn that they do so in the open.
+_profile = ROOT / "build" / "docs-kernels" / "profile_default"
+_profile.mkdir(parents=True, exist_ok=True)
+(_profile / "ipython_kernel_config.py").write_text("c.IPKernelApp.log_level = 40\n", "utf-8")
+os.environ["IPYTHONDIR"] = str(_profile.parent)
 nb_execution_raise_on_error = True
 nb_execution_timeout = 1800
 nb_merge_streams = True

@@ -66,6 +66,6 @@ def expand(app: Any, docname: str, source: list[str]) -> None:
 
 def setup(app: Any) -> dict[str, object]:
     """Take part in the build, after the excerpts."""
-    os.environ.setdefault("COLUMNS", "100")
+    os.environ.setdefault("COLUMNS", "86")
     app.connect("source-read", expand)
     return {"parallel_read_safe": True, "version": "1"}

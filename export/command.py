@@ -18,7 +18,7 @@ def parser() -> argparse.ArgumentParser:
         prog="sailnet export",
         description="Export the three guidance networks as ONNX graphs, as one C99 file with its header, "
         "and as the shared libraries compiled from it. The target folder changes only if all succeeds.",
-        epilog="example: sailnet export build/networks build/export --mission earth_mars",
+        epilog="example: sailnet export build/earth_mars/wide/networks build/export --mission earth_mars",
     )
     made.add_argument(
         "networks",

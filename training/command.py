@@ -142,5 +142,5 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if "command_mse" in record:
             line += f"; |alpha| against 2 phi_max {record['command_mse']:.2e}"
         print(line)
-    print(f"{len(networks)} networks in {time.perf_counter() - started:.0f} s")
+    print(f"{len(networks)} network{'s'[: len(networks) != 1]} in {time.perf_counter() - started:.0f} s")
     return 0

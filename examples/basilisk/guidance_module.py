@@ -61,12 +61,42 @@ class SailGuidance(sysModel.SysModel):
         """A command where one is due, and the attitude that it asks for now."""
         state = self.stateInMsg()
         r, theta, u, v = polar(state.r_BN_N, state.v_BN_N)
-        if self._updates % PARTS == 0 and not self.arrived:
-            self.told = self._steering.steer([(r, u, v)], self._period, self._only)
-            self.periods += 1
+        if self._updates % PARTS == 0:
+            self._command(r, u, v)
         self._updates += 1
         asked = float(self.told.cone_angle[0])
         self.attRefOutMsg.write(attitude(asked, r, theta, u, v, self._period / PARTS), CurrentSimNanos)
+
+    def _command(self, r: float, u: float, v: float) -> None:
+        if not self.arrived:
+            self.told = self._steering.steer([(r, u, v)], self._period, self._only)
+            self.periods += 1
+
+
+class ConeAngles(SailGuidance):
+    """The same, for a controller of the attitude: the angle alone, from the radius in the orbit's plane.
+
+    Its task's period is the guidance period.
+
+    Attributes:
+        coneOutMsg: the angle about the orbit's normal, as Basilisk's ``eulerRotation`` takes it.
+        commands: all of them [rad].
+    """
+
+    def __init__(self, guidance: CGuidance, period: float) -> None:
+        self.coneOutMsg = messaging.AttStateMsg()
+        self.commands: list[float] = []
+        super().__init__(guidance, period)
+
+    def UpdateState(self, CurrentSimNanos: int) -> None:  # noqa: N802 (Basilisk's name)
+        """A command."""
+        state = self.stateInMsg()
+        r, _, u, v = polar(state.r_BN_N, state.v_BN_N)
+        self._command(r, u, v)
+        self.commands.append(float(self.told.cone_angle[0]))
+        made = messaging.AttStateMsgPayload()
+        made.state = [self.commands[-1], 0.0, 0.0]
+        self.coneOutMsg.write(made, CurrentSimNanos)
 
 
 def polar(position: list[float], velocity: list[float]) -> tuple[float, float, float, float]:

@@ -50,8 +50,13 @@ def in_nanoseconds(time: float) -> int:
     return round(time * TU / HASTE * 1e9)
 
 
-def fly(guidance: CGuidance, start: tuple[float, float, float], beta: float) -> Flown:
-    """Fly one sail from r [AU], u, v [AU/TU] until its guidance ends the flight; ``beta`` is its real one."""
+def fly(
+    guidance: CGuidance, start: tuple[float, float, float], beta: float, longest: float | None = None
+) -> Flown:
+    """Fly one sail from r [AU], u, v [AU/TU] until its guidance ends the flight, or a time [TU] is over.
+
+    ``beta`` is its real one; the longest flight is the mission's unless it is given.
+    """
     mission = guidance.mission
     period = mission.flight.period
     part = in_nanoseconds(period / PARTS)
@@ -88,7 +93,7 @@ def fly(guidance: CGuidance, start: tuple[float, float, float], beta: float) -> 
     simulation.AddModelToTask("part", pilot, THEN)
     simulation.InitializeSimulation()
 
-    now, end = 0, in_nanoseconds(mission.flight.longest)
+    now, end = 0, in_nanoseconds(mission.flight.longest if longest is None else longest)
     while now <= end:
         simulation.ConfigureStopTime(now)
         simulation.ExecuteSimulation()

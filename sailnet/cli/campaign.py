@@ -107,7 +107,7 @@ def _flown_alone(
         _print_tables(options, {precision: tables})
     try:
         rows = report("campaign_page").write_report(
-            results, folder, guidance, command=_command(options, precision)
+            results, folder, guidance, command=flown_again_by(options, precision)
         )
     except (SailnetError, OSError) as error:
         raise SailnetError(f"{stored} is written, but not its report: {reason(error)}") from error
@@ -123,11 +123,12 @@ def _flown_alone(
     return result | {"digest": results.digest}, tables
 
 
-def _command(options: argparse.Namespace, precision: "Precision") -> str:
+def flown_again_by(options: argparse.Namespace, precision: "Precision") -> str:
     """What flies the same campaign again, wherever it writes to."""
-    defaults = {"mission": "earth_mars", "guidance": NETWORKS, "backend": "c", "precision": "float64"}
+    defaults = {"mission": "earth_mars", "guidance": NETWORKS, "backend": "c", "precision": "float64",
+                "layout": "flight"}  # fmt: skip
     words = ["sailnet", "evaluate", "--campaign", options.campaign]
-    for name in ("mission", "guidance", "backend", "precision", "networks", "flights", "seed"):
+    for name in ("mission", "guidance", "backend", "precision", "layout", "networks", "flights", "seed"):
         value = precision if name == "precision" else getattr(options, name)
         if value is not None and value != defaults.get(name):
             words += [f"--{name}", str(value)]

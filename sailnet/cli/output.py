@@ -46,7 +46,10 @@ def readable(result: Result, lines: Lines) -> dict[str, str]:
 
 def printed(result: Result, lines: Lines) -> str:
     """A result as it is printed for people."""
-    return "\n".join(f"{name:{NAME_WIDTH}s} {value}" for name, value in readable(result, lines).items())
+    told = readable(result, lines)
+    nested = any("\n" in value for value in told.values())
+    width = NAME_WIDTH if nested else max(map(len, told), default=0) + 1
+    return "\n".join(f"{name:{width}s} {value}" for name, value in told.items())
 
 
 def number(value: float) -> str:

@@ -6,7 +6,7 @@ import io
 import re
 import unicodedata
 from collections.abc import Sequence
-from typing import IO, NoReturn
+from typing import IO, Any, NoReturn
 
 from sailnet.errors import did_you_mean
 
@@ -15,9 +15,28 @@ PLAIN = {"°": " deg", "–": "-", "−": "-", "±": "+-", "²": "^2", "µ": "mu
 
 CODEC = "sailnet.plain"
 
+LONGEST_USAGE = 6
+"""Lines of options before an error, which would be looked for in vain below more of them."""
+
+
+EXAMPLE = "example: "
+
+
+class _OneExampleALine(argparse.HelpFormatter):
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        if not text.startswith(EXAMPLE):
+            return super()._fill_text(text, width, indent)
+        return text.replace("; ", "\n" + " " * len(EXAMPLE))
+
 
 class HelpfulParser(argparse.ArgumentParser):
-    """Refuses with the name of what was probably meant; its sub-commands do likewise."""
+    """Refuses with the name of what was probably meant; its sub-commands do likewise.
+
+    An epilog of examples, one after the other behind semicolons, has each whole on a line.
+    """
+
+    def __init__(self, *args: Any, **given: Any) -> None:
+        super().__init__(*args, **{"formatter_class": _OneExampleALine, **given})
 
     def parse_known_args(self, args=None, namespace=None):  # type: ignore[no-untyped-def]
         """Of all arguments: what is not known is refused here, where the options of a sub-command are."""
@@ -30,7 +49,16 @@ class HelpfulParser(argparse.ArgumentParser):
         """End with status 2."""
         wrong = re.search(r"invalid choice: '(.*)' \(choose from (.*)\)", message)
         known = [] if wrong is None else re.findall(r"'(.*?)'", wrong[2])
-        super().error(message + ("" if wrong is None else did_you_mean(wrong[1], known)))
+        message += "" if wrong is None else did_you_mean(wrong[1], known)
+        self.exit(2, f"{self._short_usage()}{self.prog}: error: {message}\n")
+
+    def _short_usage(self) -> str:
+        whole = self.format_usage()
+        if whole.count("\n") <= LONGEST_USAGE:
+            return whole
+        taken = self._get_formatter()
+        taken.add_usage(None, self._get_positional_actions(), [])
+        return f"{taken.format_help().rstrip()} [OPTIONS]; {self.prog} --help has them\n"
 
     def _meant(self, unknown: Sequence[str]) -> str:
         option = unknown[0].partition("=")[0]

@@ -224,9 +224,13 @@ def worded(disturbance: Disturbance) -> str:
     if disturbance.optics is not None:
         known = {optics: name for name, optics in OPTICS.items()}
         on["optics"] = known.get(disturbance.optics, on["optics"])
-    given = {
-        name: f"{value:g}" if isinstance(value, float) else str(value)
-        for name, value in on.items()
-        if name != "seed"
-    }
+    units = {quantity.name: quantity.unit for quantity in catalogue()}
+    given = {name: _in_unit(value, units[name]) for name, value in on.items() if name != "seed"}
     return ", ".join(f"{name} = {value}" for name, value in given.items()) or "nothing"
+
+
+def _in_unit(value: object, unit: str) -> str:
+    if not isinstance(value, float):
+        return str(value)
+    told = f"{value:g}" if unit in ("", "1") else f"{value:g} {unit}"
+    return told if unit != "rad" else f"{told} ({math.degrees(value):.3g} deg)"

@@ -234,4 +234,7 @@ def shown_figure(charts: Sequence[Chart], columns: int = 1) -> Any:
     figure = plt.figure(layout="constrained")
     with mpl.rc_context(STYLE):
         draw_charts(figure, charts, columns)
+    # Smaller than in print: a notebook's column is, and would make the letters so.
+    width, height = figure.get_size_inches()
+    figure.set_size_inches(0.8 * width, 0.8 * height)
     return figure

@@ -11,6 +11,9 @@ from tqdm import tqdm
 TICK = 1.0
 """Between two looks at the clock [s]."""
 
+SIZE = (80, 24)
+"""Columns and lines of a terminal that does not say, as in some containers: tqdm would draw nothing."""
+
 
 @contextmanager
 def progress(total: int, unit: str, name: str | None = None, *, quiet: bool = False) -> Iterator[Any]:
@@ -24,6 +27,9 @@ def progress(total: int, unit: str, name: str | None = None, *, quiet: bool = Fa
     """
     hidden = True if quiet else None
     with tqdm(total=total, unit=unit, desc=name, file=sys.stderr, disable=hidden) as bar:
+        if not bar.disable and bar.ncols is not None and bar.ncols < 1:
+            bar.ncols, bar.nrows = SIZE
+            bar.refresh()
         done = Event()
         clock = Thread(target=_tick, args=(bar, done), daemon=True)
         if not bar.disable:

@@ -1,6 +1,7 @@
 """``sailnet evaluate --campaign``: what it replaces, flies twice, and explains."""
 
 import json
+import shlex
 import shutil
 from argparse import Namespace
 from collections.abc import Iterator
@@ -14,6 +15,8 @@ from sailnet import report
 from sailnet.campaign.results import open_results
 from sailnet.cli import main
 from sailnet.cli.arguments import workers_of
+from sailnet.cli.campaign import flown_again_by
+from sailnet.cli.command_line import parser
 from sailnet.report import campaign_page
 from sailnet.workers import executors
 
@@ -129,3 +132,15 @@ def test_both_precisions_are_flown_one_after_the_other(
     assert error_of(capsys, "--flights", "2", "--precision", "both").startswith(
         "error: --precision both is for"
     )
+
+
+@pytest.mark.parametrize("usual", [True, False])
+def test_the_command_of_a_page_is_the_one_that_was_given(usual: bool) -> None:
+    given = ["evaluate", "--campaign", "law"]
+    if not usual:
+        given += ["--layout", "host", "--flights", "7", "--precision", "float32", "--seed", "3"]
+        given += ["--mission", "earth_mars_jpl", "--networks", "a folder", "--guidance", "expert"]
+    options = parser().parse_args(given)
+    again = shlex.split(flown_again_by(options, options.precision))
+    assert len(again) == len(given) + 1
+    assert parser().parse_args(again[1:]) == options

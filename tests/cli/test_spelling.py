@@ -1,11 +1,13 @@
 """What was probably meant, and letters that a terminal does not have."""
 
 import io
+import shlex
 
 import pytest
 
-from sailnet.cli.command_line import main
+from sailnet.cli.command_line import main, parser
 from sailnet.cli.spelling import in_letters_it_has
+from sailnet.cli.stage import STAGES
 
 
 @pytest.mark.parametrize(
@@ -46,6 +48,31 @@ def test_nothing_is_guessed_of_what_is_like_nothing(capsys: pytest.CaptureFixtur
     with pytest.raises(SystemExit):
         main(["solve", "1", "0", "1", "--seed", "3"])
     assert "usage: sailnet solve" in capsys.readouterr().err
+
+
+def test_an_error_is_not_lost_below_all_options(capsys: pytest.CaptureFixture[str]) -> None:
+    for command in (["evaluate", "--workers", "0"], ["fly", "1", "0"]):
+        with pytest.raises(SystemExit):
+            main(command)
+        said = capsys.readouterr().err.splitlines()
+        assert len(said) == 2
+        assert said[0].endswith(f"[OPTIONS]; sailnet {command[0]} --help has them")
+        assert said[1].startswith(f"sailnet {command[0]}: error: ")
+    assert said[0].startswith("usage: sailnet fly R U V ")
+
+
+@pytest.mark.parametrize("command", ["solve", "evaluate", "pipeline", "papers", "export"])
+def test_an_example_is_a_line_that_can_be_copied(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main([command, "--help"])
+    _, _, examples = capsys.readouterr().out.partition("example: ")
+    lines = examples.strip().splitlines()
+    assert lines
+    for line in lines:
+        words = shlex.split(line)
+        assert words[0] == "sailnet"
+        if words[1] not in STAGES:
+            parser().parse_args(words[1:])
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,6 @@
 """Generation follows the recipe, whoever does the work, and the command says what went wrong."""
 
+import io
 import json
 import os
 import subprocess
@@ -15,6 +16,7 @@ import pytest
 import data.command
 import data.generate
 from data.box import CANDIDATES, box_shard
+from data.command import watched
 from data.generate import generate
 from sailnet.dataset import (
     JUMP_FLAG,
@@ -30,7 +32,7 @@ from sailnet.physics.pontryagin import guidance_law
 from sailnet.workers.executors import Workers
 from tests.paths import ROOT
 from tests.reference import fly
-from tests.small_datasets import NOMINAL, Inline, with_recipe
+from tests.small_datasets import INVENTED, NOMINAL, Inline, invented_shard, with_recipe
 
 
 def _only(executor: Executor, ahead: int = 4) -> Workers:
@@ -230,3 +232,18 @@ def test_counts_below_one_are_refused(
     assert caught.value.code == 2
     assert option in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_bar_says_from_the_first_on_which_shard_is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Trajectories come by the shard, so that their number stands still for long."""
+
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    monkeypatch.setattr("sys.stderr", terminal := Terminal())
+    shards = (invented_shard(0.0, number) for number in range(2))
+    seen = [terminal.getvalue() for _ in watched(shards, 2 * INVENTED, 2, quiet=False)]
+    assert "shard 1 of 2" in seen[0]
+    assert "shard 2 of 2" in seen[1].removeprefix(seen[0])
+    assert "shard 3" not in terminal.getvalue()

@@ -1,5 +1,6 @@
 """The documentation builds without a warning, its cells run, and no link in it leads nowhere."""
 
+import json
 import re
 import subprocess
 import sys
@@ -52,6 +53,17 @@ def test_cells_left_what_they_printed(made: Path) -> None:
     first = (made / "first-flight.html").read_text("utf-8")
     assert "(357.815 days)" in re.sub(r"<[^>]*>", "", first)
     assert len(re.findall(r"<img [^>]*_images/", first)) == 2
+
+
+def test_the_first_flight_is_a_notebook_of_fifteen_lines(made: Path) -> None:
+    page = Page((made / "first-flight.html").read_text("utf-8"))
+    (link,) = (link for link in page.links if link.endswith(".ipynb"))
+    cells = json.loads((made / link).read_text("utf-8"))["cells"]
+    cells = [cell for cell in cells if cell["cell_type"] == "code"]
+    lines = [line for cell in cells for line in "".join(cell["source"]).split("\n") if line]
+    assert len(lines) == 15
+    for step in ("sailnet.solve(", ".plot()", "torch.tensor(", "sailnet.fly("):
+        assert step in "\n".join(lines)
 
 
 def test_every_name_and_every_command_has_its_entry(made: Path) -> None:

@@ -1,5 +1,7 @@
 """Every example's README, run as it is written: a first output after at most five commands."""
 
+import json
+import math
 import os
 import re
 import shutil
@@ -134,17 +136,61 @@ def test_what_only_matlab_can_build_is_read_by_a_compiler(flag: str) -> None:
     assert done.returncode == 0, done.stderr
 
 
-@pytest.mark.install
-def test_from_nothing_to_a_first_output(tmp_path: Path) -> None:
-    """In a clean checkout and an environment with nothing in it, `pip install` and all.
-
-    Basilisk's flights end with an error unless every verdict is the plant's, and every end within 1e-6.
-    """
+def bare_checkout(folder: Path, name: str) -> str:
+    """Copies what is tracked into a folder, makes an environment with nothing in it, and returns its path."""
     tracked = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True)
-    for name in filter(None, tracked.stdout.split("\0")):
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(ROOT / name, tmp_path / name)
-    for name in ("bare_metal", "cfs_app", "simulink", "onnxruntime", APART):
-        environment = tmp_path / f"environment-{name}"
-        subprocess.run([sys.executable, "-m", "venv", str(environment)], check=True)
-        assert run(commands(name), tmp_path, str(environment / "bin")).strip()
+    for file in filter(None, tracked.stdout.split("\0")):
+        (folder / file).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / file, folder / file)
+    environment = folder / f"environment-{name}"
+    subprocess.run([sys.executable, "-m", "venv", str(environment)], check=True)
+    return str(environment / "bin")
+
+
+@pytest.mark.install
+@pytest.mark.parametrize("name", ["bare_metal", "cfs_app", "simulink", "onnxruntime"])
+def test_from_nothing_to_a_first_output(name: str, tmp_path: Path) -> None:
+    """In a clean checkout and an environment with nothing in it, `pip install` and all."""
+    path = bare_checkout(tmp_path, name)
+    assert run(commands(name), tmp_path, path).strip()
+
+
+@pytest.fixture(scope="module")
+def basilisk(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """A clean checkout, and the path of an environment with Basilisk."""
+    folder = tmp_path_factory.mktemp(APART)
+    path = bare_checkout(folder, APART)
+    run(commands(APART)[:1], folder, path)
+    return folder, path
+
+
+@pytest.mark.install
+def test_basilisk_flies_what_the_plant_does(basilisk: tuple[Path, str]) -> None:
+    """Its commands end with an error unless every verdict is the plant's, and every end within 1e-6."""
+    folder, path = basilisk
+    assert run(commands(APART)[1:], folder, path).strip()
+
+
+@pytest.mark.install
+def test_a_sail_on_wheels_follows_the_guidance_in_basilisk(basilisk: tuple[Path, str]) -> None:
+    folder, path = basilisk
+    (command,) = (line for line in commands(APART) if "fly_attitude.py" in line)
+    found = json.loads(run([f"{command} --json"], folder, path))
+    point, wheels, planets, trimmed = list(found.values())[:4]
+    for axis in "ruv":
+        assert wheels[axis] == pytest.approx(point[axis], abs=3e-5)
+        assert trimmed[axis] == pytest.approx(planets[axis], abs=1e-6)
+    # It departs facing the Sun; until it has turned, light does not push along its way.
+    assert wheels["v"] - point["v"] < -3e-6
+    # The Earth, 3 degrees ahead, pulls for 0.1 TU, and is farther away at the end.
+    pull = 0.1 * 3.0e-6 / math.radians(3.0) ** 2
+    assert 0.5 * pull < planets["v"] - wheels["v"] < pull
+    for flight in (wheels, planets, trimmed):
+        assert flight["largest"] == pytest.approx(22.0, abs=0.1)
+        assert flight["median"] < 0.03
+        assert flight["calm"] < 0.3
+        assert not flight["full"]
+    # As much as the slew takes at its largest rate, 120 degrees in three hours, and no more.
+    assert wheels["momentum"] == pytest.approx(1944.0 * math.radians(120.0) / 10_800.0, rel=0.1)
+    assert trimmed["shift"] == pytest.approx(0.07, rel=0.3)
+    assert 0.1 < found["untrimmed"]["full after [h]"] < 0.5

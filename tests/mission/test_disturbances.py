@@ -25,6 +25,7 @@ from sailnet.mission.disturbances import (
     catalogue,
     disturbance_from,
     switched_on,
+    worded,
 )
 from sailnet.mission.mission import load_mission, parse_mission
 from sailnet.physics.arrays import Array
@@ -522,3 +523,10 @@ def test_the_command_line_has_every_disturbance_and_goes_before_the_mission_file
 
 def test_custom_optics_in_a_table() -> None:
     assert disturbance_from({"optics": {"reflectivity": 0.9}}).optics == Optics(reflectivity=0.9)
+
+
+def test_what_a_page_says_of_a_disturbance_has_units_and_degrees() -> None:
+    given = disturbance_from({"beta_bias": -0.1, "rate_limit": 5.0, "misalignment": 0.01, "optics": "jpl"})
+    said = "beta_bias = -0.1, rate_limit = 5 rad/TU, misalignment = 0.01 rad (0.573 deg), optics = jpl"
+    assert worded(given) == said
+    assert worded(Disturbance()) == "nothing"

@@ -233,7 +233,7 @@ def test_the_page_is_self_contained_and_says_what_was_flown(flown: tuple[Results
     assert f"{failed} flights failed; {kept} of them are here" in text
     assert f"Of the other {failed - kept}, 0 have theirs in" in text
     assert results.digest[:16] in text
-    assert "beta_noise = 0.15, r_noise = 1e-05, optics = jpl" in text
+    assert "beta_noise = 0.15, r_noise = 1e-05 AU, optics = jpl" in text
     most = int(np.nanmax(results.flights["optimal_reversals"]))
     assert f"; optima of the sail as assumed have {most} at most. No reversal is drawn" in text
     scores = json.loads((folder / "scores.json").read_text())["scores"]

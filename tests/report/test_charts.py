@@ -1,9 +1,10 @@
 """Charts for print: what is written beside the curves leaves them their room."""
 
 import matplotlib as mpl
+import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
-from sailnet.report.charts import STYLE, Chart, Curve, draw_chart
+from sailnet.report.charts import STYLE, Chart, Curve, draw_chart, shown_figure
 
 
 def drawn(words: int) -> tuple[Figure, float]:
@@ -30,3 +31,16 @@ def test_the_legend_is_below_what_is_written_at_the_axes() -> None:
     legend = axes.get_legend()
     assert legend is not None
     assert legend.get_window_extent().y1 <= axes.xaxis.label.get_window_extent().y0 + 1.0
+
+
+def test_letters_of_a_notebook_s_figure_are_large_enough_in_its_column() -> None:
+    """Of two charts side by side, in 7.5 inches; and the label of an axis keeps within its row."""
+    plt.switch_backend("agg")
+    label = "λ_r [TU/AU], λ_u, λ_v [TU²/AU]"
+    columns = {"x": [0.0, 1.0], "y": [0.0, 1.0]}
+    chart = Chart("a", "A", "", "time [TU]", label, [Curve("x", "y")], columns)
+    figure = shown_figure([chart] * 4, columns=2)
+    assert 10.0 * 7.5 / figure.get_size_inches()[0] > 7.0
+    figure.draw_without_rendering()
+    assert figure.axes[2].yaxis.label.get_window_extent().height < figure.bbox.height / 2
+    plt.close(figure)

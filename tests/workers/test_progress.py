@@ -1,6 +1,8 @@
 """Bars of progress."""
 
 import io
+import os
+import select
 import time
 
 import pytest
@@ -42,3 +44,15 @@ def test_there_is_no_bar_where_nobody_looks(
         time.sleep(1.2)
         bar.update()
     assert stream.getvalue() == ""
+
+
+def test_a_terminal_that_does_not_say_how_wide_it_is_has_a_bar(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As a new one does not, until somebody sets its size."""
+    reader, writer = os.openpty()
+    with os.fdopen(reader, "rb") as seen, os.fdopen(writer, "w") as terminal:
+        monkeypatch.setattr("sys.stderr", terminal)
+        assert os.get_terminal_size(writer).columns == 0
+        with progress(3, "flight", "toy"):
+            terminal.flush()
+            assert select.select([seen], [], [], 5.0)[0]
+            assert b"toy:   0%" in os.read(seen.fileno(), 4096)
