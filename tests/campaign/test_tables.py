@@ -6,6 +6,7 @@ from scipy.stats import binomtest
 
 from sailnet.campaign.behaviour import DEGREE_PER_HOUR, behaviour_of, behaviour_record
 from sailnet.campaign.own_optima import Turns
+from sailnet.campaign.score_tables import beside_others
 from sailnet.campaign.scores import Score, score_of
 from sailnet.campaign.shares import Share, Spread
 from sailnet.campaign.tables import Table, failures_text, percent, plain, score_tables, side_by_side
@@ -132,3 +133,13 @@ def test_numbers_for_people_have_no_exponent_but_where_they_are_tiny() -> None:
     assert [plain(x) for x in (4.0912e6, 663.45, 0.0161803, 1.2345e-7, 0.0)] == [
         "4,090,000", "663", "0.0162", "1.23e-07", "0",
     ]  # fmt: skip
+
+
+def test_tables_of_campaigns_come_beside_those_that_stand_there() -> None:
+    """In the order of names, and also where nothing stood before."""
+    law, reach = (
+        f"**{name}** (`{name}`, networks `1`)\n\n| {n} |" for n, name in enumerate(("law", "reach"))
+    )
+    assert beside_others("", reach) == beside_others("\n", reach) == reach
+    assert beside_others(reach, law) == f"{law}\n\n{reach}"
+    assert beside_others(f"{law}\n\n{reach}", law.replace("0", "7")) == f"{law.replace('0', '7')}\n\n{reach}"
