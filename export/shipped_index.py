@@ -120,7 +120,8 @@ def album(names: Sequence[str], shown: Path, text: Path) -> list[str]:
         for file, what in ((f"{name}.png", "from the departure orbit"), (f"{name}{MAP}", "from elsewhere")):
             if (shown / file).exists():
                 where = os.path.relpath(shown / file, text.parent)
-                lines += ["", f"![{name}, flown by its flight file {what}]({where})"]
+                told = f"`{name}`, flown by its flight file {what}"
+                lines += ["", f"{told}:", "", f"![{told}]({where})"]
     return lines
 
 
