@@ -18,7 +18,7 @@ from sailnet.errors import SailnetError
 from sailnet.mission.disturbances import disturbance_from
 from sailnet.mission.mission import Mission, load_mission
 
-MISSIONS = ("earth_mars", "earth_mars_jpl", "earth_mars_nasa")
+MISSIONS = ("earth_mars", "earth_mars_jpl", "earth_mars_nasa", "earth_venus", "mars_earth", "earth_ceres")
 """Those whose networks ship."""
 
 STORED = "flights.json"
