@@ -105,12 +105,12 @@ def inside_domain(mission: Mission, guidance: Guidance, count: int, seed: int, f
     starts = np.full((count, 3), np.nan)
     for _ in range(ROUNDS):
         left = np.flatnonzero(np.isnan(starts[:, 0]))
-        if not len(left):
-            return starts
         candidates = np.array([rngs[row].uniform(low, high, (CANDIDATES, 3)) for row in left])
         known = _known(guidance, candidates.reshape(-1, 3)).reshape(len(left), CANDIDATES)
         some = known.any(axis=1)
         starts[left[some]] = candidates[some, known[some].argmax(axis=1)]
+        if some.all():
+            return starts
     raise GuidanceError(f"of {ROUNDS * CANDIDATES:,} states about the orbits the guidance knows none")
 
 
