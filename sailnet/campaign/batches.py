@@ -163,8 +163,8 @@ class Job:
         series = whole[batch.series]
         sharing = [number for number, other in enumerate(whole) if other.source == series.source]
         states = series.states(self.mission, self.guidance, self.plan.seed, batch.first, batch.count)
-        if series.starts == "generalisation" or isinstance(series.starts, tuple):
-            listed = isinstance(series.starts, tuple)
+        listed = isinstance(series.starts, tuple)
+        if listed or series.starts == "generalisation":
             optima = assumed_optima(self.mission, states, anywhere=listed)
         else:
             optima = optima_beside_flights(self.mission, states)
