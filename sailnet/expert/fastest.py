@@ -5,6 +5,7 @@ Newton's method finishes them, and of the extremals that reach a state the faste
 """
 
 import math
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -22,9 +23,9 @@ from sailnet.physics.transfer import Transfer
 Region = tuple[ArrayLike, ArrayLike]
 """Lowest and highest state of a box."""
 
-EFFORT, SHORT = 2.0, 0.3
-"""How many times the budget of directions a second search may take, of the few states that need one; and a
-search that only has to find most."""
+EFFORT, SHORT, TRIES = 2.0, 0.3, 16
+"""How many times the budget of directions a second search may take, of the few states that need one; and one
+that only has to find most, which follows so many guesses of a state: beside the target are hundreds."""
 
 DEEPER = 0.8
 """How near to the Sun a last search follows extremals, in perihelia of the states that need it. Where these
@@ -127,8 +128,8 @@ def solve_some(transfer: Transfer, states: Array) -> Optima:
 
     Most of a search goes into the slow and the rare. What it leaves out has neighbours that it does not.
     """
-    best = nothing_found(states)
-    _search(transfer, best, nothing_found(states), np.arange(len(states)), None, 1.0, SHORT)
+    best, every = nothing_found(states), np.arange(len(states))
+    _search(transfer, best, nothing_found(states), every, None, 1.0, SHORT, tries=TRIES)
     return best.rows(best.complete)
 
 
@@ -156,6 +157,7 @@ def _search(
     effort: float = 1.0,
     longer: bool = False,
     innermost: float = math.inf,
+    tries: int = sys.maxsize,
 ) -> None:
     """Put what is found faster into some rows of both, and how far it was looked for."""
     if not len(rows):
@@ -164,7 +166,7 @@ def _search(
     scaled, size = _scaled(transfer, states), transfer.target_radius
     until = best.time_of_flight[rows] / size**1.5 if longer else None
     index = _index(transfer, scaled, region, effort, until, innermost)
-    for found in _fastest(transfer, states, _distinct(index.look_up(scaled)), slower):
+    for found in _fastest(transfer, states, _distinct(index.look_up(scaled)), slower, tries):
         keep_faster(best, second, rows, found)
     best.searched[rows] = np.fmax(best.searched[rows], index.searched(scaled) * size**1.5)
 
@@ -189,8 +191,7 @@ def _index(
     named = tuple(map(tuple, wanted.tolist()))
     if until is None:
         return build_index(unit, named, effort, innermost=innermost)
-    last = np.zeros(len(wanted))
-    np.maximum.at(last, which.ravel(), until)
+    np.maximum.at(last := np.zeros(len(wanted)), which.ravel(), until)
     return build_index(unit, named, effort, tuple(last.tolist()), innermost)
 
 
@@ -205,33 +206,35 @@ def _distinct(guesses: Guesses) -> Guesses:
         beside = np.repeat(best, np.diff(begins, append=len(order)))
         turned = np.linalg.norm(guesses.directions[order] - guesses.directions[beside], axis=1)
         # The farther a state lies from a prism, the less its guess says.
-        apart = turned > (1.0 + 10.0 * guesses.outside[order]) * (
-            guesses.width[order] + guesses.width[beside]
-        )
+        width = guesses.width[order] + guesses.width[beside]
+        apart = turned > (1.0 + 10.0 * guesses.outside[order]) * width
         later = np.abs(guesses.tau[order] - guesses.tau[beside]) > SAME + guesses.outside[order]
         order = order[apart | later]
     rows = np.concatenate(kept)
     return Guesses(*(column[rows] for column in vars(guesses).values()))
 
 
-def _fastest(transfer: Transfer, states: Array, guesses: Guesses, slower: float) -> tuple[Optima, Optima]:
-    """Refine guesses, fastest first, until none that is left could be among the two that are asked for."""
+def _fastest(
+    transfer: Transfer, states: Array, guesses: Guesses, slower: float, tries: int
+) -> tuple[Optima, Optima]:
+    """Refine guesses, so many of a state, fastest first, until no other could be one of the two asked for."""
     size = transfer.target_radius
     directions = guesses.directions * [np.sqrt(size), size**2, size**2]
     tau, margin = guesses.tau * size**1.5, SAME * size**1.5
     best, second = nothing_found(states), nothing_found(states)
     waiting = np.lexsort((tau, guesses.state))
-    while True:
+    for _ in range(tries):
         # Without a fastest there is no second; without a second, what is slow enough may still be one.
         limit = np.fmin(slower * best.time_of_flight, second.time_of_flight)[guesses.state[waiting]]
         waiting = waiting[~(tau[waiting] > limit + margin)]
         if not len(waiting):
-            return best, second
+            break
         first = np.diff(guesses.state[waiting], prepend=-1) != 0
         rows, waiting = waiting[first], waiting[~first]
         at = guesses.state[rows]
         shots = shoot(transfer, states[at], directions[rows], tau[rows])
         keep_faster(best, second, at, optima_of(transfer, states[at], shots))
+    return best, second
 
 
 def keep_faster(best: Optima, second: Optima, at: NDArray[np.intp], found: Optima) -> None:

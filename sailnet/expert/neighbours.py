@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 from sailnet.expert.optima import Optima, nothing_found, optima_of, put
 from sailnet.expert.shooting import shoot
 from sailnet.physics.arrays import Array
-from sailnet.physics.transfer import Transfer
+from sailnet.physics.transfer import AnyTransfer, Transfer
 
 NEIGHBOURS = 8
 """States around one that are asked for their extremals."""
@@ -65,11 +65,11 @@ def solve_among(transfer: Transfer, states: Array, known: Optima) -> Optima:
     return optima
 
 
-def next_optima(transfer: Transfer, before: Optima) -> Optima:
+def next_optima(transfer: AnyTransfer, before: Optima) -> Optima:
     """Extremals from the same states by Newton's method from those of a sail a little weaker or stronger.
 
     Args:
-        transfer: the problem.
+        transfer: the problem, or one a row.
         before: optima of that other sail.
     """
     optima = nothing_found(before.state)
@@ -93,7 +93,7 @@ def _by_costates(known: Optima, beside: NDArray[np.intp], states: Array) -> Arra
 
 
 def _try(
-    transfer: Transfer, optima: Optima, rows: NDArray[np.intp], known: Optima, start: NDArray[np.intp]
+    transfer: AnyTransfer, optima: Optima, rows: NDArray[np.intp], known: Optima, start: NDArray[np.intp]
 ) -> None:
     """Put into rows of the optima what Newton's method finds faster from the extremals known at ``start``."""
     if not len(rows):

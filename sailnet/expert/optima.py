@@ -1,5 +1,6 @@
 """Minimum-time extremals: what is known of one, of many, and their samples on the way."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -84,6 +85,12 @@ class Optima:
     def rows(self, chosen: object) -> "Optima":
         """Some of them, in any order and any number of times."""
         return Optima(*(column[chosen] for column in vars(self).values()))
+
+    @classmethod
+    def join(cls, parts: "Sequence[Optima]") -> "Optima":
+        """Some, one after the other."""
+        columns = zip(*(vars(part).values() for part in parts), strict=True)
+        return cls(*(np.concatenate(column) for column in columns))
 
     def extremal(self, row: int) -> Extremal:
         """One of them."""

@@ -21,12 +21,12 @@ from sailnet.physics.transfer import AnyTransfer
 ROUGH, ROUGH_GOAL = 1e-7, 1e-4
 """Tolerance of the derivatives and of the first steps, which cost a third so, and where those end."""
 
-STALE, STALE_SECANTS = 0.1, 0.5
-"""Derivatives are renewed when a step leaves more than this share of the residual; those that secants keep up
-to date, in space, later."""
+STALE = 0.5
+"""Derivatives, kept up to date by secants, are renewed when a step leaves more than this of the residual."""
 
 PROMISING = 0.05
-"""Residual below which a problem that got stuck, at a pinch for instance, is given accurate derivatives."""
+"""Residual below which a problem is flown accurately, and given accurate derivatives if it gets stuck, at a
+pinch for instance."""
 
 LARGEST_TURN = 0.2
 """Largest Newton step of the arrival direction [rad]."""
@@ -101,7 +101,7 @@ def shoot(
         directions: (n, 3), or (n, 5), guesses of the arrival costates; only their direction counts.
         tau: (n,) guesses of the time to go [TU].
         goal: residual at which a problem counts as solved.
-        iterations: most Newton steps, rejected ones included.
+        iterations: most Newton steps of each kind, rejected ones included.
 
     Returns:
         The best point found for each problem; look at ``residual``, and whether the direction is
@@ -111,17 +111,22 @@ def shoot(
     size = targets.shape[1]
     rough = propagator(transfer, variational=True, tolerance=ROUGH, components=size)
     fine = propagator(transfer, components=size)
-    # In space a flight with derivatives costs ten without: secants take the place of most of them.
-    strides = rough if size == 3 else propagator(transfer, tolerance=ROUGH, components=size)
+    # A flight with derivatives costs five without, in space ten: secants take the place of most of them.
+    strides = propagator(transfer, tolerance=ROUGH, components=size)
     guess, jacobian = _fly_back(rough, transfer, targets, directions, tau)
-    near = _refine(strides, rough, transfer, targets, guess, jacobian, ROUGH_GOAL, iterations)
-    best, _ = _fly_back(fine, transfer, targets, near.directions, near.tau)
-    best = _refine(fine, rough, transfer, targets, best, jacobian, goal, iterations)
+    fresh = np.ones(len(tau), bool)
+    best = _refine(strides, rough, transfer, targets, guess, jacobian, fresh, ROUGH_GOAL, iterations)
+    near = np.flatnonzero(best.residual < PROMISING)
+    own, fresh = transfer.rows(near), fresh[near]
+    start, _ = _fly_back(fine, own, targets[near], best.directions[near], best.tau[near])
+    ended = _refine(fine, rough, own, targets[near], start, jacobian[near], fresh, goal, iterations)
+    best.put(near, ended)
     hard = np.flatnonzero((best.residual > goal) & (best.residual < PROMISING))
     if len(hard):
         fine, hardest = propagator(transfer, variational=True, components=size), transfer.rows(hard)
         start, jacobian = _fly_back(fine, hardest, targets[hard], best.directions[hard], best.tau[hard])
-        best.put(hard, _refine(fine, fine, hardest, targets[hard], start, jacobian, goal, iterations))
+        fresh = np.ones(len(hard), bool)
+        best.put(hard, _refine(fine, fine, hardest, targets[hard], start, jacobian, fresh, goal, iterations))
     return best
 
 
@@ -132,14 +137,15 @@ def _refine(
     targets: Array,
     best: Shots,
     jacobian: Array,
+    fresh: NDArray[np.bool_],
     goal: float,
     iterations: int,
 ) -> Shots:
     """Damped Newton steps; residuals from one propagator, derivatives (kept in place) from another.
 
+    Those that are fresh (kept in place as well) are of the very point: where no step helps, no others will.
     Without derivatives of its own, a propagator goes on with the last ones for as long as they serve.
     """
-    secants = targets.shape[1] > 3 and not engine.variational
     step = _newton_step(best, targets, jacobian)
     scale = np.ones(len(best.tau))
     for _ in range(iterations):
@@ -154,18 +160,18 @@ def _refine(
         old = best.residual[active]
         better = trial.residual < old
         won = active[better]
-        if secants:
+        if not engine.variational:
             _mend(jacobian, won, best.rows(won), trial.rows(better))
         best.put(won, trial.rows(better))
+        fresh[won] = engine.variational
         scale[active] = np.where(better, np.minimum(1.0, 2.0 * scale[active]), scale[active] / 4.0)
         if engine.variational:
             jacobian[won] = derivative[better]
         else:
-            left = STALE_SECANTS if secants else STALE
-            stale = active[(trial.residual > left * old) & (best.residual[active] > goal)]
-            at = best.rows(stale)
-            own = transfer.rows(stale)
+            stale = active[(trial.residual > STALE * old) & (best.residual[active] > goal) & ~fresh[active]]
+            at, own = best.rows(stale), transfer.rows(stale)
             jacobian[stale] = _fly_back(variational, own, targets[stale], at.directions, at.tau)[1]
+            fresh[stale] = True
         step[active] = _newton_step(best.rows(active), targets[active], jacobian[active])
     return best
 

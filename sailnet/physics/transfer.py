@@ -1,6 +1,7 @@
 """The optimal-control problem: what the physics has to know of a mission."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -71,6 +72,15 @@ class Transfers:
     common: Transfer
     beta: Array
     law: RealLaw | None = None
+
+    @classmethod
+    def of(cls, sails: Sequence[Transfer], counts: Sequence[int]) -> "Transfers":
+        """The rows of some sails, so many of each, that differ in beta and optics alone."""
+        law = None
+        if sails[0].law is not None:
+            force = np.repeat([sail.optics.force for sail in sails], counts, axis=0)
+            law = RealLaw.of(force, sails[0].phi_max)
+        return cls(sails[0], np.repeat([sail.beta for sail in sails], counts), law)
 
     @property
     def phi_max(self) -> float:

@@ -56,16 +56,7 @@ def test_the_faster_familyspreads_to_the_states_that_know_a_slower_one(problem: 
     assert slow.found.all()
     assert faster.found.all()
     assert (slow.time_of_flight > faster.time_of_flight + 1.0).all()
-    known = Optima(
-        *(
-            np.concatenate(columns)
-            for columns in zip(
-                vars(faster.rows(slice(fast))).values(),
-                vars(slow.rows(slice(fast, None))).values(),
-                strict=True,
-            )
-        )
-    )
+    known = Optima.join([faster.rows(slice(fast)), slow.rows(slice(fast, None))])
     optima = solve_among(problem, states, known)
     expected = faster if fast else slow
     np.testing.assert_allclose(optima.time_of_flight, expected.time_of_flight, rtol=0, atol=1e-8)
