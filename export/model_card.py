@@ -112,7 +112,7 @@ def model_card(
     mission = networks.mission
     tau = networks.tau
     trio = {name: getattr(networks, name) for name in TRIO}
-    rules = mission.flight
+    rules = acceptance.mission.flight  # by which they fly: those they were trained with may have been others
     return "\n".join(
         [
             f"# Model card: {mission.title}",

@@ -18,6 +18,7 @@ from sailnet import SailnetError, load_mission
 from sailnet.artefacts.files import fill_block, split_at_block, write_whole
 from sailnet.campaign.tables import Table
 from sailnet.expert.nominal import solve_nominal
+from sailnet.guidance.backends import missions_with_networks
 from sailnet.mission.mission import Mission
 from sailnet.physics.units import DAY, TU
 from sailnet.workers.interruption import run_command
@@ -148,8 +149,8 @@ def main() -> int:
     options = parser.parse_args()
     try:
         rows, names = [], []
-        for folder in sorted(path.parent for path in options.text.parent.glob("*/MODEL_CARD.md")):
-            mission = load_mission(folder.name)
+        for name in missions_with_networks(options.text.parent):
+            mission, folder = load_mission(name), options.text.parent / name
             names.append(mission.name)
             acceptance = split_at_block(options.results, f"acceptance {mission.name}")[1]
             place = options.campaigns if mission.name == MAIN else folder / "RESULTS.md"

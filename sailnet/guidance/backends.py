@@ -71,10 +71,23 @@ def exported_folder(mission: Mission, folder: Path | None = None) -> Path:
     """
     if folder is not None:
         return folder
-    folder = Path(str(resources.files("sailnet"))) / "shipped" / mission.name
+    folder = _shipped() / mission.name
     if not folder.is_dir():
         raise GuidanceError(
             f"no networks are shipped for mission {mission.name!r}: make some (sailnet pipeline FILE) and "
             "name their folder with --networks"
         )
     return folder
+
+
+def missions_with_networks(shipped: Path | None = None) -> list[str]:
+    """Names of the missions whose networks come with the package, in alphabetical order.
+
+    Args:
+        shipped: the folder that holds a folder of each; the package's by default.
+    """
+    return sorted(card.parent.name for card in (shipped or _shipped()).glob("*/MODEL_CARD.md"))
+
+
+def _shipped() -> Path:
+    return Path(str(resources.files("sailnet"))) / "shipped"

@@ -45,6 +45,12 @@ RADIAL, TRANSVERSE = 0.1, (0.8, 1.2)
 LONGEST = 300.0
 """No flight is derived to be longer [TU]: 48 years."""
 
+PERIOD, KICK = 0.005, 5e-4
+"""The longest guidance period [TU]; and by how much the sail may change its speed in one at the target
+[AU/TU], half the arrival tolerance. Noise that is drawn anew every period moves the sail by a share of that
+in the last one, which no guidance can take back: with 0.005 TU, 1.6 times the tolerance a period, one
+flight in thirty to Venus missed its first approach under noise, with a third of that one in a thousand."""
+
 LATITUDE = 1.6
 """Its half-width in latitude in three dimensions, in inclinations of the departure orbit; that in w is the
 speed with which an orbit of such an inclination crosses the plane."""
@@ -137,6 +143,7 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
     margin = [_rounded(MARGIN * unit) for unit in (departure, speed, speed)]
     outward = 1.0 if target > departure else -1.0
     depth = min(DEPTH * departure, max(SHARE * abs(target - departure), 0.01 * departure))
+    period = min(PERIOD, _rounded(KICK * target**2 / sail.beta))
     off_plane = {}
     if orbits.inclination > 0.0:
         latitude = _rounded(min(LATITUDE * orbits.inclination, 89.0))
@@ -147,8 +154,8 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
         "name": _name(source),
         "title": f"{departure:g} AU to {target:g} AU",
         "flight": {
-            "period": 0.005,
-            "arrival_threshold": 0.005,
+            "period": period,
+            "arrival_threshold": period,
             "arrival_tolerance": 1e-3,
             "longest": min(10.0 * math.ceil(0.5 * (time + rounding)), LONGEST),
         },

@@ -11,7 +11,7 @@ from sailnet.campaign.random_flights import fly_random_starts
 from sailnet.campaign.scores import attitude_violations
 from sailnet.expert.fastest import solve
 from sailnet.flight.closed_loop import fly
-from sailnet.guidance.backends import Backend, load_guidance
+from sailnet.guidance.backends import Backend, load_guidance, missions_with_networks
 from sailnet.guidance.interface import Layout, Precision
 from sailnet.guidance.rules import RULES
 from sailnet.mission.disturbances import Disturbance
@@ -26,6 +26,9 @@ def test_every_shipped_set_belongs_to_a_shipped_mission() -> None:
     names = {folder.name for folder in SHIPPED.iterdir() if folder.is_dir()}
     assert names
     assert names <= set(shipped_missions())
+    # What is told of and flown by the processors is what setup.py finds to compile.
+    compiled = {source.parent.name for source in SHIPPED.glob("*/sailnet_guidance.c")}
+    assert missions_with_networks() == sorted(names) == sorted(compiled)
 
 
 @pytest.mark.parametrize(("name", "optimum"), [("earth_mars_jpl", 7.4397331), ("earth_mars_nasa", 7.4562960)])

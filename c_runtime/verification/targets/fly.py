@@ -15,11 +15,9 @@ from c_runtime.verification.targets.measure import compile_plugin, left_out_of
 from sailnet.artefacts.files import fill_block, split_at_block, write_text
 from sailnet.artefacts.provenance import software
 from sailnet.errors import SailnetError
+from sailnet.guidance.backends import missions_with_networks
 from sailnet.mission.disturbances import disturbance_from
 from sailnet.mission.mission import Mission, load_mission
-
-MISSIONS = ("earth_mars", "earth_mars_jpl", "earth_mars_nasa", "earth_venus", "mars_earth", "earth_ceres")
-"""Those whose networks ship."""
 
 STORED = "flights.json"
 """What was flown, in the folder of the programs."""
@@ -46,7 +44,7 @@ def main(arguments: list[str]) -> int:
         if options.reported:
             fill_block(options.table, BLOCK, table(json.loads((options.build / STORED).read_text("utf-8"))))
             return 0
-        missions = [load_mission(name) for name in options.mission or MISSIONS]
+        missions = [load_mission(name) for name in options.mission or missions_with_networks()]
         sail = Sail(
             options.start, disturbance_from({"beta_bias": options.beta_bias}, missions[0].disturbance)
         )
@@ -90,7 +88,7 @@ def _parser() -> argparse.ArgumentParser:
         help=f"{targets}; may be repeated (all)",
     )
     parser.add_argument(
-        "--mission", action="append", choices=MISSIONS, help="may be repeated (all that ship)"
+        "--mission", action="append", choices=missions_with_networks(), help="may be repeated (all that ship)"
     )
     parser.add_argument(
         "--start", nargs=3, type=float, metavar=("R", "U", "V"), help="[AU, AU/TU] (the departure orbit)"

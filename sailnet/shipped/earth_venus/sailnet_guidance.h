@@ -65,7 +65,7 @@ typedef float sailnet_real;
 #define SAILNET_AU_PER_TU_IN_METRES_PER_SECOND 29784.691831696804
 
 /* A shorter predicted time of flight [TU] is an arrival. */
-#define SAILNET_ARRIVAL_THRESHOLD SAILNET_REAL(0.005)
+#define SAILNET_ARRIVAL_THRESHOLD SAILNET_REAL(0.0015)
 /* A sail is on the target orbit when each of r [AU], u and v [AU/TU] is within this of it. */
 #define SAILNET_ARRIVAL_TOLERANCE SAILNET_REAL(0.001)
 #define SAILNET_TARGET_R SAILNET_REAL(0.723)
