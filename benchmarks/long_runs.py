@@ -1,6 +1,6 @@
 """``python -m benchmarks.long_runs``: memory of a campaign of a million flights, and of 100 million samples.
 
-Each length runs in a process of its own, so that its largest memory is its own. ``--share 0.1`` is a tenth.
+Each length runs in a process of its own, so that its largest memory is its own.
 """
 
 import argparse
@@ -71,14 +71,14 @@ def _blocks(count: int) -> Iterator[Block]:
         left -= rows
 
 
-KINDS = {"campaign, flights": (campaign, FLIGHTS), "data set, samples": (samples, SAMPLES_WRITTEN)}
+KINDS = {"campaign, flights": campaign, "data set, samples": samples}
 
 
 def measure(kind: str, count: int) -> dict[str, float]:
     """In this process: its largest memory [GB] before and after, the size of the file [GB], and seconds."""
     before, started = _peak(), time.monotonic()
     with tempfile.TemporaryDirectory(dir=Path.cwd()) as name:
-        KINDS[kind][0](count, Path(name))
+        KINDS[kind](count, Path(name))
         size = (Path(name) / "long.h5").stat().st_size / 1e9
     return {"before": before, "after": _peak(), "file": size, "seconds": time.monotonic() - started}
 
@@ -87,13 +87,13 @@ def _peak() -> float:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 / 1e9
 
 
-def table(rows: list[tuple[str, int, dict[str, float]]], share: float) -> list[str]:
+def table(rows: list[tuple[str, int, dict[str, float]]], flights: int, samples: int) -> list[str]:
     """The record as Markdown."""
     made = software()
     lines = [
-        f"`python -m benchmarks.long_runs --share {share:g}` on {made['machine']}, {made['date']}, revision "
-        f"{made['revision']}. Flights end after ten periods; samples are invented; a full run has "
-        f"{FLIGHTS:,} flights and {SAMPLES_WRITTEN:,} samples.",
+        f"`python -m benchmarks.long_runs --flights {flights} --samples {samples}` on {made['machine']}, "
+        f"{made['date']}, revision {made['revision']}. Flights end after ten periods; samples are invented; "
+        f"a full run has {FLIGHTS:,} flights and {SAMPLES_WRITTEN:,} samples.",
         "",
         "| what | how many | largest memory [GB] | of it before the work | file [GB] | seconds |",
         "|---|---|---|---|---|---|",
@@ -107,7 +107,8 @@ def table(rows: list[tuple[str, int, dict[str, float]]], share: float) -> list[s
 def main() -> int:
     """Run the command; returns the exit status."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.long_runs", description=__doc__)
-    parser.add_argument("--share", type=float, default=1.0, help="of the full lengths (%(default)g)")
+    parser.add_argument("--flights", type=int, default=FLIGHTS, help="of the campaign (%(default)s)")
+    parser.add_argument("--samples", type=int, default=SAMPLES_WRITTEN, help="of the data set (%(default)s)")
     parser.add_argument("--only", choices=KINDS, help="one, in this process, of --count; prints JSON")
     parser.add_argument("--count", type=int)
     parser.add_argument("--text", type=Path, help=f"file with marks <!-- {MARK} --> for the table")
@@ -117,9 +118,9 @@ def main() -> int:
             print(json.dumps(measure(options.only, options.count)))
             return 0
         rows = []
-        for kind, (_, whole) in KINDS.items():
+        for kind, whole in zip(KINDS, (options.flights, options.samples), strict=True):
             for step in STEPS:
-                count = int(whole * options.share * step)
+                count = int(whole * step)
                 command = ["-m", "benchmarks.long_runs", "--only", kind, "--count", str(count)]
                 done = subprocess.run(
                     [sys.executable, *command], stdout=subprocess.PIPE, text=True, check=False
@@ -128,7 +129,7 @@ def main() -> int:
                     raise SailnetError(f"{kind}: {count} did not come to an end: {done.returncode}")
                 rows.append((kind, count, json.loads(done.stdout.splitlines()[-1])))
                 print(rows[-1], file=sys.stderr, flush=True)
-        lines = table(rows, options.share)
+        lines = table(rows, options.flights, options.samples)
         print("\n".join(lines))
         if options.text:
             fill_block(options.text, MARK, "\n".join(lines))

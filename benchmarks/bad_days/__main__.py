@@ -11,8 +11,10 @@ from random import Random
 
 from benchmarks.bad_days.clusters import LOSSES, lose
 from benchmarks.bad_days.disks import fill
+from benchmarks.bad_days.faults import faults
 from benchmarks.bad_days.kills import kill_at_random
-from benchmarks.bad_days.work import ROOT, Work, works
+from benchmarks.bad_days.record import Day, Days, Records, counted, merged, table
+from benchmarks.bad_days.work import LEARNED, ROOT, Work, works
 from benchmarks.bad_days.writers import second_writer
 from sailnet.artefacts.files import fill_block, write_text
 from sailnet.artefacts.provenance import software
@@ -21,17 +23,20 @@ from sailnet.errors import SailnetError
 MARK = "bad-days"
 
 KINDS = ("kills", "writers", "clusters", "disks")
-
-Records = dict[str, dict[str, list[dict[str, object]]]]
-"""By kind of day and name of the work; of clusters by loss and work."""
+FAULTS = "faults"
+"""Not of one command."""
 
 
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.bad_days", description=__doc__)
     parser.add_argument("--kills", type=int, default=5, help="of each command (%(default)s)")
     parser.add_argument("--sizes", type=int, default=5, help="of disks, for each command (%(default)s)")
-    parser.add_argument("--only", nargs="+", choices=KINDS, default=KINDS, help="kinds of day (all)")
-    parser.add_argument("--works", nargs="+", metavar="NAME", help="commands: data, training... (all)")
+    parser.add_argument(
+        "--only", nargs="+", choices=(*KINDS, FAULTS), default=(*KINDS, FAULTS), help="kinds of day (all)"
+    )
+    parser.add_argument(
+        "--works", nargs="+", metavar="NAME", help="commands or faults: data, training... (all)"
+    )
     parser.add_argument("--seed", type=int, default=1, help="of the moments (%(default)s)")
     parser.add_argument("--minutes", type=float, default=1e9, help="after which no other day begins")
     parser.add_argument("--folder", type=Path, help="to work in, and for records.json, from which it goes on")
@@ -41,39 +46,55 @@ def _options() -> argparse.Namespace:
 
 def run_all(folder: Path, options: argparse.Namespace) -> Records:
     """Every bad day asked for, one after the other; those in the folder's records not again."""
-    random = Random(options.seed)
     end = time.monotonic() + 60.0 * options.minutes
     known = folder / "records.json"
     records: Records = json.loads(known.read_text()) if known.exists() else {}
-    expected: dict[str, str] = {}
+    made: Day = {key: software()[key] for key in ("date", "revision")}
     every = works(folder)
-    chosen = {work.name for work in every if not options.works or work.name.startswith(tuple(options.works))}
-    needed = set(chosen)
+    asked = tuple(options.works or [""])
+    chosen = {work.name for work in every if work.name.startswith(asked) and set(options.only) & set(KINDS)}
+    needed = chosen | ({LEARNED} if FAULTS in options.only else set())
     for work in reversed(every):
         needed |= {work.reads} if work.name in needed else set()
     for work in every:
         if work.name not in needed:
             continue
-        reference = folder / "reference" / work.name
-        if not reference.exists():
-            reference.mkdir(parents=True)
-            _say(f"{work.name}: undisturbed")
-            status, said, seconds = work.complete(reference)
-            if status:
-                raise SailnetError(f"{work.name} does not even work on a good day: {said[-500:]}")
-            (reference / "seconds").write_text(str(seconds))
-        seconds = float((reference / "seconds").read_text())
-        expected[work.name] = work.digest(reference)
+        expected, seconds = _undisturbed(work, folder)
         if work.name not in chosen:
             continue
-        had = {kind: len(records.get(kind, {}).get(work.name, [])) for kind in KINDS}
-        for kind, results in _days(work, folder, expected[work.name], seconds, random, options, had):
-            records.setdefault(kind, {}).setdefault(work.name, []).append(results)
+        had = {kind: counted(records.get(kind, {}).get(work.name, [])) for kind in KINDS}
+        random = Random(f"{options.seed} {work.name} {len(had['kills'])}")
+        for kind, results in _days(work, folder, expected, seconds, random, options, had):
+            records.setdefault(kind, {}).setdefault(work.name, []).append(results | made)
             _say(f"{kind}: {work.name}: {json.dumps(results)}")
             _keep(records, known)
             if time.monotonic() > end:
                 return records
+    if FAULTS in options.only:
+        learned = folder / "reference" / LEARNED / "x.h5"
+        for given, day in faults(folder / "faults", learned, asked):
+            records.setdefault(FAULTS, {})[given] = [day | made]
+            _say(f"{FAULTS}: {given}: {json.dumps(day)}")
+            _keep(records, known)
     return records
+
+
+def _undisturbed(work: Work, folder: Path) -> tuple[str, float]:
+    """Digest of what a command writes on a good day, and the seconds it takes; it is run once.
+
+    Raises:
+        SailnetError: it fails.
+    """
+    reference = folder / "reference" / work.name
+    if not (reference / "seconds").exists():
+        work.prepare()
+        reference.mkdir(parents=True, exist_ok=True)
+        _say(f"{work.name}: undisturbed")
+        status, said, seconds = work.complete(reference)
+        if status:
+            raise SailnetError(f"{work.name} does not even work on a good day: {said[-500:]}")
+        (reference / "seconds").write_text(str(seconds))
+    return work.digest(reference), float((reference / "seconds").read_text())
 
 
 def _keep(records: Records, path: Path) -> None:
@@ -87,96 +108,26 @@ def _days(
     seconds: float,
     random: Random,
     options: argparse.Namespace,
-    had: dict[str, int],
-) -> Iterable[tuple[str, dict[str, object]]]:
+    had: dict[str, Days],
+) -> Iterable[tuple[str, Day]]:
     if "kills" in options.only:
-        for _ in range(had["kills"], options.kills):
-            yield "kills", kill_at_random(work, folder / "killed", expected, seconds, random)
+        kills = len(had["kills"])
+        while kills < options.kills:
+            day = kill_at_random(work, folder / "killed", expected, seconds, random)
+            kills += len(counted([day]))
+            yield "kills", day
     if "writers" in options.only and not had["writers"]:
         yield "writers", second_writer(work, folder / "twice", expected)
     if "disks" in options.only:
         reference = folder / "reference" / work.name
         needed = sum(path.stat().st_size for path in reference.rglob("*") if path.is_file())
-        for step in range(had["disks"], options.sizes):
+        for step in range(len(had["disks"]), options.sizes):
             size = 20_000 + int(1.2 * needed * step / max(1, options.sizes - 1))
             yield "disks", fill(work, folder / "disk", expected, size)
     if "clusters" in options.only and work.spreads:
-        for loss in list(LOSSES)[had["clusters"] :]:
-            yield "clusters", {"loss": loss, **lose(loss, work, folder / "cluster", expected)}
-
-
-def table(records: Records) -> list[str]:
-    """The records as Markdown."""
-    made = software()
-    lines = [
-        f"`make bad-days` on {made['machine']}, {made['date']}, revision {made['revision']}, commands at "
-        "toy size. Content is compared by digests that hold no date.",
-    ]
-    if kills := records.get("kills"):
-        lines += [
-            "",
-            "| kill -9 at random moments, then the same command again | kills | moments [s] | same content "
-            "| orphans after 5 s | left-overs |",
-            "|---|---|---|---|---|---|",
-        ]
-        for name, days in kills.items():
-            before = [day for day in days if not day["finished"]]
-            moments = ", ".join(str(day["moment"]) for day in before)
-            cells = [name, len(before), moments, f"{_count(days, 'same')} of {len(days)}"]
-            cells += [_total(days, "orphans"), _total(days, "leftovers")]
-            lines.append(_row(cells))
-    if writers := records.get("writers"):
-        lines += [
-            "",
-            "| two writers at once | status | seconds, processor | what it says | first as ever |",
-            "|---|---|---|---|---|",
-        ]
-        for name, days in writers.items():
-            for day in days:
-                seconds = f"{day['seconds']}, {day['cpu']}"
-                lines.append(_row([name, day["status"], seconds, day["said"], day["same"]]))
-    if clusters := records.get("clusters"):
-        lines += [
-            "",
-            "| Dask loses | work | status | seconds to the end | what it says | same content in the end |",
-            "|---|---|---|---|---|---|",
-        ]
-        for name, days in clusters.items():
-            for day in days:
-                cells = [day["loss"], name, *(day[key] for key in ("status", "seconds", "said", "same"))]
-                lines.append(_row(cells))
-    if disks := records.get("disks"):
-        lines += [
-            "",
-            "| a disk that fills | sizes [kB] | full at | said so with the path | said how much was "
-            "needed and is free | half looks whole | same content with room | what it says |",
-            "|---|---|---|---|---|---|---|---|",
-        ]
-        for name, days in disks.items():
-            full = [day for day in days if day["status"]]
-            sizes = ", ".join(str(int(str(day["size"])) // 1000) for day in days)
-            cells = [name, sizes, f"{len(full)} of {len(days)}", f"{_count(full, 'told')} of {len(full)}"]
-            cells += [
-                f"{_count(full, 'reckoned')} of {len(full)}",
-                _count(full, "whole"),
-                f"{_count(days, 'same')} of {len(days)}",
-            ]
-            lines.append(_row([*cells, full[-1]["said"] if full else ""]))
-    return lines
-
-
-def _row(cells: list[object]) -> str:
-    named = {True: "yes", False: "no"}
-    texts = [named[cell] if isinstance(cell, bool) else str(cell) for cell in cells]
-    return "| " + " | ".join(text.replace("|", "/").replace("\n", " ") for text in texts) + " |"
-
-
-def _count(days: list[dict[str, object]], key: str) -> int:
-    return sum(bool(day[key]) for day in days)
-
-
-def _total(days: list[dict[str, object]], key: str) -> int:
-    return sum(int(str(day[key])) for day in days)
+        lost = {day["loss"] for day in had["clusters"]}
+        for loss in (loss for loss in LOSSES if loss not in lost):
+            yield "clusters", {"loss": loss, **lose(loss, work, folder / "cluster", expected, seconds)}
 
 
 def _say(line: str) -> None:
@@ -197,6 +148,7 @@ def main() -> int:
             lines = [line.replace(place, name) for line in lines]
         print("\n".join(lines))
         if options.text:
+            lines = merged(lines, options.text, MARK)
             fill_block(options.text, MARK, "\n".join(lines))
     except SailnetError as error:
         print(f"error: {error}", file=sys.stderr)

@@ -6,6 +6,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -105,11 +106,19 @@ LOSSES: dict[str, Callable[[Cluster], None] | None] = {
 }
 
 
-def lose(loss: str, work: Work, folder: Path, expected: str) -> dict[str, object]:
-    """Begin work on a cluster and take something away; then give the same command again on one that is whole.
+def lose(loss: str, work: Work, folder: Path, expected: str, seconds: float) -> dict[str, object]:
+    """Begin work on a cluster and take something away; then give the same command again without one.
+
+    Args:
+        loss: of ``LOSSES``.
+        work: the command.
+        folder: to write into; emptied first.
+        expected: digest of what an undisturbed run writes.
+        seconds: that one takes. Who has finished no part in half of them has it at work.
 
     Returns:
-        ``status``, ``seconds`` from the loss to the end, what it ``said``, and the ``same`` content at last.
+        ``status``, seconds from the loss to the ``first`` word, where there is one, ``seconds`` to the end
+        (-9: it hung, and was ended after ``LONGEST``), what it ``said``, and the ``same`` content at last.
     """
     shutil.rmtree(folder, ignore_errors=True)
     into = folder / "product"
@@ -125,16 +134,12 @@ def lose(loss: str, work: Work, folder: Path, expected: str) -> dict[str, object
         run = work.start(into, *options)
         take = LOSSES[loss]
         if take is not None:
-            parts = (into / work.lock).parent
-            while not list(parts.glob("*.safetensors")) and run.poll() is None:
+            parts, half = (into / work.lock).parent, time.monotonic() + 0.5 * seconds
+            while not list(parts.glob("*.safetensors")) and run.poll() is None and time.monotonic() < half:
                 time.sleep(0.01)
             take(cluster)
         lost = time.monotonic()
-        try:
-            _, said = run.communicate(timeout=LONGEST)
-        except subprocess.TimeoutExpired:
-            os.killpg(run.pid, signal.SIGKILL)
-            said = "hangs"
+        lines, first = _heard(run, lost)
         seconds = time.monotonic() - lost
     if run.returncode:
         work.complete(into)  # by processes of this machine: what was finished is kept
@@ -142,13 +147,28 @@ def lose(loss: str, work: Work, folder: Path, expected: str) -> dict[str, object
         same = work.digest(into) == expected
     except SailnetError:
         same = False
-    lines = [line for line in said.splitlines() if line.strip()]
+    said = "; ".join(lines)
     return {
         "status": run.returncode,
+        "first": first,
         "seconds": round(seconds, 1),
-        "said": "Traceback" if "Traceback" in said else "; ".join(lines)[-400:],
+        "said": "Traceback" if "Traceback" in said else said[-600:],
         "same": same,
     }
+
+
+def _heard(run: "subprocess.Popen[str]", since: float) -> tuple[list[str], str]:
+    """What a command says until it ends, and after how many seconds it began to."""
+    lines, first = list[str](), ""
+    assert run.stderr is not None
+    hangs = threading.Timer(LONGEST, lambda: os.killpg(run.pid, signal.SIGKILL))
+    hangs.start()
+    for line in filter(str.strip, run.stderr):
+        first = first or f"{time.monotonic() - since:.1f}"
+        lines.append(line.strip())
+    run.wait()
+    hangs.cancel()
+    return lines, first
 
 
 def _another_version(folder: Path) -> Path:

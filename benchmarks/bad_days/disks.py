@@ -21,7 +21,7 @@ def fill(work: Work, folder: Path, expected: str, size: int) -> dict[str, object
     with mounted(folder, size) as disk:
         status, said, _ = work.complete(disk)
         lines = [line for line in said.splitlines() if "error" in line or "export:" in line]
-        full = any(words in said.lower() for words in ("no space left", "disk is full"))
+        full = re.search(r"no space left|disk is full|of disk for .*; there are ", said, re.I) is not None
         reckoned = status == 0 or re.search(r" needed, .* free|take some .* there are ", said) is not None
         told = status == 0 or (full and str(disk) in said and "Traceback" not in said)
         try:

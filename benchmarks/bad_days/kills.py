@@ -41,7 +41,9 @@ def kill_at_random(
     if not finished:
         os.kill(run.pid, signal.SIGKILL)
         run.wait()
-        time.sleep(PATIENCE)
+        until = time.monotonic() + PATIENCE
+        while any(map(alive, workers)) and time.monotonic() < until:
+            time.sleep(0.1)
     orphans = [pid for pid in workers if alive(pid)]
     for pid in orphans:
         os.kill(pid, signal.SIGKILL)

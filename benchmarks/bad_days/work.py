@@ -22,6 +22,9 @@ from sailnet.networks.guidance_networks import load_guidance_networks
 
 ROOT = Path(__file__).parents[2]
 
+LEARNED = "data, wide"
+"""The work that networks learn from."""
+
 CAMPAIGN = """schema = 1
 name = "many"
 title = "Many"
@@ -45,6 +48,7 @@ class Work:
         lock: the file in that folder that tells a second writer.
         spreads: whether it takes ``--scheduler``.
         reads: the work whose product it needs.
+        prepare: makes what else it reads; once, before it is first run.
     """
 
     name: str
@@ -53,6 +57,7 @@ class Work:
     lock: str
     spreads: bool = False
     reads: str = ""
+    prepare: Callable[[], None] = lambda: None
 
     def start(self, folder: Path, *more: str) -> "subprocess.Popen[str]":
         """Begin, in a session of its own."""
@@ -83,7 +88,7 @@ def toy_mission(folder: Path) -> Path:
     content["generalisation"] = {"r": [1.0, 1.02], "u": [0.0, 0.02], "v": [1.0, 1.02]}
     content["flight"]["longest"] = 12.0
     content["disturbance"] = {}
-    content["dataset"]["wide"] |= {"levels": 2, "starts": 16, "approaches": 80, "around": 8}
+    content["dataset"]["wide"] |= {"levels": 2, "starts": 8, "approaches": 40, "around": 4}
     content["dataset"]["domain"] |= {"trajectories": 200}
     content["dataset"]["box"] |= {"trajectories": 1500, "samples_per_trajectory": 31}
     small = {"hidden": [8, 8], "train_samples": 1500, "curvature_samples": 800, "validation_samples": 500}
@@ -112,8 +117,9 @@ def works(folder: Path) -> list[Work]:
             spreads=True,
         )
 
-    learned = reference / "data, wide" / "x.h5"
+    learned = reference / LEARNED / "x.h5"
     trained = reference / "training" / "networks"
+    run, accepted = reference / "pipeline" / "x" / "wide", reference / "pipeline" / "x" / "mission.toml"
     return [
         *(data(recipe) for recipe in ("box", "domain", "wide")),
         Work(
@@ -121,7 +127,7 @@ def works(folder: Path) -> list[Work]:
             lambda into: ["training", str(learned), str(into / "networks"), "--resume", "--quiet"],
             lambda into: _networks(into / "networks"),
             "networks/.lock",
-            reads="data, wide",
+            reads=LEARNED,
         ),
         Work(
             "export",
@@ -149,7 +155,37 @@ def works(folder: Path) -> list[Work]:
             lambda into: _pipeline(into / "x", dataset_digest),
             "x/.lock",
         ),
+        Work(
+            "ship",
+            lambda into: ["export.ship", str(run), str(into / "x"), "--mission", str(accepted)],
+            lambda into: f"{_networks(into / 'x')} {exported_digest(load_mission(accepted), into / 'x')}",
+            "x/.lock",
+            reads="pipeline",
+            prepare=lambda: _measure(run),
+        ),
     ]
+
+
+def _measure(run: Path) -> None:
+    """What a model card tells of speed and agreement, in little time."""
+    exported, networks, data = str(run / "export"), str(run / "networks"), str(run.with_suffix(".h5"))
+    commands = {
+        "bench": (
+            "c_runtime.verification.bench",
+            exported,
+            "--networks",
+            networks,
+            "--json",
+            "--batches",
+            "3",
+        ),
+        "agreement": ("export.agreement", networks, exported, "--dataset", data, "--states", "1000"),
+    }
+    for name, arguments in commands.items():
+        made = subprocess.run(
+            [sys.executable, "-m", *arguments], cwd=ROOT, stdout=subprocess.PIPE, check=True
+        )
+        (run / f"{name}.json").write_bytes(made.stdout)
 
 
 def _pipeline(folder: Path, dataset_digest: Callable[[Path], str]) -> str:

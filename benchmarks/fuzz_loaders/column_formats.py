@@ -72,7 +72,7 @@ def _spoil(path: Path, random: Random, layout: Layout) -> None:
             )
             with suppress(OSError, RuntimeError, ValueError, KeyError, TypeError):  # HDF5 itself refuses some
                 way(file, random, layout)
-        _sign(file, layout)
+        sign(file, layout)
 
 
 def _place(random: Random, layout: Layout) -> str:
@@ -141,7 +141,8 @@ def _text(file: Any, random: Random, layout: Layout) -> None:
         file.attrs[name] = np.bytes_(text.encode("utf-8", "surrogatepass")[:60_000])
 
 
-def _sign(file: Any, layout: Layout) -> None:
+def sign(file: Any, layout: Layout) -> None:
+    """Write the checksums of what a file holds, as far as that can be read."""
     try:
         for group, names in layout.groups.items():
             for name in names:

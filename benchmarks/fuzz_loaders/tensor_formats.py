@@ -72,16 +72,17 @@ def spoil_network(path: Path, random: Random) -> None:
                 del tensors[random.choice(list(tensors))]
     metadata.pop("sha256", None)
     metadata["sha256"] = _digest(tensors, metadata)
-    header, data = _laid_out(tensors)
+    header, data = laid_out(tensors)
     if way == "header":
         header = edited(header, random)
         entry = header.get(random.choice(list(header))) if header else None
         if isinstance(entry, dict):
             entry["dtype"] = random.choice(DTYPES)
-    _write(path, {"__metadata__": metadata, **header}, data)
+    write_tensors(path, {"__metadata__": metadata, **header}, data)
 
 
-def _laid_out(tensors: dict[str, NDArray[Any]]) -> tuple[dict[str, Any], bytes]:
+def laid_out(tensors: dict[str, NDArray[Any]]) -> tuple[dict[str, Any], bytes]:
+    """Header and content of a safetensors file."""
     kinds = {"<f8": "F64", "<f4": "F32", "<i8": "I64", "|b1": "BOOL"}
     header, data = {}, b""
     for name, tensor in tensors.items():
@@ -92,7 +93,8 @@ def _laid_out(tensors: dict[str, NDArray[Any]]) -> tuple[dict[str, Any], bytes]:
     return header, data
 
 
-def _write(path: Path, header: dict[str, Any], data: bytes) -> None:
+def write_tensors(path: Path, header: dict[str, Any], data: bytes) -> None:
+    """Write a safetensors file, whatever its header says."""
     text = as_json(header).encode("utf-8", "surrogatepass")
     path.write_bytes(struct.pack("<Q", len(text)) + text + data)
 
@@ -158,9 +160,9 @@ def spoil_part(path: Path, random: Random) -> None:
     if random.random() < 0.5:
         path.write_bytes(flipped(path.read_bytes(), random))
         return
-    header, data = _laid_out({"a": np.arange(5.0)})
+    header, data = laid_out({"a": np.arange(5.0)})
     header["a"]["dtype"] = random.choice(DTYPES)
-    _write(path, {"__metadata__": {"run": RUN, "number": "1"}, **edited(header, random)}, data)
+    write_tensors(path, {"__metadata__": {"run": RUN, "number": "1"}, **edited(header, random)}, data)
 
 
 def load_part(path: Path) -> None:

@@ -53,6 +53,12 @@ def faults(file: Any, layout: "Layout", size: int) -> Iterator[str]:
         yield f"its columns say that they hold {unpacked} bytes, in a file of {size}"
 
 
+def lacks(file: Any, key: str) -> bool:
+    """Whether nothing lies at ``group/name`` of an open HDF5 file, not even a link to elsewhere."""
+    group, _, name = key.partition("/")
+    return _is(file, group, h5py.Group) and file[group].get(name, getlink=True) is None
+
+
 def _is(place: Any, name: str, kind: type) -> bool:
     """Whether this lies here, and is no link to elsewhere, which is not even followed."""
     link = place.get(name, getlink=True)

@@ -7,9 +7,9 @@ of all columns, so that equal digests mean equal content.
 
 import hashlib
 import json
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.artefacts.column_checks import faults
+from sailnet.artefacts.column_checks import faults, lacks
 from sailnet.artefacts.files import write_whole
 from sailnet.artefacts.untrusted import table_of
 from sailnet.errors import SailnetError, reason
@@ -43,6 +43,7 @@ class Layout:
         texts: root attributes that the digest covers, beside the schema.
         small: whether it is compressed, and made in memory before it is written: where a disk is full, HDF5
             itself ends the process instead of raising.
+        since: columns, as ``group/name``, that came later: a file without them is as good.
     """
 
     schema: str
@@ -54,10 +55,19 @@ class Layout:
     chunks: Mapping[str, int]
     texts: Sequence[str]
     small: bool = False
+    since: Set[str] = frozenset()
 
     def type_of(self, name: str) -> np.dtype[Any]:
         """How a column is stored."""
         return np.dtype(self.integers.get(name, "<f8"))
+
+    def before(self, absent: Set[str]) -> "Layout":
+        """The same without columns that came later."""
+        groups = {
+            group: {name: said for name, said in names.items() if f"{group}/{name}" not in absent}
+            for group, names in self.groups.items()
+        }
+        return replace(self, groups=groups)
 
 
 def write_columns(
@@ -125,15 +135,20 @@ class ColumnFile:
 
     Attributes:
         digest: equal means the same columns and texts, whenever and wherever they were made.
+        layout: which of those asked for it has.
         provenance: where they come from.
     """
 
-    def __init__(self, path: Path, file: Any, layout: Layout) -> None:
-        self._path, self._file, self._layout = path, file, layout
-        if (schema := self.text("schema")) != layout.schema:
+    def __init__(self, path: Path, file: Any, layouts: Sequence[Layout]) -> None:
+        self._path, self._file = path, file
+        schema, known = self.text("schema"), {layout.schema: layout for layout in layouts}
+        self.layout = layout = known.get(schema, layouts[0])
+        if schema not in known:
+            readable = " and ".join(map(repr, known))
             raise layout.error(
-                f"{path} has schema {schema!r}, this version reads {layout.schema!r}: {layout.remedy}"
+                f"{path} has schema {schema!r}, this version reads {readable}: {layout.remedy}"
             )
+        self.layout = layout = layout.before({key for key in layout.since if lacks(file, key)})
         for fault in faults(file, layout, path.stat().st_size):
             raise layout.error(f"{path} is no sailnet {layout.kind}: {fault}; {layout.remedy}")
         self.digest: str = self.text("sha256")
@@ -153,6 +168,10 @@ class ColumnFile:
         """A root attribute."""
         return _get_text(self._file, name)
 
+    def holds(self, group: str, name: str) -> bool:
+        """Whether there is this column, which may have come later than the file."""
+        return name in self.layout.groups[group]
+
     def rows(self, group: str) -> int:
         """Length of the columns of a group."""
         return self._rows[group]
@@ -166,9 +185,9 @@ class ColumnFile:
         try:
             return {name: self._file[group][name][start:stop] for name in names}
         except (OSError, RuntimeError, ValueError, TypeError, AttributeError, MemoryError) as error:
-            raise self._layout.error(
+            raise self.layout.error(
                 f"{self._path} is damaged: {group} rows {start} to {stop} cannot be read; "
-                f"{self._layout.remedy}"
+                f"{self.layout.remedy}"
             ) from error
 
     def verify(self, see: Callable[[str, int, NDArray[Any]], object] | None = None) -> None:
@@ -181,25 +200,25 @@ class ColumnFile:
         Raises:
             SailnetError: the layout's error, naming the first column that does not match.
         """
-        for group, names in self._layout.groups.items():
+        for group, names in self.layout.groups.items():
             for name in names:
                 content = hashlib.sha256()
                 for start in range(0, self.rows(group), VERIFY_ROWS):
                     stop = min(start + VERIFY_ROWS, self.rows(group))
                     values = self.read(group, [name], start, stop)[name]
-                    content.update(np.ascontiguousarray(values, self._layout.type_of(name)).data)
+                    content.update(np.ascontiguousarray(values, self.layout.type_of(name)).data)
                     if see:
                         see(f"{group}/{name}", start, values)
                 if content.hexdigest() != _get_text(self._file[group][name], "sha256"):
-                    raise self._layout.error(
+                    raise self.layout.error(
                         f"{self._path} is damaged: {group}/{name} does not match its checksum; "
-                        f"{self._layout.remedy}"
+                        f"{self.layout.remedy}"
                     )
 
 
 @contextmanager
-def open_columns(path: Path, layout: Layout) -> Iterator[ColumnFile]:
-    """Open a file for reading.
+def open_columns(path: Path, layout: Layout, *others: Layout) -> Iterator[ColumnFile]:
+    """Open a file for reading, whose schema is that of one of the layouts.
 
     Raises:
         SailnetError: the layout's error: missing, truncated, damaged or of another schema.
@@ -212,7 +231,7 @@ def open_columns(path: Path, layout: Layout) -> Iterator[ColumnFile]:
         raise layout.error(f"cannot open {layout.kind} {path}: {reason(error)}") from error
     with file:
         try:
-            found = ColumnFile(path, file, layout)
+            found = ColumnFile(path, file, [layout, *others])
         except SailnetError:
             raise
         except Exception as error:  # a flipped bit in the metadata can surface as any of them

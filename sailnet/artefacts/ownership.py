@@ -24,7 +24,8 @@ LOCK = ".lock"
 def sole_owner(lock: Path, place: str, error: type[SailnetError] = SailnetError) -> Iterator[None]:
     """Hold a place while the block runs, with a lock that ends with this process, however it ends.
 
-    The file goes with the block, and so does its folder if it was made for it and is empty.
+    The file goes with the block, and so does its folder if it was made for it and is empty. Who holds a
+    whole folder sweeps it first.
 
     Args:
         lock: file that says who holds the place; its folder is made.
@@ -45,6 +46,8 @@ def sole_owner(lock: Path, place: str, error: type[SailnetError] = SailnetError)
             f"another run is making {place}{_holder(lock)}: wait for it to end, or name another place"
         )
     try:
+        if lock.name == LOCK:
+            sweep(lock.parent)
         yield
     finally:
         if _is_at(held, lock):  # it may have gone with its folder, and be another's now
@@ -71,6 +74,13 @@ def reserved(output: Path, kind: str = "data set") -> Iterator[Path]:
         raise DatasetError(f"cannot write {kind} {output}: it is a folder; name a file in it")
     with sole_owner(folder / "lock", f"{kind} {output}", DatasetError):
         yield folder
+
+
+def sweep(folder: Path) -> None:
+    """Remove what writers that were killed left unfinished in a folder which nobody else writes into."""
+    for left in folder.glob(".*.part"):
+        with suppress(OSError):
+            left.unlink()
 
 
 def _take(lock: Path) -> int | None:

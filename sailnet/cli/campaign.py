@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sailnet.artefacts.ownership import LOCK, sole_owner
+from sailnet.artefacts.ownership import LOCK, sole_owner, sweep
 from sailnet.campaign.plan import Plan, guided_by, load_plan, single_precision
 from sailnet.cli.arguments import BOTH, NETWORKS, guidance_of, workers_of
 from sailnet.errors import CampaignError, SailnetError, reason
@@ -72,6 +72,7 @@ def _flown_alone(
 ) -> "tuple[dict[str, object], list[Table]]":
     # Plant and graphs take a second to load: whoever comes second has been sent away by now.
     from sailnet.campaign.batches import Job
+    from sailnet.campaign.budget import refuse_too_large
     from sailnet.campaign.run import fly_plan
     from sailnet.campaign.scores import score_record, scores_of
     from sailnet.campaign.tables import score_tables
@@ -88,6 +89,7 @@ def _flown_alone(
             facts["exported C"] = exported_digest(mission, options.networks, options.layout)
     stored: Path = options.output / f"{name}.h5"
     folder: Path = options.output / name
+    refuse_too_large(plan.flown_by(mission), mission, stored)  # the list of its batches alone may be
     job = Job(mission, guidance, plan.flown_by(mission), asks=options.optima is None)
     with workers_of(options, len(job.batches)) as pool:
         results = fly_plan(
@@ -105,6 +107,7 @@ def _flown_alone(
     tables = score_tables(scores)
     if options.precision != BOTH:
         _print_tables(options, {precision: tables})
+    sweep(folder)
     try:
         rows = report("campaign_page").write_report(
             results, folder, guidance, command=flown_again_by(options, precision)

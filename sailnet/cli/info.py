@@ -12,10 +12,13 @@ from sailnet.cli.output import Line, Result, number, percent, table
 
 
 def _ranges(found: Mapping[str, Sequence[float]]) -> str:
-    from sailnet.dataset.schema import LAYOUT
+    from sailnet.dataset.schema import LAYOUT, LAYOUT_IN_SPACE
 
     units = {
-        f"{group}/{name}": told[0] for group, names in LAYOUT.groups.items() for name, told in names.items()
+        f"{group}/{name}": told[0]
+        for layout in (LAYOUT, LAYOUT_IN_SPACE)
+        for group, names in layout.groups.items()
+        for name, told in names.items()
     }
     shown = {
         key: f"{low:.8g} to {high:.8g}" + (f" {units[key]}" if units[key] != "1" else "")

@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import os
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -110,6 +111,8 @@ def _carry_out(options: argparse.Namespace, folder: Path) -> int:
     whole, learned, flown = folder / MISSION_FILE, folder / "wide.h5", folder / "wide"
     networks, exported = flown / "networks", flown / "export"
     workers = ["--workers", str(options.workers)]
+    # On all cores training itself knows best.
+    trained = workers if options.workers < (os.cpu_count() or 1) else []
     cluster = (
         [] if options.scheduler is None else ["--scheduler", options.scheduler, "--wait", str(options.wait)]
     )
@@ -139,7 +142,7 @@ def _carry_out(options: argparse.Namespace, folder: Path) -> int:
         ("data", lambda: run_stage(
             "data", [str(learned), "--mission", str(whole), *workers, *cluster, *anew, *replace]
         )),
-        ("train", lambda: run_stage("training", [str(learned), str(networks), *workers, *go_on, *replace])),
+        ("train", lambda: run_stage("training", [str(learned), str(networks), *trained, *go_on, *replace])),
         ("export", lambda: run_stage(
             "export", [str(networks), str(exported), "--mission", str(whole), *go_on, *replace]
         )),

@@ -25,6 +25,8 @@ from sailnet.workers.stages import make_importable
 
 Result = TypeVar("Result")
 
+GONE = "the scheduler is gone: start it and its workers again"
+
 LOSSES = 4
 """Workers lost in a row, without a result in between, after which the work is given up."""
 
@@ -104,7 +106,7 @@ class Workers:
                         task.future = task.future if task.succeeded() else None
                     continue
                 except CancelledError as error:
-                    raise SailnetError("the scheduler is gone: start it and its workers again") from error
+                    raise SailnetError(GONE) from error
                 losses = 0
                 tasks.popleft()
                 yield result
@@ -192,6 +194,7 @@ def cluster(scheduler: str, packages: tuple[str, ...] = (), wait: float = WAIT) 
     """
     try:
         from distributed import Client, KilledWorker
+        from distributed.comm.core import CommClosedError
     except ImportError as error:
         raise SailnetError(f"no Dask here ({error}): pip install sailnet[cluster]") from error
     if not re.fullmatch(r"\w+://.+:\d+", scheduler):
@@ -218,9 +221,14 @@ def cluster(scheduler: str, packages: tuple[str, ...] = (), wait: float = WAIT) 
         while not presence.look():
             time.sleep(min(LOOK, wait))
         expected = _here(packages)
-        for address, found in client.run(_here, packages, on_error="return").items():
-            _compare(expected, found, f"worker {address}")
-        threads = sum(client.nthreads().values())
+        try:
+            there = client.run(_here, packages, on_error="return")
+            threads = sum(client.nthreads().values())
+        except Exception as error:  # likewise
+            raise SailnetError(GONE) from error
+        for address, found in there.items():
+            if not isinstance(found, CommClosedError):  # lost meanwhile: who takes its place looks for itself
+                _compare(expected, found, f"worker {address}")
         executor = _OnEqualTerms(client.get_executor(pure=False), _Terms(expected, packages))
         yield Workers(lambda: executor, max(8, 2 * threads), False, (KilledWorker,), presence.look)
     finally:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from sailnet.artefacts.ownership import sole_owner
+from sailnet.artefacts.ownership import LOCK, sole_owner
 from sailnet.errors import DatasetError, SailnetError
 from tests.paths import ROOT
 
@@ -84,6 +84,17 @@ def test_a_folder_made_for_the_lock_alone_goes_with_it(tmp_path: Path) -> None:
             if folder == used:
                 (folder / "made").touch()
     assert sorted(path.name for path in tmp_path.rglob("*")) == ["made", "there", "used"]
+
+
+def test_who_holds_a_folder_sweeps_what_killed_writers_left_in_it(tmp_path: Path) -> None:
+    left, kept = tmp_path / ".page.html.x1y2.part", tmp_path / "page.part"
+    for path in (left, kept):
+        path.touch()
+    with sole_owner(tmp_path / ".one.lock", "one of several things in it"):
+        assert left.exists()
+    with sole_owner(tmp_path / LOCK, "all of it"):
+        assert not left.exists()
+    assert kept.exists()
 
 
 def test_a_place_that_cannot_be_written_is_an_error(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from sailnet import report
+from sailnet.campaign import batches, budget
 from sailnet.campaign.results import open_results
 from sailnet.cli import main
 from sailnet.cli.arguments import workers_of
@@ -57,6 +58,18 @@ def test_the_command_explains_what_it_cannot_do(
     assert not (tmp_path / "out").exists()
 
 
+def test_a_campaign_that_cannot_end_is_refused_before_its_batches_are_listed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Four million of them took ten seconds and a gigabyte."""
+    path, out = tmp_path / "endless.toml", str(tmp_path / "out")
+    path.write_text('schema = 1\nname = "x"\ntitle = "X"\n[[series]]\nname = "a"\nflights = 1000000000\n')
+    monkeypatch.setattr(batches, "batches_of", lambda *_: pytest.fail("listed"))
+    monkeypatch.setattr(budget, "_memory", lambda: 10**9)
+    said = error_of(capsys, "--campaign", str(path), "--output", out)
+    assert "flies 1,000,000,000 flights, which take some 1,200.0 GB of memory; there are 1.0 GB" in said
+
+
 @pytest.mark.parametrize(
     ("wanted", "pieces", "started"), [(1000, 3, 3), (2, 3, 2), (1000, 1, None), (1, 9, None), (4, 0, None)]
 )
@@ -94,7 +107,10 @@ def test_a_finished_campaign_is_not_replaced_unasked(
     said = error_of(capsys, *small[1:], "--flights", "3")
     assert "is finished, with another campaign" in said
     assert open_results(tmp_path / "out" / "small.h5").digest == digest
+    left = tmp_path / "out" / "small" / ".index.html.x1y2.part"  # by one that was killed
+    left.touch()
     assert main([*small, "--flights", "3", "--overwrite"]) == 0
+    assert not left.exists()
     page = (tmp_path / "out" / "small" / "index.html").read_text("utf-8")
     assert f"--campaign {file} --flights 3</code>" in page
     assert len(open_results(tmp_path / "out" / "small.h5").flights["number"]) == 3

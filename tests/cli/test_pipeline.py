@@ -36,12 +36,22 @@ def steps(monkeypatch: pytest.MonkeyPatch) -> list[list[str]]:
     return done
 
 
+@pytest.mark.parametrize(("cores", "shared"), [(2, False), (3, True)])
 def test_it_goes_on_with_its_own_folder_and_ends_where_a_step_does(
-    mine: Path, tmp_path: Path, steps: list[list[str]], capsys: pytest.CaptureFixture[str]
+    cores: int,
+    shared: bool,
+    mine: Path,
+    tmp_path: Path,
+    steps: list[list[str]],
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr("os.cpu_count", lambda: cores)
     folder = tmp_path / "made"
     assert main(["pipeline", str(mine), "--size", "quick", "--output", str(folder), "--workers", "2"]) == 3
     assert [stage for stage, *_ in steps] == ["data", "training", "export"]
+    assert steps[0][-2:] == ["--workers", "2"]
+    assert ("--workers" in steps[1]) == shared
     assert "--resume" in steps[1]
     assert "--resume" in steps[2]
     assert not any({"--overwrite", "--restart"} & set(step) for step in steps)

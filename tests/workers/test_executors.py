@@ -27,7 +27,7 @@ from sailnet.dataset import open_dataset, write_dataset
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.mission import Mission
-from sailnet.workers.executors import LOSSES, Workers, cluster, processes
+from sailnet.workers.executors import GONE, LOSSES, Workers, cluster, processes
 from tests.paths import ROOT
 from tests.small_datasets import Inline, invented_shard, undisturbed
 
@@ -254,6 +254,25 @@ def test_a_worker_that_would_compute_something_else_is_refused(scheduler: str, t
         pass
 
 
+def test_a_worker_that_is_lost_while_it_is_looked_at_is_not_refused(
+    scheduler: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It has only gone, and what it would compute does not matter."""
+    from distributed import Client
+    from distributed.comm.core import CommClosedError
+
+    look = Client.run
+
+    def lose_one(client: Client, *arguments: Any, **options: Any) -> Any:
+        return look(client, *arguments, **options) | {
+            "tcp://127.0.0.1:1": CommClosedError("Stream is closed")
+        }
+
+    monkeypatch.setattr(Client, "run", lose_one)
+    with worker(scheduler, tmp_path), cluster(scheduler) as workers:
+        assert list(workers.map(slow, range(3))) == [0, 1, 2]
+
+
 @pytest.mark.exhaustive
 def test_so_is_one_that_joins_later(scheduler: str, tmp_path: Path) -> None:
     script = tmp_path / "preload.py"
@@ -321,34 +340,57 @@ def test_all_workers_are_lost_and_none_comes(
                 list(results)
 
 
-@pytest.mark.slow
-def test_the_scheduler_is_lost(tmp_path: Path) -> None:
-    """A run of its own, which says so in a line and no more."""
-    (tmp_path / "s").mkdir()
-    facts = tmp_path / "s" / "facts.json"
+@contextmanager
+def a_scheduler(folder: Path) -> Iterator[tuple["subprocess.Popen[bytes]", str]]:
+    """One to be lost, and its address."""
+    folder.mkdir()
+    facts = folder / "facts.json"
     arguments = ("--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(facts))
-    with dask("dask_scheduler", *arguments, folder=tmp_path / "s") as lost:
+    with dask("dask_scheduler", *arguments, folder=folder) as lost:
         until = time.monotonic() + 60
         while not facts.exists():
             assert time.monotonic() < until
             time.sleep(0.05)
-        address = json.loads(facts.read_text())["address"]
-        with worker(address, tmp_path):
-            command = [sys.executable, "-m", "tests.workers.on_a_cluster", address]
-            with subprocess.Popen(
-                command,
-                cwd=ROOT,
-                env=os.environ | {"PYTHONPATH": str(ROOT)},
-                stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE,
-                text=True,
-            ) as run:
-                assert run.stdout is not None
-                assert run.stdout.readline() == "begun\n"
-                lost.kill()
-                _, said = run.communicate(timeout=60)
-    assert said == "error: the scheduler is gone: start it and its workers again\n"
+        yield lost, json.loads(facts.read_text())["address"]
+
+
+@pytest.mark.slow
+def test_the_scheduler_is_lost(tmp_path: Path) -> None:
+    """A run of its own, which says so in a line and no more."""
+    with a_scheduler(tmp_path / "s") as (lost, address), worker(address, tmp_path):
+        command = [sys.executable, "-m", "tests.workers.on_a_cluster", address]
+        with subprocess.Popen(
+            command,
+            cwd=ROOT,
+            env=os.environ | {"PYTHONPATH": str(ROOT)},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as run:
+            assert run.stdout is not None
+            assert run.stdout.readline() == "begun\n"
+            lost.kill()
+            _, said = run.communicate(timeout=60)
+    assert said == f"error: {GONE}\n"
     assert run.returncode == 1
+
+
+def test_the_scheduler_is_lost_while_workers_are_looked_at(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from distributed import Client
+
+    look = Client.run
+    with a_scheduler(tmp_path / "s") as (lost, address), worker(address, tmp_path):
+
+        def lose(client: Client, *arguments: Any, **options: Any) -> Any:
+            lost.kill()
+            lost.wait()
+            return look(client, *arguments, **options)
+
+        monkeypatch.setattr(Client, "run", lose)
+        with pytest.raises(SailnetError, match=GONE), cluster(address):
+            pass
 
 
 def test_without_dask_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
