@@ -18,7 +18,7 @@ PYTHON  := $(VENV)/bin/python
 SAILNET := $(VENV)/bin/sailnet
 READY   := $(VENV)/.ready
 # Markers of tests that need more than a bare machine or a few minutes; pyproject.toml says what each is.
-TOOLS   := exhaustive or emulator or browser or analyser or docs or peer or install or mount or cuda
+TOOLS   := exhaustive or emulator or browser or analyser or docs or peer or install or repository or mount or cuda
 # Threads of BLAS beside the processes would only wait for each other.
 PYTEST  := OMP_NUM_THREADS=1 $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 
@@ -216,7 +216,7 @@ test-tools: | $(READY)
 tools:
 	@echo clang libclang-rt-14-dev g++ libc6-dev-i386 valgrind cppcheck frama-c-base chromium \
 	    gcc-arm-none-eabi qemu-system-arm gcc-sparc64-linux-gnu qemu-system-sparc gcc-riscv64-unknown-elf \
-	    qemu-system-misc gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user rustc octave
+	    qemu-system-misc gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user rustc octave git
 
 # Proof, fuzzing, memcheck, MISRA, coverage and warnings of the C that ships; a tool that is missing is named.
 checks: | $(READY)
