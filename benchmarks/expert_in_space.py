@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from sailnet.artefacts.files import fill_block
 from sailnet.artefacts.provenance import software
 from sailnet.expert.fastest_in_space import solve, solve_states
 from sailnet.expert.neighbours import solve_among
@@ -92,8 +93,6 @@ def main() -> int:
         for key, value in measured.items()
     ]
     text = [
-        "# The expert in three dimensions",
-        "",
         f"Written by `python -m benchmarks.expert_in_space` on {origin['machine']}, {os.cpu_count()} cores, "
         f"{origin['date']}, revision {origin['revision']}: random states of the generalisation set of "
         f"`{mission.name}`, on one core, in processor time. Other work on the machine makes it longer.",
@@ -101,10 +100,9 @@ def main() -> int:
         "| quantity | value |",
         "|---|---|",
         *rows,
-        "",
     ]
-    options.output.write_text("\n".join(text))
-    print(options.output.read_text())
+    fill_block(options.output, "expert", "\n".join(text))
+    print("\n".join(text))
     return 0
 
 

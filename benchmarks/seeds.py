@@ -50,7 +50,7 @@ def measure(
         mission = data.mission.with_training(seed=seed)
     networks = train_networks(
         dataset, mission, "wide", list(TARGETS["wide"]), folder,
-        workers=os.cpu_count() or 1, resume=True, overwrite=True,
+        resume=True, overwrite=True,
     )  # fmt: skip
     ensure_domain(networks, dataset, folder)
     export(folder, folder / "export", mission, progress=False)

@@ -189,7 +189,7 @@ def race(
 
 def whole_test(run: Problems, samples: SampleSet) -> Problems:
     """With all samples of the test trajectories, where a training run keeps every so many."""
-    inputs, values = samples.scaled(samples.test)
+    inputs, _, values = samples.scaled(samples.test)
     columns = torch.from_numpy(inputs.T.copy())
     return replace(run, test=LeastSquares.of(run.train.layers, columns, torch.from_numpy(values)))
 

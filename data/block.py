@@ -3,14 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.dataset import JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG, SAMPLES, Block
+from sailnet.dataset import ALONE, JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG, Block
 from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import attitude, force_costates, geometry_of
 from sailnet.physics.jumps import preprocess
 from sailnet.physics.pontryagin import guidance_law
 from sailnet.physics.transfer import Transfer
-
-PROPAGATED = ("r", "u", "v", "lambda_r", "lambda_u", "lambda_v")
-"""Of a state and its costates, in the order in which they are propagated."""
 
 AT_ONCE = 20_000
 """Samples worked on at once: few enough to stay in the processor's cache."""
@@ -24,34 +22,39 @@ def block_of(
     jump_time: Array,
     lengths: NDArray[np.int64],
 ) -> Block:
-    """Assemble the columns of n trajectories with m samples in all.
+    """Assemble the columns of n trajectories with m samples in all, each a family of its own.
 
     Args:
         transfer: the problem.
-        costates: (n, 3) arrival costates.
+        costates: (n, 3) arrival costates; in space (n, 5).
         tau: (m,) time to go, one trajectory after the other.
-        states: (m, 6) states and costates there.
+        states: (m, 6) states and costates there; in space (m, 10).
         jump_time: (n,) time to go at the jump, NaN without one.
         lengths: (n,) samples of each trajectory.
     """
-    columns = {name: np.empty(len(tau)) for name in SAMPLES if name != "trajectory"}
-    columns["tau"][:], columns["beta"][:] = tau, transfer.beta
+    size = costates.shape[1]
+    state_names = geometry_of(size).state_names
+    costate_names = [f"lambda_{name}" for name in state_names]
+    propagated = (*state_names, *costate_names)
+    commands = ("alpha", "alpha_pre" if size == 3 else "clock_angle")
+    columns = {name: np.empty(len(tau)) for name in (*propagated, *commands)}
     jump = np.repeat(jump_time, lengths)
     for start in range(0, len(tau), AT_ONCE):
         rows = slice(start, start + AT_ONCE)
-        for name, values in zip(PROPAGATED, states[rows].T, strict=True):
+        for name, values in zip(propagated, states[rows].T, strict=True):
             columns[name][rows] = values
-        alpha = guidance_law(transfer, columns["lambda_u"][rows], columns["lambda_v"][rows])
-        columns["alpha"][rows] = alpha
-        columns["alpha_pre"][rows] = preprocess(alpha, tau[rows], jump[rows])
+        own = np.ascontiguousarray(states[rows, size:])
+        alpha = guidance_law(transfer, *force_costates(own))
+        if size == 3:
+            columns["alpha"][rows] = alpha
+            columns["alpha_pre"][rows] = preprocess(alpha, tau[rows], jump[rows])
+        else:
+            columns["alpha"][rows], columns["clock_angle"][rows] = attitude(own, alpha)
+    arrivals = {f"{name}0": values for name, values in zip(costate_names, costates.T, strict=True)}
+    back = costates[:, costate_names.index("lambda_v")] > 0.0
+    flags = JUMP_FLAG * np.isfinite(jump_time) + NEGATIVE_ARRIVAL_FLAG * back
     return Block(
-        columns,
-        {
-            "lambda_r0": costates[:, 0],
-            "lambda_u0": costates[:, 1],
-            "lambda_v0": costates[:, 2],
-            "jump_time": jump_time,
-            "flags": JUMP_FLAG * np.isfinite(jump_time) + NEGATIVE_ARRIVAL_FLAG * (costates[:, 2] > 0.0),
-        },
+        columns | {"tau": tau, "beta": np.full(len(tau), transfer.beta)},
+        arrivals | {"jump_time": jump_time, "family": np.full(len(costates), ALONE), "flags": flags},
         lengths,
     )

@@ -11,12 +11,13 @@ from dataclasses import replace
 import numpy as np
 
 from data.domain import flights_block
+from data.families import families_of, rows_among
 from data.flights import sample_evenly
 from sailnet.dataset import CROSSING_FLAG, Block
 from sailnet.expert.neighbours import next_optima
 from sailnet.expert.optima import Optima
 from sailnet.mission.recipes import WideRecipe
-from sailnet.physics.transfer import Transfer
+from sailnet.physics.transfer import Transfer, Transfers
 
 REACH = 0.15
 """By how much of its own beta another sail differs at most from the one whose way it is on."""
@@ -42,12 +43,12 @@ def on_their_ways(sail: Transfer, optima: Optima, count: int, rng: np.random.Gen
     rest.time_of_flight[:] *= rng.uniform(LATEST, 1.0, count)
     longest = float(rest.time_of_flight.max(initial=1.0))
     sampled = sample_evenly(sail, rest.arrival_costates, rest.time_of_flight, longest)
-    rest.state[:] = sampled.states[np.cumsum(sampled.lengths) - 1, :3]
+    rest.state[:] = sampled.states[np.cumsum(sampled.lengths) - 1, : rest.state.shape[1]]
     return rest
 
 
-def crossings(sails: list[Transfer], own: int, rest: Optima) -> dict[int, Optima]:
-    """The fastest extremals of other sails from states on the way of one, by the number of the sail.
+def crossings(sails: list[Transfer], ways: Mapping[int, Optima]) -> dict[int, Optima]:
+    """The fastest extremals of other sails from states on the ways of some, by the number of the other sail.
 
     Each sail's are some Newton steps from those of the one before. Of 2,542 that were solved anew by a search
     of everything, three were slower, by 2 to 3 %, where a sail is about to be too weak. There is none where a
@@ -55,18 +56,26 @@ def crossings(sails: list[Transfer], own: int, rest: Optima) -> dict[int, Optima
 
     Args:
         sails: from the weakest to the strongest.
-        own: the number of the sail whose way it is.
-        rest: its optima.
+        ways: optima of some sails from states on their ways, by the sails' numbers.
     """
-    found = {}
-    for numbers in (range(own + 1, len(sails)), range(own - 1, -1, -1)):
-        before = rest
-        for number in numbers:
-            if abs(sails[number].beta / sails[own].beta - 1.0) > REACH:
+    beta = np.array([sail.beta for sail in sails])
+    found: dict[int, list[Optima]] = {}
+    for step in (1, -1):
+        before = Optima.join(list(ways.values()))
+        own = np.repeat(list(ways), [len(of_one.state) for of_one in ways.values()])
+        number = own + step
+        while True:
+            there = (number >= 0) & (number < len(sails))
+            there &= np.abs(beta[np.clip(number, 0, len(sails) - 1)] / beta[own] - 1.0) <= REACH
+            before, own, number = before.rows(there), own[there], number[there]
+            if not len(number):
                 break
-            before = next_optima(sails[number], before)
-            before = found[number] = before.rows(before.found)
-    return found
+            before = next_optima(Transfers.of([sails[one] for one in number], [1] * len(number)), before)
+            before, own, number = before.rows(before.found), own[before.found], number[before.found]
+            for one in np.unique(number).tolist():
+                found.setdefault(one, []).append(before.rows(number == one))
+            number = number + step
+    return {number: Optima.join(parts) for number, parts in sorted(found.items())}
 
 
 def crossings_blocks(
@@ -85,17 +94,20 @@ def crossings_blocks(
         longest: time of flight beyond which a sail counts as lost [TU].
         rng: draws.
     """
-    found: dict[int, list[Optima]] = {}
-    for own, optima in ways.items():
-        rest = on_their_ways(sails[own], optima, recipe.crossings, rng)
-        for number, of_one in crossings(sails, own, rest).items():
-            found.setdefault(number, []).append(of_one.rows(of_one.time_of_flight <= longest))
+    rest = {own: on_their_ways(sails[own], optima, recipe.crossings, rng) for own, optima in ways.items()}
+    states = np.concatenate([optima.state for optima in rest.values()])
+    families = np.concatenate(
+        [
+            families_of(own, rows_among(optima.arrival_costates, ways[own].arrival_costates))
+            for own, optima in rest.items()
+        ]
+    )
     blocks = []
-    for number, parts in sorted(found.items()):
-        costates = np.concatenate([part.arrival_costates for part in parts])
-        duration = np.concatenate([part.time_of_flight for part in parts])
-        if len(duration):
-            block = flights_block(sails[number], costates, duration, recipe.spacing)
+    for number, of_one in crossings(sails, rest).items():
+        flown = of_one.rows(of_one.time_of_flight <= longest)
+        if len(flown.state):
+            block = flights_block(sails[number], flown.arrival_costates, flown.time_of_flight, recipe.spacing)
             flags = block.trajectories["flags"] + CROSSING_FLAG
-            blocks.append(replace(block, trajectories={**block.trajectories, "flags": flags}))
+            block = replace(block, trajectories={**block.trajectories, "flags": flags})
+            blocks.append(block.of_families(families[rows_among(flown.state, states)]))
     return blocks

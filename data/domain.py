@@ -20,9 +20,17 @@ STARTS = 512
 
 
 def widened(mission: Mission, margin: tuple[float, float, float]) -> tuple[Array, Array]:
-    """Lowest and highest state of the generalisation set, widened by a recipe's margin."""
-    low, high = mission.generalisation.corners
-    return low - np.array(margin), high + np.array(margin)
+    """Lowest and highest state of the generalisation set, widened by a recipe's margin.
+
+    In three dimensions the latitude is widened by as much of an arc as r, and the northward speed as v.
+    """
+    if not mission.inclined:
+        low, high = mission.generalisation.corners
+        return low - np.array(margin), high + np.array(margin)
+    low, high = mission.generalisation.corners_in_space
+    by_r, by_u, by_v = margin
+    all_five = np.array([by_r, by_r / mission.transfer.departure_radius, by_u, by_v, by_v])
+    return low - all_five, high + all_five
 
 
 def domain_shard(mission: Mission, shard: int) -> Block:

@@ -23,7 +23,7 @@ class SampledExtremals:
     Attributes:
         lengths: (n,) samples of each.
         tau: (m,) time to go [TU], from 0 at arrival.
-        states: (m, 6) states and costates.
+        states: (m, 6) states and costates; in space (m, 10).
         jump_times: (n,) time to go at the last jump found, which may lie beyond the start; NaN without one.
     """
 
@@ -38,13 +38,13 @@ def sample_evenly(transfer: Transfer, costates: Array, duration: Array, spacing:
 
     Args:
         transfer: the problem.
-        costates: (n, 3) arrival costates.
+        costates: (n, 3) arrival costates; in space (n, 5).
         duration: (n,) time to go at the start of each [TU].
         spacing: largest time between samples [TU].
     """
     lengths = np.ceil(duration / spacing).astype(int) + 1
     first = np.cumsum(lengths) - lengths
-    tau, states = np.empty(lengths.sum()), np.empty((lengths.sum(), 6))
+    tau, states = np.empty(lengths.sum()), np.empty((lengths.sum(), 2 * costates.shape[1]))
     jump_times = np.empty(len(lengths))
     order = np.argsort(duration, kind="stable")
     for rows in _groups(lengths, order):

@@ -8,6 +8,7 @@ from data.box import box_recipe, box_shard
 from data.domain import domain_shard, widened
 from data.wide import wide_shard, wide_shards
 from sailnet.dataset import Block
+from sailnet.errors import DatasetError
 from sailnet.expert.nominal import solve_nominal
 from sailnet.mission.mission import Mission
 from sailnet.mission.recipes import DomainRecipe, WideRecipe
@@ -37,6 +38,10 @@ def prepare(mission: Mission, recipe: str) -> Prepared:
         DatasetError: the mission lacks this recipe.
         SolveError: the nominal transfer could not be solved.
     """
+    if recipe != "wide" and mission.inclined:
+        raise DatasetError(
+            f"mission {mission.name!r} has an inclination: in three dimensions the only recipe is 'wide'"
+        )
     if recipe == "wide":
         wide = mission.dataset.wide
         most = wide.levels * (wide.starts + wide.approaches + wide.around + wide.levels * wide.crossings)
@@ -73,4 +78,5 @@ def prepare(mission: Mission, recipe: str) -> Prepared:
 def _origin(mission: Mission, title: str, recipe: DomainRecipe | WideRecipe) -> dict[str, object]:
     low, high = widened(mission, recipe.margin)
     kind = "wide" if isinstance(recipe, WideRecipe) else "domain"
+    kind += " in space" if mission.inclined else ""
     return {"kind": kind, "recipe": title, "lowest": low.tolist(), "highest": high.tolist()}

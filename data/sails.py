@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sailnet.expert.fastest import solve_some, solve_states
+from sailnet.expert.any_dimension import solve_some, solve_states
 from sailnet.expert.neighbours import next_optima, solve_among, spread
 from sailnet.expert.optima import Optima, put
 from sailnet.physics.arrays import Array
@@ -29,7 +29,7 @@ def solve_neighbouring_sails(sails: list[Transfer], states: list[Array]) -> list
 
     Args:
         sails: from the weakest to the strongest, some per cent apart at most.
-        states: (n, 3) r [AU], u, v [AU/TU] for each, that fill the same region.
+        states: (n, 3) r [AU], u, v [AU/TU] for each, that fill the same region; or (n, 5) in space.
 
     Returns:
         For each the optima, as of :func:`sailnet.expert.neighbours.solve_among`.

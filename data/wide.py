@@ -11,19 +11,22 @@ import math
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from data.block import block_of
 from data.crossings import crossings_blocks
 from data.domain import flights_block, widened
+from data.families import families_of, rows_among
 from data.sails import solve_neighbouring_sails
-from sailnet.dataset import Block
+from sailnet.dataset import ALONE, Block
 from sailnet.expert.optima import Optima
 from sailnet.mission.mission import Mission
 from sailnet.mission.recipes import WideRecipe
-from sailnet.networks.approach import approach_coordinates
+from sailnet.networks.approach import approach_direction
 from sailnet.physics.arrays import Array
 from sailnet.physics.extremals import arrival_gain, propagate_extremals
+from sailnet.physics.geometry import geometry_of, target_of
 from sailnet.physics.transfer import Transfer
 
 TOGETHER = 7
@@ -72,9 +75,9 @@ def wide_shard(mission: Mission, shard: int) -> Block:
     streams = [np.random.default_rng([recipe.seed, level]) for level in levels]
     low, high = widened(mission, recipe.margin)
     power = math.ceil(math.log2(recipe.starts))
-    shares = [Sobol(3, rng=rng).random_base2(power)[: recipe.starts] for rng in streams]
+    shares = [Sobol(len(low), rng=rng).random_base2(power)[: recipe.starts] for rng in streams]
     optima = solve_neighbouring_sails(sails, [low + (high - low) * share for share in shares])
-    blocks = [_one_sail(mission, *of_one) for of_one in zip(sails, optima, streams, strict=True)]
+    blocks = [_one_sail(mission, *of_one) for of_one in zip(levels, sails, optima, streams, strict=True)]
     if recipe.crossings:
         ways = {level: _short_enough(mission, found) for level, found in zip(levels, optima, strict=True)}
         every, longest = _sails(mission, range(recipe.levels)), mission.flight.longest
@@ -82,14 +85,19 @@ def wide_shard(mission: Mission, shard: int) -> Block:
     return Block.join(blocks)
 
 
-def around_target(problem: Transfer, count: int, seed: int) -> Array:
-    """(count, 3) states r [AU], u, v [AU/TU] about the target: in every direction, evenly in log distance."""
+def around_target(problem: Transfer, count: int, seed: int, components: int = 3) -> Array:
+    """(count, 3) states r [AU], u, v [AU/TU] about the target: in every direction, evenly in log distance.
+
+    Or (count, 5) in space.
+    """
     rng, size = np.random.default_rng(seed), problem.target_radius
-    direction = rng.normal(size=(count, 3))
+    direction = rng.normal(size=(count, components))
     direction /= np.linalg.norm(direction, axis=1)[:, None]
     nearest, farthest = np.log(AROUND)
     distance = np.exp(rng.uniform(nearest, farthest, count))[:, None]
-    return np.asarray(problem.target_state + distance * direction * [size, size**-0.5, size**-0.5])
+    speed = size**-0.5
+    unit = [size, speed, speed] if components == 3 else [size, 1.0, speed, speed, speed]
+    return np.asarray(target_of(problem, components) + distance * direction * unit)
 
 
 def wide_shards(recipe: WideRecipe) -> int:
@@ -106,24 +114,30 @@ def _sails(mission: Mission, levels: range) -> list[Transfer]:
 def _from_around(mission: Mission) -> Block:
     """The same states for all sails: each extremal is a few Newton steps from that of the sail before."""
     recipe = mission.dataset.wide
-    states = around_target(mission.problem, recipe.around, recipe.seed)
+    components = 5 if mission.inclined else 3
+    states = around_target(mission.problem, recipe.around, recipe.seed, components)
     sails = _sails(mission, range(recipe.levels))
     blocks = []
     for sail, found in zip(sails, solve_neighbouring_sails(sails, [states] * len(sails)), strict=True):
         flown = _short_enough(mission, found)
-        blocks.append(flights_block(sail, flown.arrival_costates, flown.time_of_flight, recipe.spacing))
+        block = flights_block(sail, flown.arrival_costates, flown.time_of_flight, recipe.spacing)
+        blocks.append(block.of_families(families_of(recipe.levels, rows_among(flown.state, states))))
     return Block.join(blocks)
 
 
-def _one_sail(mission: Mission, problem: Transfer, optima: Optima, rng: np.random.Generator) -> Block:
+def _one_sail(
+    mission: Mission, level: int, problem: Transfer, optima: Optima, rng: np.random.Generator
+) -> Block:
     recipe = mission.dataset.wide
     flown = _short_enough(mission, optima)
     arrivals = flown.arrival_costates
     flights = flights_block(problem, arrivals, flown.time_of_flight, recipe.spacing)
+    flights = flights.of_families(families_of(level, np.arange(len(arrivals))))
     if not len(arrivals):
         return flights
-    costates = _approach_costates(problem, arrivals, recipe.approaches, rng)
-    return Block.join([flights, _approaches(problem, costates, recipe.approach_time, flights, rng)])
+    costates, parents = _approach_costates(problem, arrivals, recipe.approaches, rng)
+    approaches, kept = _approaches(problem, costates, recipe.approach_time, flights, rng)
+    return Block.join([flights, approaches.of_families(families_of(level, parents[kept]))])
 
 
 def _short_enough(mission: Mission, optima: Optima) -> Optima:
@@ -131,9 +145,14 @@ def _short_enough(mission: Mission, optima: Optima) -> Optima:
     return optima.rows(optima.found & ~(optima.time_of_flight > mission.flight.longest))
 
 
-def _approach_costates(problem: Transfer, arrivals: Array, count: int, rng: np.random.Generator) -> Array:
-    near = arrivals[rng.integers(len(arrivals), size=count)]
-    size = np.hypot(near[:, 1], near[:, 2])[:, None]
+def _approach_costates(
+    problem: Transfer, arrivals: Array, count: int, rng: np.random.Generator
+) -> tuple[Array, NDArray[np.intp]]:
+    """Costates that arrive, and the flights whose arrival they are near; ``ALONE`` for any direction."""
+    parents = rng.integers(len(arrivals), size=count)
+    near = arrivals[parents]
+    positions = near.shape[1] // 2
+    size = np.linalg.norm(near[:, positions:], axis=1)[:, None]
     near += (
         size
         * np.exp(rng.uniform(math.log(SPREAD[0]), math.log(SPREAD[1]), (count, 1)))
@@ -141,17 +160,18 @@ def _approach_costates(problem: Transfer, arrivals: Array, count: int, rng: np.r
     )
     anywhere = rng.normal(size=near.shape)
     # lambda_r acts through lambda_r tau: what matters at 0.3 TU is nothing at 0.003.
-    anywhere[:, 0] /= np.exp(rng.uniform(np.log(0.05), np.log(3.0), count))
-    costates = np.where(rng.uniform(size=(count, 1)) < FROM_ALL_SIDES, anywhere, near)
+    anywhere[:, :positions] /= np.exp(rng.uniform(np.log(0.05), np.log(3.0), count))[:, None]
+    aside = rng.uniform(size=count) < FROM_ALL_SIDES
+    costates = np.where(aside[:, None], anywhere, near)
     gain = arrival_gain(problem, costates)
-    kept = gain < -LEAST_GAIN * np.hypot(costates[:, 1], costates[:, 2])
-    return np.asarray(costates[kept] / -gain[kept, None])
+    kept = gain < -LEAST_GAIN * np.linalg.norm(costates[:, positions:], axis=1)
+    return costates[kept] / -gain[kept, None], np.where(aside, ALONE, parents)[kept]
 
 
 def _approaches(
     problem: Transfer, costates: Array, longest: float, flights: Block, rng: np.random.Generator
-) -> Block:
-    """Sample approaches, each as far back as it is the fastest known."""
+) -> tuple[Block, NDArray[np.bool_]]:
+    """Sample approaches, each as far back as it is the fastest known; and which of them could be."""
     tau = np.zeros((len(costates), SAMPLES + 1))
     even = np.linspace(np.log(SHORTEST), np.log(longest), SAMPLES)
     jitter = rng.uniform(-0.5, 0.5, (len(costates), SAMPLES)) * (even[1] - even[0])
@@ -161,12 +181,14 @@ def _approaches(
     costates, tau = costates[whole], tau[whole]
     states, jump_times = extremals.states[whole], extremals.jump_times[whole]
 
-    known = np.column_stack([flights.samples[name] for name in ("r", "u", "v", "tau")])
-    known = known[(known[:, 3] > 0.0) & (known[:, 3] <= longest)]
-    points = np.concatenate([states[:, 1:, :3].reshape(-1, 3), known[:, :3]])
-    inputs = approach_coordinates(problem, points, problem.beta)
-    relative = np.append(np.concatenate([tau[:, 1:].ravel(), known[:, 3]]) / inputs[:, 3], np.inf)
-    place = np.column_stack([inputs[:, :3], 0.3 * np.log(inputs[:, 3])])
+    components = costates.shape[1]
+    names = geometry_of(components).state_names
+    known = np.column_stack([flights.samples[name] for name in (*names, "tau")])
+    known = known[(known[:, -1] > 0.0) & (known[:, -1] <= longest)]
+    points = np.concatenate([states[:, 1:, :components].reshape(-1, components), known[:, :-1]])
+    direction, s = approach_direction(problem, points, problem.beta)
+    relative = np.append(np.concatenate([tau[:, 1:].ravel(), known[:, -1]]) / s, np.inf)
+    place = np.column_stack([direction, 0.3 * np.log(s)])
     mine = tau[:, 1:].size
     _, beside = cKDTree(place).query(place[:mine], k=NEIGHBOURS, distance_upper_bound=RADIUS)
     slower = relative[:mine] > SLOWER * relative[beside].min(axis=1)
@@ -176,4 +198,4 @@ def _approaches(
     lengths = used.sum(axis=1)
     ends = tau[np.arange(len(tau)), lengths - 1]
     jump = np.where(jump_times <= ends, jump_times, np.nan)
-    return block_of(problem, costates, tau[used], states[used], jump, lengths)
+    return block_of(problem, costates, tau[used], states[used], jump, lengths), np.asarray(whole)

@@ -1,7 +1,6 @@
 """What ``python -m training`` does: train a mission's networks."""
 
 import argparse
-import os
 import sys
 import time
 from collections.abc import Collection, Sequence
@@ -53,8 +52,7 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument(
         "--workers",
         type=int,
-        default=os.cpu_count() or 1,
-        help="networks trained at once (default: all cores)",
+        help="networks trained at once (all: on fewer cores they take turns, and none is left to the end)",
     )
     made.add_argument("--quiet", action="store_true", help="no progress bars")
     return made
@@ -65,7 +63,7 @@ def _recipe(options: argparse.Namespace) -> "tuple[Mission, str]":
     from sailnet.dataset import open_dataset
     from sailnet.mission.mission import load_mission
 
-    given = load_mission(options.mission) if options.mission else None
+    given = load_mission(options.mission, in_space=True) if options.mission else None
     with open_dataset(options.dataset) as data:
         mission = given or data.mission
         kind = data.kind
@@ -102,7 +100,8 @@ def _train(options: argparse.Namespace) -> "list[Network]":
         overwrite=options.overwrite,
         quiet=options.quiet,
     )
-    ensure_domain(networks, options.dataset, options.output, quiet=options.quiet)
+    if not mission.inclined:
+        ensure_domain(networks, options.dataset, options.output, quiet=options.quiet)
     return networks
 
 

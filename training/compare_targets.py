@@ -68,7 +68,7 @@ def trained_output(data: Dataset, target: Target, recipe: TrainingRecipe) -> tup
     with tqdm(total=recipe.epochs, desc=target.name, disable=None, file=sys.stderr) as bar:
         epochs(run, recipe, progress, watch=partial(_show, bar))
     scaled = augment(torch.from_numpy(samples.scaled(samples.test)[0].T.copy()))
-    output = forward(run.train.layers.matrices(progress.best), scaled)[1].numpy()
+    output = forward(run.train.layers.matrices(progress.best), scaled)[1][0].numpy()
     return samples, samples.output_min + (samples.output_max - samples.output_min) * output
 
 

@@ -105,7 +105,7 @@ def fit_domain(data: Dataset, seed: int) -> TrainedDomain:
     """
     problem = data.mission.problem
     momenta, sizes = [], []
-    training = (split_trajectories(data.trajectories, seed) == 0) & ~crossings(data)
+    training = (split_trajectories(data.families(), seed) == 0) & ~crossings(data)
     for states, beta in _samples(data, training):
         if len(states):
             sizes.append(size_and_direction(states, beta, problem.target_state)[0].max())
@@ -180,6 +180,8 @@ def add_domain(dataset: Path, folder: Path, *, quiet: bool = False) -> Network:
     tau = load_network(path)
     seed = tau.provenance.get("seed")
     with open_dataset(dataset) as data:
+        if data.mission.inclined:
+            raise NetworkError(f"{dataset} is of three dimensions, and the trained domain is the plane's")
         learned = tau.provenance.get("dataset")
         if learned != data.digest or not isinstance(seed, int):
             raise NetworkError(
@@ -191,7 +193,7 @@ def add_domain(dataset: Path, folder: Path, *, quiet: bool = False) -> Network:
             bar.update()
             domain = fit_domain(data, seed)
             bar.update(2)
-            others = (split_trajectories(data.trajectories, seed) != 0) & ~crossings(data)
+            others = (split_trajectories(data.families(), seed) != 0) & ~crossings(data)
             held_out = share_outside(data, domain, others)
             bar.update()
     record = {"domain": asdict(domain), "held_out_outside_domain": held_out}

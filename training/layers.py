@@ -16,10 +16,10 @@ from torch import Tensor
 
 @dataclass(frozen=True)
 class Layers:
-    """Hidden layers of sigmoids and one linear output.
+    """Hidden layers of sigmoids and a linear one, mostly of one output.
 
     Attributes:
-        widths: numbers of inputs, of neurons in each hidden layer, and 1.
+        widths: numbers of inputs, of neurons in each hidden layer, and of outputs.
     """
 
     widths: tuple[int, ...]
@@ -81,7 +81,7 @@ def forward(matrices: Sequence[Tensor], inputs: Tensor) -> tuple[list[Tensor], T
         inputs: (k + 1, n) scaled inputs, augmented.
 
     Returns:
-        The augmented activations each layer reads, and the (n,) output.
+        The augmented activations each layer reads, and the (outputs, n) outputs.
     """
     activations = [inputs]
     for matrix in matrices[:-1]:
@@ -90,17 +90,17 @@ def forward(matrices: Sequence[Tensor], inputs: Tensor) -> tuple[list[Tensor], T
         layer[:-1].sigmoid_()
         layer[-1] = 1.0
         activations.append(layer)
-    return activations, (matrices[-1] @ activations[-1])[0]
+    return activations, matrices[-1] @ activations[-1]
 
 
 def backward(matrices: Sequence[Tensor], activations: Sequence[Tensor], slope: Tensor) -> list[Tensor]:
-    """Propagate ``slope``, the (n,) derivative by the output, to every layer's preactivation.
+    """Propagate ``slope``, the (outputs, n) derivative by the outputs, to every layer's preactivation.
 
     Returns:
         One (outputs, n) matrix a layer. The derivative by a layer's matrix is, sample by sample,
         its outer product with the activations that layer reads.
     """
-    slopes = [slope[None]]
+    slopes = [slope]
     for matrix, layer in zip(matrices[:0:-1], activations[:0:-1], strict=True):
         sigmoid = layer[:-1]
         slopes.append((matrix[:, :-1].T @ slopes[-1]) * (sigmoid - sigmoid * sigmoid))

@@ -29,6 +29,9 @@ FORGETTING = 0.99
 FLOOR = 1e-9
 """Added to D, so that a neuron that does nothing is not moved without bound."""
 
+SINGLE = 1e-5
+"""Damping above which J^T J is formed in float32, a relative 1e-7 off, in half the time."""
+
 TRIALS = 60
 """Rejected trials after which no smaller loss is to be had in this arithmetic."""
 
@@ -69,7 +72,8 @@ def advance(problem: LeastSquares, at: Iterate, curvature_samples: int) -> Itera
         The next iterate, or None if no trial lowers the loss: a minimum to machine precision.
     """
     part = problem.block(at.steps, curvature_samples)
-    curvature = part.curvature(at.parameters)
+    rounded = at.parameters.float() if at.damping > SINGLE else at.parameters
+    curvature = part.curvature(rounded).to(at.parameters.dtype)
     gradient, loss = problem.gradient(at.parameters)
     scale = torch.maximum(at.scale * FORGETTING, curvature.diagonal() + FLOOR)
     damping = at.damping

@@ -28,7 +28,7 @@ def train_networks(
     names: Sequence[str],
     folder: Path,
     *,
-    workers: int,
+    workers: int | None = None,
     device: str = "cpu",
     resume: bool = False,
     overwrite: bool = False,
@@ -38,7 +38,7 @@ def train_networks(
 
     Args:
         kind: of the data set.
-        workers: networks trained at once.
+        workers: networks trained at once; None for all, which on fewer cores takes the least time.
         resume: go on with what an earlier call of the same left, and keep what it finished.
         overwrite: replace what else is there.
         quiet: show no progress bars.
@@ -46,7 +46,7 @@ def train_networks(
     Raises:
         NetworkError: something is there that may not be replaced.
     """
-    count = min(workers, len(names))
+    count = min(workers or len(names), len(names))
     threads = max(1, (os.cpu_count() or 1) // count)
     with open_dataset(dataset, mission) as data:
         digest = data.digest

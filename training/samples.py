@@ -1,4 +1,4 @@
-"""From the data set to scaled samples: split by trajectory, drawn evenly, scaled to [0, 1]."""
+"""From the data set to scaled samples: split by family, drawn evenly, scaled to [0, 1]."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ class Part:
     """Samples of one part of the split, in physical units.
 
     Attributes:
-        inputs: (n, k) the network's inputs.
+        inputs: (n, k) the network's inputs, and after them what its outputs are multiplied by, if anything.
         values: (n,) the target.
         alpha: (n,) cone angle [rad], by which command networks are compared.
         tau: (n,) time to go [TU].
@@ -45,7 +45,7 @@ class SampleSet:
         test: every sample of the test trajectories.
         input_min, input_max: (k,) range of the inputs over the training trajectories.
         output_min, output_max: range of the target over them.
-        state_min, state_max: (3,) range of the states (r, u, v) over them.
+        state_min, state_max: (3,) range of the states (r, u, v) over them; in space (5,).
     """
 
     train: Part
@@ -58,27 +58,47 @@ class SampleSet:
     state_min: Array
     state_max: Array
 
-    def scaled(self, part: Part) -> tuple[Array, Array]:
-        """(n, k) inputs and (n,) values of a part, min-max scaled; inputs clamped to [0, 1]."""
-        inputs = np.clip((part.inputs - self.input_min) / (self.input_max - self.input_min), 0.0, 1.0)
-        return inputs, (part.values - self.output_min) / (self.output_max - self.output_min)
+    @property
+    def outputs(self) -> int:
+        """Of the network: one, or one a factor."""
+        return max(1, int(self.train.inputs.shape[1]) - len(self.input_min))
+
+    def scaled(self, part: Part) -> tuple[Array, Array, Array]:
+        """(n, k) inputs, (n, outputs) factors and (n,) values of a part, min-max scaled; inputs in [0, 1].
+
+        The factors are as they were, or 1 of a network with none.
+        """
+        given, factors = np.split(part.inputs, [len(self.input_min)], axis=1)
+        inputs = np.clip((given - self.input_min) / (self.input_max - self.input_min), 0.0, 1.0)
+        values = (part.values - self.output_min) / (self.output_max - self.output_min)
+        return inputs, factors if factors.size else np.ones((len(inputs), 1)), values
 
 
-def split_trajectories(trajectories: int, seed: int) -> NDArray[np.int8]:
-    """(trajectories,) index into ``PARTS``, in the proportions ``SHARES``.
+def split_trajectories(families: NDArray[np.int64], seed: int) -> NDArray[np.int8]:
+    """(trajectories,) index into ``PARTS``, as nearly in the proportions ``SHARES`` as whole families allow.
 
-    The split is by trajectory because samples of one trajectory are near-copies of each other.
+    The split is by family because samples of one trajectory, and those of its family, are near-copies of each
+    other: what is tested and what decides when to stop should be none of what was learnt.
+
+    Args:
+        families: (trajectories,) of each, numbered from 0: :meth:`sailnet.dataset.Dataset.families`.
+        seed: another one, another split.
 
     Raises:
-        DatasetError: too few trajectories for three parts.
+        DatasetError: too few families for three parts.
     """
-    bounds = np.rint(np.cumsum(SHARES) * trajectories).astype(int)
-    if np.any(np.diff([0, *bounds]) == 0):
+    sizes = np.bincount(families)
+    place = np.random.default_rng([seed, 0]).permutation(len(sizes))
+    order = np.argsort(place)
+    # Parts change where the trajectories before a family, and half of its own, are enough.
+    middle = np.cumsum(sizes[order]) - sizes[order] / 2.0
+    bounds = np.rint(np.cumsum(SHARES[:-1]) * len(families))
+    parts = np.searchsorted(bounds, middle, "right").astype(np.int8)[place]
+    if len(np.unique(parts)) < len(PARTS):
         raise DatasetError(
-            f"{trajectories} trajectories cannot be split into {', '.join(PARTS)}: generate at least 7"
+            f"{len(sizes)} families cannot be split into {', '.join(PARTS)}: generate at least 7 trajectories"
         )
-    parts = np.repeat(np.arange(len(PARTS), dtype=np.int8), np.diff([0, *bounds]))
-    return np.random.default_rng([seed, 0]).permutation(parts)
+    return parts[families]
 
 
 def crossings(data: Dataset) -> NDArray[np.bool_]:
@@ -97,7 +117,7 @@ def load_samples(
     Raises:
         DatasetError: damaged, or too few trajectories to split.
     """
-    part_of_row = np.repeat(split_trajectories(data.trajectories, seed), np.diff(data.first_sample))
+    part_of_row = np.repeat(split_trajectories(data.families(), seed), np.diff(data.first_sample))
     if target.approach:
         part_of_row[data.first_sample[:-1]] = -1
     learnt = part_of_row
@@ -109,13 +129,13 @@ def load_samples(
         rows = np.flatnonzero(learnt == part)
         drawn.append(rows if limit >= len(rows) else np.sort(rng.choice(rows, limit, replace=False)))
     collected: list[list[Mapping[str, Array]]] = [[] for _ in PARTS]
-    ranges = (*target.inputs, "value", "r", "u", "v")
+    ranges, read = (*target.inputs, "value", *data.states), len(target.inputs)
     low, high = np.full(len(ranges), np.inf), np.full(len(ranges), -np.inf)
     for start in range(0, data.samples, ROWS_READ):
         stop = min(start + ROWS_READ, data.samples)
         # The arrivals of approach targets, which no part holds, have no logarithm.
         with np.errstate(divide="ignore"):
-            block = target.complete(data.read(target.reads, start, stop), data.mission.problem)
+            block = target.complete(data.read(target.reads(data.states), start, stop), data.mission.problem)
         ranged = np.stack([block[name] for name in ranges])
         ranged = ranged[:, part_of_row[start:stop] == 0]
         if ranged.size:
@@ -126,20 +146,23 @@ def load_samples(
     parts = [_assemble(target, kept) for kept in collected]
     order = rng.permutation(len(parts[0].values))
     shuffled = Part(*(getattr(parts[0], name)[order] for name in ("inputs", "values", "alpha", "tau")))
+    lowest, highest = float(low[read]), float(high[read])
+    if target.factors:  # what changes its sign with them has no offset
+        lowest, highest = 0.0, max(-lowest, highest)
     return SampleSet(
         shuffled,
         parts[1],
         parts[2],
-        low[:-4],
-        high[:-4],
-        output_min=float(low[-4]),
-        output_max=float(high[-4]),
-        state_min=low[-3:],
-        state_max=high[-3:],
+        low[:read],
+        high[:read],
+        output_min=lowest,
+        output_max=highest,
+        state_min=low[read + 1 :],
+        state_max=high[read + 1 :],
     )
 
 
 def _assemble(target: Target, kept: list[Mapping[str, Array]]) -> Part:
     columns = {name: np.concatenate([block[name] for block in kept]) for name in kept[0]}
-    inputs = np.column_stack([columns[name] for name in target.inputs])
+    inputs = np.column_stack([columns[name] for name in (*target.inputs, *target.factors)])
     return Part(inputs, columns["value"], columns["alpha"], columns["tau"])

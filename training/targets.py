@@ -1,14 +1,20 @@
 """What the networks learn: inputs, target and how the cone angle's size is read from the output."""
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sailnet.dataset import SAMPLES
+from sailnet.dataset.schema import SAMPLES, SAMPLES_IN_SPACE
 from sailnet.mission.recipes import Training, TrainingRecipe
-from sailnet.networks.approach import APPROACH_INPUTS, approach_coordinates
+from sailnet.networks.approach import (
+    APPROACH_INPUTS,
+    APPROACH_INPUTS_IN_SPACE,
+    LATERAL_INPUTS,
+    approach_coordinates,
+    approach_coordinates_in_space,
+)
 from sailnet.networks.guidance_networks import (
     APPROACH_SIGN_SCALE,
     COMMAND_INPUTS,
@@ -16,6 +22,7 @@ from sailnet.networks.guidance_networks import (
     STATE_INPUTS,
 )
 from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import geometry_of
 from sailnet.physics.jumps import cone_angle_size
 from sailnet.physics.transfer import Transfer
 
@@ -46,6 +53,7 @@ class Target:
         size: |alpha| [rad] from the network's output and phi_max, or None if it is no command.
         crossings: whether it learns what is optimal on the ways of other sails, where data have that. There
             the side is what matters; time and angle would only be less exact where sails are.
+        factors: what the network's outputs are multiplied by, see :class:`sailnet.networks.network.Network`.
     """
 
     name: str
@@ -55,35 +63,41 @@ class Target:
     definition: str
     size: Callable[[Array, float], Array] | None = None
     crossings: bool = False
+    factors: tuple[str, ...] = ()
 
     @property
     def approach(self) -> bool:
         """Whether it reads approach coordinates, which have no direction at the target itself."""
-        return not set(APPROACH_INPUTS).isdisjoint(self.inputs)
+        return not {*APPROACH_INPUTS, *APPROACH_INPUTS_IN_SPACE}.isdisjoint(self.inputs)
 
-    @property
-    def reads(self) -> tuple[str, ...]:
-        """Columns of the data set that its samples are computed from and judged by."""
-        inputs = [name for name in self.inputs if name in SAMPLES]
+    def reads(self, states: Sequence[str]) -> tuple[str, ...]:
+        """Columns of the data set that its samples are computed from and judged by.
+
+        Args:
+            states: names of the components of a state.
+        """
+        inputs = [name for name in self.inputs if name in SAMPLES or name in SAMPLES_IN_SPACE]
         if self.approach:
             inputs.append("beta")
-        return tuple(dict.fromkeys(("r", "u", "v", *inputs, *self.columns, "alpha", "tau")))
+        return tuple(dict.fromkeys((*states, *inputs, *self.columns, "alpha", "tau")))
 
     def complete(self, columns: Columns, transfer: Transfer) -> Columns:
         """Columns as read, with the inputs and with the target as ``value``."""
         known = dict(columns)
         known |= {name: of(known) for name, of in INTEGRALS.items() if name in self.inputs}
         if self.approach:
-            states = np.column_stack([known[name] for name in ("r", "u", "v")])
-            known |= zip(
-                APPROACH_INPUTS, approach_coordinates(transfer, states, known["beta"]).T, strict=True
-            )
+            size = 5 if "latitude" in known else 3
+            states = np.column_stack([known[name] for name in geometry_of(size).state_names])
+            of_states = approach_coordinates if size == 3 else approach_coordinates_in_space
+            names = APPROACH_INPUTS if size == 3 else (*APPROACH_INPUTS_IN_SPACE, *LATERAL_INPUTS)
+            known |= zip(names, of_states(transfer, states, known["beta"]).T, strict=True)
             known["acceleration"] = known["beta"] / transfer.target_radius**2
         return known | {"value": self.value(known)}
 
     def recipe(self, training: Training) -> TrainingRecipe:
         """The mission's recipe for networks of this form."""
-        return training.wide if self.inputs == APPROACH_INPUTS else training.paper
+        own = (APPROACH_INPUTS, APPROACH_INPUTS_IN_SPACE)
+        return training.wide if self.inputs in own else training.paper
 
 
 _PAPER = (
@@ -155,16 +169,54 @@ _WIDE = (
 )
 
 
+def _primer(name: str) -> Callable[[Columns], Array]:
+    """A component of (lambda_v, lambda_w): the direction of both, and the asinh of their size."""
+
+    def component(columns: Columns) -> Array:
+        size = np.hypot(columns["lambda_v"], columns["lambda_w"])
+        scaled = size * columns["acceleration"] / APPROACH_SIGN_SCALE
+        return np.asarray(columns[name] / np.where(size > 0.0, size, 1.0) * np.arcsinh(scaled))
+
+    return component
+
+
+_SPACE = (
+    replace(_WIDE[0], inputs=APPROACH_INPUTS_IN_SPACE),
+    replace(
+        _WIDE[1], inputs=APPROACH_INPUTS_IN_SPACE, definition="|alpha| [rad]: the clock angle says where to"
+    ),
+    Target(
+        "lambda_v",
+        APPROACH_INPUTS_IN_SPACE,
+        ("lambda_v", "lambda_w"),
+        _primer("lambda_v"),
+        "lambda_v asinh(p) / |(lambda_v, lambda_w)|, with p = |(lambda_v, lambda_w)| beta / "
+        f"(r_f^2 {APPROACH_SIGN_SCALE:g})",
+        crossings=True,
+    ),
+    Target(
+        "lambda_w",
+        APPROACH_INPUTS_IN_SPACE,
+        ("lambda_v", "lambda_w"),
+        _primer("lambda_w"),
+        "lambda_w scaled as lambda_v: two outputs, times y_z and y_w",
+        crossings=True,
+        factors=LATERAL_INPUTS,
+    ),
+)
+
+
 def _named(targets: tuple[Target, ...]) -> Mapping[str, Target]:
     return {target.name: target for target in targets}
 
 
 TARGETS: Mapping[str, Mapping[str, Target]] = {
     "wide": _named(_WIDE),
+    "wide in space": _named(_SPACE),
     "domain": _named(_PAPER),
     "box": _named(_PAPER),
 }
-"""By kind of data set and name: the three networks that fly, and those the report compares them with."""
+"""By kind of data set and name: the networks that fly, and those the report compares them with."""
 
 
 def command_error(target: Target, output: Array, alpha: Array, phi_max: float) -> Array:

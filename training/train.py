@@ -4,7 +4,7 @@ import hashlib
 import json
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -18,15 +18,14 @@ from sailnet.errors import NetworkError
 from sailnet.mission.mission import Mission
 from sailnet.mission.recipes import TrainingRecipe
 from sailnet.networks.network import Network, load_network, save_network
-from sailnet.physics.arrays import Array
 from training.checkpoint import Progress, load_checkpoint, save_checkpoint
-from training.layers import Layers, forward
+from training.layers import Layers
 from training.least_squares import LeastSquares
 from training.levenberg_marquardt import advance, begin
-from training.samples import SampleSet, load_samples
+from training.samples import Part, SampleSet, load_samples
 from training.targets import Target, command_error
 
-SCHEMA = "sailnet-training/1"
+SCHEMA = "sailnet-training/2"
 """Part of what identifies a run: changes when the algorithm does, so that no old run is resumed."""
 
 CHECKPOINT_EVERY = 10
@@ -54,18 +53,14 @@ class Problems:
 def problems(samples: SampleSet, hidden: tuple[int, ...], device: torch.device) -> Problems:
     """Scale the samples and move them to the device."""
 
-    def of(inputs: Array, values: Array) -> LeastSquares:
-        columns = torch.from_numpy(np.ascontiguousarray(inputs.T)).to(device)
-        return LeastSquares.of(layers, columns, torch.from_numpy(np.ascontiguousarray(values)).to(device))
+    def of(part: Part, every: int = 1) -> LeastSquares:
+        columns = [column[::every].T for column in samples.scaled(part)]
+        inputs, factors, values = (torch.from_numpy(np.ascontiguousarray(x)).to(device) for x in columns)
+        return LeastSquares.of(layers, inputs, values, factors=factors)
 
-    layers = Layers((samples.train.inputs.shape[1], *hidden, 1))
-    test_inputs, test_values = samples.scaled(samples.test)
-    every = max(1, len(test_values) // TEST_SUBSET)
-    return Problems(
-        of(*samples.scaled(samples.train)),
-        of(*samples.scaled(samples.validation)),
-        of(test_inputs[::every], test_values[::every]),
-    )
+    layers = Layers((len(samples.input_min), *hidden, samples.outputs))
+    every = max(1, len(samples.test.values) // TEST_SUBSET)
+    return Problems(of(samples.train), of(samples.validation), of(samples.test, every))
 
 
 def start(run: Problems, seed: int) -> Progress:
@@ -189,7 +184,7 @@ def train_network(
         "state_min": samples.state_min.tolist(),
         "state_max": samples.state_max.tolist(),
         "seed": recipe.seed,
-        "split": "70/15/15 by trajectory",
+        "split": "70/15/15 by family",
         "train_samples": run.train.samples,
         "validation_samples": run.validation.samples,
         "test_samples": len(samples.test.values),
@@ -260,13 +255,14 @@ def _network(
         output_max=samples.output_max,
         mission=mission,
         provenance=provenance,
+        factors=target.factors,
     )
 
 
 def _float32_error(problem: LeastSquares, parameters: Tensor) -> float:
     """Largest difference of the scaled output between float32 and float64 arithmetic."""
-    single = forward(problem.layers.matrices(parameters.float()), problem.inputs.float())[1]
-    double = forward(problem.layers.matrices(parameters), problem.inputs)[1]
+    in_single = replace(problem, inputs=problem.inputs.float(), factors=problem.factors.float())
+    single, double = in_single.value(parameters.float()), problem.value(parameters)
     return float((single.double() - double).abs().max())
 
 

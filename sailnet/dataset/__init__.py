@@ -8,6 +8,7 @@ it came from in the root attributes.
 from sailnet.dataset.block import Block
 from sailnet.dataset.reader import Dataset, open_dataset
 from sailnet.dataset.schema import (
+    ALONE,
     CROSSING_FLAG,
     INTEGER,
     JUMP_FLAG,
@@ -15,10 +16,12 @@ from sailnet.dataset.schema import (
     SAMPLES,
     SCHEMA,
     TRAJECTORIES,
+    layout_of,
 )
 from sailnet.dataset.writer import write_dataset
 
 __all__ = [
+    "ALONE",
     "CROSSING_FLAG",
     "INTEGER",
     "JUMP_FLAG",
@@ -28,6 +31,7 @@ __all__ = [
     "TRAJECTORIES",
     "Block",
     "Dataset",
+    "layout_of",
     "open_dataset",
     "write_dataset",
 ]

@@ -1,7 +1,7 @@
 """Whole trajectories on their way into a file."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -15,8 +15,9 @@ class Block:
     """Whole trajectories on their way into a file.
 
     Attributes:
-        samples: the columns of ``SAMPLES`` but ``trajectory``, one trajectory after the other.
-        trajectories: the columns of ``TRAJECTORIES`` but ``first_sample``, each (n,).
+        samples: the columns of the schema's samples but ``trajectory``, one trajectory after the other.
+        trajectories: those of its trajectories but ``first_sample``, each (n,); without ``family`` each is
+            alone.
         lengths: (n,) samples of each trajectory.
     """
 
@@ -45,6 +46,10 @@ class Block:
             {name: values[:count] for name, values in self.trajectories.items()},
             self.lengths[:count],
         )
+
+    def of_families(self, families: NDArray[Any]) -> "Block":
+        """The same trajectories, each of a family (n,)."""
+        return replace(self, trajectories={**self.trajectories, "family": families})
 
     def to_columns(self) -> dict[str, NDArray[Any]]:
         """Everything by name, as it is kept in a file of parts."""

@@ -1,5 +1,6 @@
 """What a data set holds, and whether it holds what it promises."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -12,12 +13,12 @@ from sailnet.dataset import (
     CROSSING_FLAG,
     JUMP_FLAG,
     NEGATIVE_ARRIVAL_FLAG,
-    SAMPLES,
-    TRAJECTORIES,
     Dataset,
     open_dataset,
 )
 from sailnet.errors import DatasetError
+from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import attitude, force_costates, target_of
 from sailnet.physics.pontryagin import evaluate_hamiltonian, guidance_law, hamiltonian_bound
 
 ORIGIN = ("recipe", "tolerance", "sailnet", "revision", "heyoka", "numpy", "date")
@@ -54,7 +55,9 @@ def inspect_dataset(path: Path, bar: "tqdm[Any] | None" = None) -> dict[str, obj
         if not data.trajectories:
             raise DatasetError(f"{path} holds no trajectory; generate it again")
         if bar is not None:
-            bar.reset(len(SAMPLES) * data.samples + len(TRAJECTORIES) * data.trajectories)
+            groups = data.layout.groups
+            values = len(groups["samples"]) * data.samples + len(groups["trajectories"]) * data.trajectories
+            bar.reset(values)
         check = _Check(path, data, bar)
         data.verify(check.see)
         flags = check.flags()
@@ -81,6 +84,7 @@ class _Check:
     def __init__(self, path: Path, data: Dataset, bar: "tqdm[Any] | None") -> None:
         self.ranges: dict[str, list[float]] = {}
         self._path, self._data, self._bar = path, data, bar
+        self._target = dict(zip(data.states, target_of(data.mission.problem, len(data.states)), strict=True))
         self._last_tau = np.nan
 
     def see(self, key: str, start: int, values: NDArray[Any]) -> None:
@@ -111,8 +115,14 @@ class _Check:
         if name in ("alpha", "alpha_pre"):
             inside = np.abs(values) <= problem.phi_max
             self._require(key, start, inside, values, f"is beyond the bound {problem.phi_max:.6f}")
-        if name in "ruv":
-            target = problem.target_state["ruv".index(name)]
+        if name == "alpha" and self._data.mission.inclined:
+            self._require(
+                key, start, values >= 0.0, values, "is negative, which the clock angle makes needless"
+            )
+        if name == "clock_angle":
+            self._require(key, start, np.abs(values) <= np.pi, values, "is not between -pi and pi")
+        if name in self._target:
+            target = self._target[name]
             arrives = ~begins | (np.abs(values - target) <= ROUNDING)
             self._require(
                 key, start, arrives, values, f"is not on the target orbit, where it is {target:.6f}"
@@ -156,16 +166,20 @@ def _hamiltonian(path: Path, data: Dataset) -> float:
     largest = 0.0
     for row in np.sort(rows):
         first, after = data.first_sample[row : row + 2]
-        columns = data.read([name for name in SAMPLES if name != "trajectory"], int(first), int(after))
+        columns = data.read(
+            [n for n in data.layout.groups["samples"] if n != "trajectory"], int(first), int(after)
+        )
         states, costates = (
-            np.column_stack([columns[prefix + x] for x in "ruv"]) for prefix in ("", "lambda_")
+            np.column_stack([columns[prefix + x] for x in data.states]) for prefix in ("", "lambda_")
         )
         alpha, beta = columns["alpha"], columns["beta"]
         if np.ptp(beta) > 0.0:
             raise DatasetError(f"{path}: beta changes along trajectory {row}; generate it again")
         problem = replace(data.mission.problem, beta=float(beta[0]))
-        law = guidance_law(problem, costates[:, 1], costates[:, 2])
-        if np.abs(alpha - law).max() > ROUNDING or np.any(np.abs(columns["alpha_pre"]) != np.abs(alpha)):
+        law = guidance_law(problem, *force_costates(costates))
+        if np.abs(_told(columns) - _optimal(costates, law)).max() > ROUNDING or (
+            "alpha_pre" in columns and np.any(np.abs(columns["alpha_pre"]) != np.abs(alpha))
+        ):
             raise DatasetError(
                 f"{path}: the commands of trajectory {row} are not the law's; generate it again"
             )
@@ -177,3 +191,15 @@ def _hamiltonian(path: Path, data: Dataset) -> float:
             )
         largest = max(largest, float(size))
     return largest
+
+
+def _told(columns: Mapping[str, Array]) -> Array:
+    """(m, 2) cone and, in space, clock angle that are stored."""
+    alpha = columns["alpha"]
+    return np.column_stack([alpha, columns.get("clock_angle", np.zeros_like(alpha))])
+
+
+def _optimal(costates: Array, law: Array) -> Array:
+    """(m, 2) those of the law."""
+    angles = (law, np.zeros_like(law)) if costates.shape[1] == 3 else attitude(costates, law)
+    return np.column_stack(angles)

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 from sailnet.artefacts.column_files import ColumnFile, open_columns
 from sailnet.artefacts.named_columns import Frame, NamedColumns
 from sailnet.artefacts.untrusted import table_of
-from sailnet.dataset.schema import LAYOUT, SAMPLES
+from sailnet.dataset.schema import LAYOUT, LAYOUT_IN_SPACE, layout_of
 from sailnet.errors import DatasetError
 from sailnet.mission.mission import Mission, parse_mission
 from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import geometry_of
 
 
 class Dataset:
@@ -24,6 +25,7 @@ class Dataset:
         mission: that the samples belong to.
         provenance: where they come from.
         digest: equal means the same samples.
+        layout: which columns there are, with their units and meanings.
         trajectories: how many.
         samples: how many.
         first_sample: (trajectories + 1,): trajectory i owns samples first_sample[i] to first_sample[i + 1].
@@ -35,6 +37,12 @@ class Dataset:
             self.mission: Mission = parse_mission(table_of(file.text("mission")), str(path))
         except ValueError as error:
             raise DatasetError(f"{path} is no sailnet data set: its mission: {error}") from error
+        if file.layout.schema != layout_of(self.mission).schema:
+            raise DatasetError(
+                f"{path} is no sailnet data set: its schema is {file.layout.schema!r}, and that of mission "
+                f"{self.mission.name!r} {layout_of(self.mission).schema!r}; generate it again"
+            )
+        self.layout = file.layout
         self.provenance: dict[str, object] = file.provenance
         self.digest: str = file.digest
         self.trajectories: int = file.rows("trajectories")
@@ -48,12 +56,17 @@ class Dataset:
             )
 
     @property
+    def states(self) -> list[str]:
+        """Names of the components of a state, in order."""
+        return geometry_of(5 if self.mission.inclined else 3).state_names
+
+    @property
     def kind(self) -> str:
         """Name of the recipe it was made by: ``wide``, ``domain`` or ``box``."""
         return str(self.provenance.get("kind", "box"))
 
     def read(self, names: Sequence[str], start: int, stop: int) -> dict[str, Array]:
-        """Read columns of ``SAMPLES`` between two rows; only :meth:`verify` checks the values further.
+        """Read columns of the samples between two rows; only :meth:`verify` checks the values further.
 
         Raises:
             DatasetError: the rows cannot be read, or hold something that is no finite number.
@@ -69,8 +82,20 @@ class Dataset:
         return columns
 
     def read_trajectories(self, names: Sequence[str]) -> dict[str, Array]:
-        """Read whole columns of ``TRAJECTORIES``."""
+        """Read whole columns of the trajectories."""
         return self._file.read("trajectories", names, 0, self.trajectories)
+
+    def families(self) -> NDArray[np.int64]:
+        """(trajectories,) number of each one's family: those of one number are near-copies of each other.
+
+        Files made before families were told hold none: there each trajectory is one.
+        """
+        alone = np.arange(self.trajectories)
+        if not self._file.holds("trajectories", "family"):
+            return alone
+        told = self.read_trajectories(["family"])["family"].astype(np.int64)
+        apart = told.max(initial=0) + 1 + alone
+        return np.asarray(np.unique(np.where(told < 0, apart, told), return_inverse=True)[1])
 
     def columns(self, start: int = 0, stop: int | None = None) -> NamedColumns:
         """All columns of the samples between two rows, with their units; of all rows by default.
@@ -78,15 +103,17 @@ class Dataset:
         Raises:
             DatasetError: the rows cannot be read.
         """
-        read = self.read(list(SAMPLES), start, self.samples if stop is None else stop)
-        return NamedColumns({name: (unit, read[name]) for name, (unit, _) in SAMPLES.items()})
+        names = self.layout.groups["samples"]
+        read = self.read(list(names), start, self.samples if stop is None else stop)
+        return NamedColumns({name: (unit, read[name]) for name, (unit, _) in names.items()})
 
     def to_frame(self, start: int = 0, stop: int | None = None) -> Frame:
         """:meth:`columns` as a ``pandas.DataFrame``."""
         return self.columns(start, stop).to_frame()
 
     def __repr__(self) -> str:
-        units = ", ".join(name if unit == "1" else f"{name} [{unit}]" for name, (unit, _) in SAMPLES.items())
+        columns = self.layout.groups["samples"].items()
+        units = ", ".join(name if unit == "1" else f"{name} [{unit}]" for name, (unit, _) in columns)
         return (
             f"data set {self.kind!r} of mission {self.mission.name!r}: {self.trajectories} optimal "
             f"trajectories, {self.samples} samples of {units}"
@@ -121,7 +148,7 @@ def open_dataset(path: str | Path, mission: Mission | None = None) -> Iterator[D
     ...     print(dataset)
     ...     frame = dataset.to_frame(0, 10_000)
     """
-    with open_columns(Path(path), LAYOUT) as file:
+    with open_columns(Path(path), LAYOUT, LAYOUT_IN_SPACE) as file:
         dataset = Dataset(Path(path), file)
         if mission is not None and dataset.mission.digest() != mission.digest():
             raise DatasetError(

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from sailnet.artefacts.column_files import write_columns
 from sailnet.dataset.block import Block
-from sailnet.dataset.schema import LAYOUT
+from sailnet.dataset.schema import ALONE, layout_of
 from sailnet.mission.mission import Mission
 
 
@@ -32,7 +32,9 @@ def write_dataset(
     Raises:
         DatasetError: the file cannot be written (full disk, no permission).
     """
-    write_columns(path, LAYOUT, _flattened(blocks), {"mission": mission.to_json()}, provenance, scratch)
+    write_columns(
+        path, layout_of(mission), _flattened(blocks), {"mission": mission.to_json()}, provenance, scratch
+    )
 
 
 def _flattened(blocks: Iterator[Block]) -> Iterator[dict[str, NDArray[Any]]]:
@@ -41,6 +43,7 @@ def _flattened(blocks: Iterator[Block]) -> Iterator[dict[str, NDArray[Any]]]:
     for block in blocks:
         rows = np.arange(trajectories, trajectories + len(block.lengths))
         values: dict[str, NDArray[Any]] = {f"samples/{k}": v for k, v in block.samples.items()}
+        values.setdefault("trajectories/family", np.full(len(block.lengths), ALONE))
         values["samples/trajectory"] = np.repeat(rows, block.lengths)
         values |= {f"trajectories/{k}": v for k, v in block.trajectories.items()}
         values["trajectories/first_sample"] = samples + np.cumsum(block.lengths) - block.lengths

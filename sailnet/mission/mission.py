@@ -207,8 +207,8 @@ def in_the_plane(mission: Mission) -> Mission:
     if mission.inclined:
         raise MissionError(
             f"mission {mission.name!r} has an inclination of {mission.transfer.inclination:g} degrees: three "
-            "dimensions: solving only, so far (`sailnet solve`, `sailnet mission show`); data, networks and "
-            "flights are those of coplanar orbits"
+            "dimensions: so far there are its optima, data and networks (`sailnet solve`, `data`, `train`); "
+            "what is exported and flown is of coplanar orbits"
         )
     return mission
 

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from sailnet.errors import NetworkError
 from sailnet.mission.mission import Mission
 from sailnet.networks.approach import APPROACH_INPUTS, approach_coordinates
-from sailnet.networks.network import EXTRAPOLATION, Network, load_network
+from sailnet.networks.network import EXTRAPOLATION, Network, load_network, trained_box
 from sailnet.networks.trained_domain import TrainedDomain
 from sailnet.physics.arrays import Array
 from sailnet.physics.jumps import cone_angle_size, restore
@@ -45,6 +45,11 @@ class GuidanceNetworks:
 
     def __post_init__(self) -> None:
         read = (self.tau.inputs, self.alpha_pre.inputs, self.lambda_v.inputs)
+        if self.mission.inclined:
+            raise NetworkError(
+                f"these networks are of mission {self.mission.name!r}, of three dimensions, and those of the "
+                "plane are asked for"
+            )
         if read not in ((STATE_INPUTS, COMMAND_INPUTS, COMMAND_INPUTS), (APPROACH_INPUTS,) * 3):
             raise NetworkError(f"networks tau, alpha_pre and lambda_v do not fit together: they take {read}")
         for network in (self.alpha_pre, self.lambda_v):
@@ -88,16 +93,7 @@ class GuidanceNetworks:
         recorded = [self.tau.provenance.get(name) for name in ("state_min", "state_max")]
         if recorded == [None, None] and not self.approach:
             recorded = [self.tau.input_min.tolist(), self.tau.input_max.tolist()]
-        try:
-            box = np.array(recorded, float)
-            ordered = box.shape == (2, 3) and bool((box[0] < box[1]).all() and np.isfinite(box).all())
-        except (TypeError, ValueError, OverflowError):
-            ordered = False
-        if not ordered:
-            raise NetworkError(
-                "network tau does not say what states it was trained on (state_min, state_max): train again"
-            )
-        return box[0], box[1]
+        return trained_box(recorded, 3)
 
     @property
     def domain(self) -> TrainedDomain:

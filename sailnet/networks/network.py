@@ -20,7 +20,7 @@ from sailnet.artefacts.files import write_whole, writing
 from sailnet.artefacts.untrusted import table_of
 from sailnet.errors import MissionError, NetworkError, reason
 from sailnet.mission.mission import Mission, parse_mission
-from sailnet.networks.tensor_checks import MOST_BYTES, TEXTS, faults
+from sailnet.networks.tensor_checks import FACTORS, MOST_BYTES, TEXTS, faults
 from sailnet.physics.arrays import Array
 
 SCHEMA = "sailnet-network/1"
@@ -38,8 +38,10 @@ class Network:
     """A feedforward network with its scaling and provenance.
 
     Attributes:
-        name: what it predicts: ``tau``, ``alpha_pre``, ``lambda_v`` or ``alpha``.
+        name: what it predicts: ``tau``, ``alpha_pre``, ``lambda_v``, ``lambda_w`` or ``alpha``.
         inputs: names of its inputs, in order.
+        factors: names of what its outputs are multiplied by before they are added; with none it has one
+            output.
         weights: one (outputs, inputs) matrix a layer.
         biases: one (outputs,) vector a layer.
         input_min, input_max: (k,) range that is scaled to [0, 1].
@@ -58,13 +60,18 @@ class Network:
     output_max: float
     mission: Mission
     provenance: Mapping[str, object]
+    factors: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         widths = [len(self.inputs), *(len(b) for b in self.biases)]
         shapes = [w.shape for w in self.weights]
         if len(self.weights) != len(self.biases) or shapes != list(zip(widths[1:], widths[:-1], strict=True)):
             raise NetworkError(f"network {self.name}: layer shapes {shapes} do not fit together")
-        if widths[-1] != 1 or self.input_min.shape != (widths[0],) or self.input_max.shape != (widths[0],):
+        if (
+            widths[-1] != max(1, len(self.factors))
+            or self.input_min.shape != (widths[0],)
+            or self.input_max.shape != (widths[0],)
+        ):
             raise NetworkError(f"network {self.name}: scaling does not fit the layers")
         scaling = (self.input_min, self.input_max, np.array([self.output_min, self.output_max]))
         finite = all(np.isfinite(a).all() for a in (*self.weights, *self.biases, *scaling))
@@ -83,13 +90,33 @@ class Network:
         return tuple(len(b) for b in self.biases[:-1])
 
     def __call__(self, inputs: ArrayLike) -> Array:
-        """Evaluate at (n, k) physical inputs, clamped as ``clamp`` says; returns (n,)."""
-        clamped = np.clip(np.asarray(inputs, float), *self.clamp)
+        """Evaluate at (n, k) physical inputs, clamped as ``clamp`` says, then factors; returns (n,)."""
+        given, read = np.asarray(inputs, float), len(self.inputs)
+        clamped = np.clip(given[:, :read], *self.clamp)
         layer = (clamped - self.input_min) / (self.input_max - self.input_min)
         for weight, bias in zip(self.weights[:-1], self.biases[:-1], strict=True):
             layer = expit(layer @ weight.T + bias)
-        scaled = (layer @ self.weights[-1].T + self.biases[-1])[:, 0]
+        outputs = layer @ self.weights[-1].T + self.biases[-1]
+        scaled = (outputs * given[:, read:]).sum(axis=1) if self.factors else outputs[:, 0]
         return np.asarray(self.output_min + (self.output_max - self.output_min) * scaled)
+
+
+def trained_box(recorded: object, components: int) -> tuple[Array, Array]:
+    """(components,) lowest and highest state, as ``tau`` has recorded them: a pair of rows.
+
+    Raises:
+        NetworkError: they are not that.
+    """
+    try:
+        box = np.array(recorded, float)
+        ordered = box.shape == (2, components) and bool((box[0] < box[1]).all() and np.isfinite(box).all())
+    except (TypeError, ValueError, OverflowError):
+        ordered = False
+    if not ordered:
+        raise NetworkError(
+            "network tau does not say what states it was trained on (state_min, state_max): train again"
+        )
+    return box[0], box[1]
 
 
 def save_network(network: Network, path: Path) -> None:
@@ -113,6 +140,8 @@ def save_network(network: Network, path: Path) -> None:
         "mission": network.mission.to_json(),
         "provenance": json.dumps(dict(network.provenance), sort_keys=True),
     }
+    if network.factors:
+        metadata[FACTORS] = ",".join(network.factors)
     metadata["sha256"] = _digest(tensors, metadata)
     content = save(tensors, metadata)
     with writing(f"network {path}", NetworkError):
@@ -141,6 +170,7 @@ def load_network(path: Path) -> Network:
             output_max=float(tensors["output_range"][1]),
             mission=parse_mission(table_of(metadata["mission"]), str(path)),
             provenance=table_of(metadata["provenance"]),
+            factors=tuple(filter(None, metadata.get(FACTORS, "").split(","))),
         )
     except (ValueError, MissionError) as error:
         raise NetworkError(f"{path} is not a complete network: {error}") from error
@@ -159,7 +189,7 @@ def _read(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
                 raise NetworkError(
                     f"{path} has schema {metadata.get('schema')!r:.60}, this version reads {SCHEMA!r}"
                 )
-            if metadata.keys() != set(TEXTS):
+            if metadata.keys() - {FACTORS} != set(TEXTS):
                 raise NetworkError(
                     f"{path} is not a complete network: its metadata is {', '.join(sorted(metadata)):.200}, "
                     f"not {', '.join(TEXTS)}"

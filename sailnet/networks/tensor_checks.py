@@ -10,7 +10,10 @@ MOST_LAYERS = 16
 WIDEST = 4096
 
 TEXTS = ("schema", "name", "inputs", "mission", "provenance", "sha256")
-"""Metadata that a file has, all of them and no others."""
+"""Metadata that a file has, all of them and no others but ``FACTORS``."""
+
+FACTORS, MOST_FACTORS = "factors", 16
+"""What the outputs are multiplied by, where there are several."""
 
 
 def faults(stored: Any) -> Iterator[str]:
@@ -18,7 +21,7 @@ def faults(stored: Any) -> Iterator[str]:
 
     Tensors in double precision: ``input_min`` and ``input_max`` (k,), ``output_range`` (2,), and of each
     layer ``weight0`` (outputs, inputs) and ``bias0`` (outputs,), of sizes that fit together. The last layer
-    has one output.
+    has one output, or one a factor.
 
     Args:
         stored: as ``safe_open`` opened it.
@@ -42,7 +45,8 @@ def faults(stored: Any) -> Iterator[str]:
         outputs = shapes[f"bias{i}"][0] if len(shapes[f"bias{i}"]) == 1 else 0
         wanted |= {f"bias{i}": (outputs,), f"weight{i}": (outputs, width)}
         width = outputs
-    wanted[f"bias{layers - 1}"] = (1,)
+    factors = dict(stored.metadata() or {}).get(FACTORS, "").count(",") + 1
+    wanted[f"bias{layers - 1}"] = (min(factors, MOST_FACTORS),)
     for name, shape in shapes.items():
         if shape != wanted[name] or not all(0 < size <= WIDEST for size in shape):
             yield f"{name} has the shape {shape}, which does not fit the other layers"

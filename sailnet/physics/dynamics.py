@@ -5,6 +5,7 @@ in three dimensions; the plane is what is left of it where latitude and northwar
 Units: AU, TU (the Sun's gravitational parameter is 1), radians.
 """
 
+from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
@@ -111,19 +112,17 @@ def motion(
     }
 
 
-def _runge_kutta_4(state: list[Expression], step: Expression, coefficients: Coefficients) -> list[Expression]:
-    names = ["r", "theta", "u", "v"]
-    square, linear, across = coefficients
-    slopes = motion(beta, alpha, (square, linear, across + tangential))
-
+def _runge_kutta_4(
+    state: Mapping[str, Expression], step: Expression, slopes: Mapping[str, Expression]
+) -> list[Expression]:
     def slope(at: list[Expression]) -> list[Expression]:
-        substitution = dict(zip([r, theta, u, v], at, strict=True))
-        return [hy.subs(slopes[name], substitution) for name in names]
+        substitution = dict(zip(state.values(), at, strict=True))
+        return [hy.subs(slopes[name], substitution) for name in state]
 
     def advance(by: Expression, k: list[Expression]) -> list[Expression]:
-        return [x + by * dx for x, dx in zip(state, k, strict=True)]
+        return [x + by * dx for x, dx in zip(state.values(), k, strict=True)]
 
-    k1 = slope(state)
+    k1 = slope(list(state.values()))
     k2 = slope(advance(step / 2.0, k1))
     k3 = slope(advance(step / 2.0, k2))
     k4 = slope(advance(step, k3))
@@ -132,11 +131,22 @@ def _runge_kutta_4(state: list[Expression], step: Expression, coefficients: Coef
 
 @cache
 def _compiled_step(coefficients: Coefficients) -> Any:
-    step = hy.make_vars("step")
+    step, (square, linear, across) = hy.make_vars("step"), coefficients
+    slopes = motion(beta, alpha, (square, linear, across + tangential))
     return hy.cfunc(
-        _runge_kutta_4([r, theta, u, v], step, coefficients),
+        _runge_kutta_4({"r": r, "theta": theta, "u": u, "v": v}, step, slopes),
         vars=[r, theta, u, v, alpha, beta, step, tangential],
         compact_mode=True,
+    )
+
+
+@cache
+def _compiled_step_in_space(coefficients: Coefficients) -> Any:
+    step, clock = hy.make_vars("step", "clock")
+    state = dict(zip(("r", "latitude", "u", "v", "w"), SPACE_STATE, strict=True))
+    slopes = motion(beta, alpha, coefficients, SPACE_STATE, (hy.cos(clock), hy.sin(clock)))
+    return hy.cfunc(
+        _runge_kutta_4(state, step, slopes), vars=[*SPACE_STATE, alpha, clock, beta, step], compact_mode=True
     )
 
 
@@ -177,3 +187,25 @@ def runge_kutta_step(
 ) -> Array:
     """(4, n) states after :func:`runge_kutta_change`, which has the arguments."""
     return states + runge_kutta_change(states, alpha, beta, step, tangential, coefficients)
+
+
+def runge_kutta_change_in_space(
+    states: Array,
+    attitude: Array,
+    beta: ArrayLike,
+    step: ArrayLike,
+    coefficients: Coefficients = IDEAL,
+) -> Array:
+    """:func:`runge_kutta_change` in three dimensions.
+
+    Args:
+        states: (5, n) rows r, latitude, u, v, w.
+        attitude: (2, n) cone and clock angle [rad], held.
+        beta, step, coefficients: as in the plane.
+
+    Returns:
+        (5, n) changes.
+    """
+    inputs = np.empty((9, states.shape[1]))
+    inputs[:5], inputs[5:7], inputs[7], inputs[8] = states, attitude, beta, step
+    return np.asarray(_compiled_step_in_space(coefficients)(inputs))

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from data.crossings import LATEST, REACH, crossings, crossings_blocks, on_their_ways
+from data.families import APART
 from data.flights import sample_evenly
 from sailnet.dataset import CROSSING_FLAG
 from sailnet.expert.fastest import solve_states
@@ -35,7 +36,7 @@ def rest(optima: Optima) -> Optima:
 
 @pytest.fixture(scope="module")
 def found(rest: Optima) -> dict[int, Optima]:
-    return crossings(SAILS, OWN, rest)
+    return crossings(SAILS, {OWN: rest})
 
 
 def flown_back(sail: Transfer, optima: Optima) -> Array:
@@ -68,6 +69,16 @@ def test_other_sails_go_on_from_the_same_states(rest: Optima, found: dict[int, O
         assert longer == [number < OWN] * len(longer)
 
 
+def test_several_ways_at_once_lead_to_what_each_leads_to(rest: Optima, found: dict[int, Optima]) -> None:
+    half = rest.rows(slice(6))
+    both = crossings(SAILS, {OWN: rest, OWN + 1: half})
+    alone = crossings(SAILS, {OWN + 1: half})
+    assert sorted(both) == [1, 2, 3, 4, 5]
+    for number in (1, 2, 5):
+        expected = sorted([*found[number].time_of_flight, *alone[number].time_of_flight])
+        assert sorted(both[number].time_of_flight) == pytest.approx(expected, abs=1e-9)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("number", [1, 5])
 def test_a_search_of_everything_finds_none_that_is_faster(found: dict[int, Optima], number: int) -> None:
@@ -86,6 +97,16 @@ def test_blocks_hold_every_sails_samples_back_to_the_ways(optima: Optima) -> Non
         assert all(np.isfinite(column).all() for column in block.samples.values())
         assert (block.trajectories["flags"].astype(int) & CROSSING_FLAG).all()
     assert len(blocks[OWN - 1].lengths) <= 5 < len(blocks[0].lengths) <= 10
+    for block in blocks:
+        for family, last in zip(block.trajectories["family"], np.cumsum(block.lengths) - 1, strict=True):
+            # Of the flight on whose way it begins.
+            level, row = divmod(int(family), APART)
+            assert level in (OWN, OWN + 1)
+            flight = optima.rows([row])
+            tau = np.linspace(0.0, flight.time_of_flight[0], 2000)[None]
+            way = propagate_extremals(SAILS[level], flight.arrival_costates, tau).states[0, :, :3]
+            start = [block.samples[name][last] for name in "ruv"]
+            assert np.abs(way - start).max(axis=1).min() < 2e-3
     short = crossings_blocks(recipe, SAILS, {OWN: optima}, 2.0, np.random.default_rng(3))
     assert max(block.samples["tau"].max() for block in short) <= 2.0
 

@@ -7,10 +7,20 @@ import numpy as np
 import pytest
 from scipy.spatial.distance import cdist
 
+from data.families import APART
 from data.generate import generate
 from data.recipes import prepare
-from data.wide import AROUND, RADIUS, SAMPLES, SLOWER, around_target, wide_shard, wide_shards
-from sailnet.dataset import CROSSING_FLAG, Block, open_dataset, write_dataset
+from data.wide import (
+    AROUND,
+    RADIUS,
+    SAMPLES,
+    SLOWER,
+    _approach_costates,
+    around_target,
+    wide_shard,
+    wide_shards,
+)
+from sailnet.dataset import ALONE, CROSSING_FLAG, Block, open_dataset, write_dataset
 from sailnet.dataset.inspection import ORIGIN, inspect_dataset
 from sailnet.expert.fastest import solve
 from sailnet.mission.mission import Mission, load_mission
@@ -71,6 +81,28 @@ def test_each_level_is_one_sail_and_flies_from_the_domain(narrow: Mission, shard
     assert shards[0].samples["tau"].max() > shards[1].samples["tau"].max() + 0.5
 
 
+def test_approaches_know_the_flight_whose_arrival_they_vary(narrow: Mission) -> None:
+    angles = np.array([-2.5, -1.5, -0.5])
+    arrivals = np.column_stack([np.zeros(3), np.sin(angles), np.cos(angles)])
+    rng = np.random.default_rng(4)
+    costates, parents = _approach_costates(narrow.problem, arrivals, 2000, rng)
+    near = parents != ALONE
+    assert 0.6 < near.mean() < 0.9
+    angle = np.arctan2(costates[near, 1], costates[near, 2])
+    away = np.abs(np.angle(np.exp(1j * (angle - angles[parents[near]]))))
+    assert np.median(away) < 0.1
+    assert (away < 0.5).mean() > 0.9
+
+
+@pytest.mark.slow
+def test_every_flight_has_a_family_and_approaches_have_theirs(shards: list[Block]) -> None:
+    for level, block in enumerate(shards):
+        families = block.trajectories["family"]
+        assert families[:FLIGHTS].tolist() == (APART * level + np.arange(FLIGHTS)).tolist()
+        assert set(families[FLIGHTS:]) <= {ALONE, *families[:FLIGHTS]}
+        assert 0.5 < np.mean(families[FLIGHTS:] != ALONE) < 1.0
+
+
 @pytest.mark.parametrize(("levels", "shards"), [(2, 1), (7, 1), (8, 2), (25, 4)])
 def test_every_level_belongs_to_a_shard(narrow: Mission, levels: int, shards: int) -> None:
     wide = narrow.dataset.wide.model_copy(update={"levels": levels})
@@ -88,6 +120,9 @@ def test_flights_from_around_the_target_are_the_fastest_of_every_sail(narrow: Mi
     assert size.min() < 3e-3
     assert 0.02 < size.max() <= AROUND[1] * mission.problem.target_radius
     block = wide_shard(mission, 1)
+    # The same twelve states for every sail.
+    assert set(block.trajectories["family"] - APART * wide.levels) <= set(range(12))
+    assert len(block.lengths) > len(set(block.trajectories["family"]))
     assert len(block.lengths) == 2 * len(states)
     last = np.cumsum(block.lengths) - 1
     starts = np.column_stack([block.samples[name][last] for name in "ruv"])

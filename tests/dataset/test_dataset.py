@@ -11,7 +11,9 @@ import h5py
 import numpy as np
 import pytest
 
+from sailnet.artefacts.column_files import write_columns
 from sailnet.dataset import (
+    ALONE,
     INTEGER,
     SAMPLES,
     TRAJECTORIES,
@@ -19,7 +21,8 @@ from sailnet.dataset import (
     open_dataset,
     write_dataset,
 )
-from sailnet.dataset.schema import JUMP_FLAG, NEGATIVE_ARRIVAL_FLAG
+from sailnet.dataset.schema import JUMP_FLAG, LAYOUT, NEGATIVE_ARRIVAL_FLAG
+from sailnet.dataset.writer import _flattened
 from sailnet.mission.mission import Mission
 from tests.paths import ROOT
 from tests.reference import Array
@@ -87,6 +90,28 @@ def test_all_metadata_is_under_hdf5_s_own_checksums(stored: Path) -> None:
     assert raw[8] >= 2  # version of the superblock
     for unprotected in (b"GCOL", b"TREE", b"SNOD"):
         assert unprotected not in raw
+
+
+def test_families_are_told_apart_and_files_from_before_them_are_read(
+    small: Mission, shard: Block, tmp_path: Path
+) -> None:
+    told = shard.head(5).of_families(np.array([1 << 40, ALONE, 7, 1 << 40, ALONE]))
+    write_dataset(tmp_path / "new.h5", small, iter([told]), {})
+    with open_dataset(tmp_path / "new.h5") as found:
+        found.verify()
+        families = found.families()
+        assert families[0] == families[3]
+        assert sorted(set(families)) == [0, 1, 2, 3]
+
+    key = "trajectories/family"
+    columns = dict(next(_flattened(iter([told]))))
+    del columns[key]
+    texts = {"mission": small.to_json()}
+    write_columns(tmp_path / "old.h5", LAYOUT.before({key}), iter([columns]), texts, {})
+    with open_dataset(tmp_path / "old.h5") as found:
+        found.verify()
+        assert found.families().tolist() == [0, 1, 2, 3, 4]
+        assert np.array_equal(found.read_trajectories(["flags"])["flags"], told.trajectories["flags"])
 
 
 def test_flags_are_the_bits_that_files_hold() -> None:

@@ -87,8 +87,6 @@ def test_what_cannot_be_is_refused_by_its_key(
         ["evaluate"],
         ["evaluate", "--campaign", "law"],
         ["accept", "exported", "--output", "none"],
-        ["data", "none.h5"],
-        ["train", "none.h5", "none"],
         ["export", "none", "exported"],
         ["optics"],
     ],
@@ -98,8 +96,18 @@ def test_whatever_knows_the_plane_alone_refuses_it_by_name(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert main([*command, "--mission", "earth_mars_3d"]) != 0
-    assert "three dimensions: solving only, so far" in capsys.readouterr().err
+    assert "three dimensions: so far there are its optima, data and networks" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("recipe", ["domain", "box"])
+def test_data_of_the_plane_s_recipes_are_refused(
+    recipe: str, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["data", "none.h5", "--mission", "earth_mars_3d", "--recipe", recipe]) != 0
+    assert "three dimensions the only recipe is 'wide'" in capsys.readouterr().err
+    assert not (tmp_path / "none.h5").exists()
 
 
 def test_the_pipeline_and_python_refuse_it_too(
@@ -107,9 +115,9 @@ def test_the_pipeline_and_python_refuse_it_too(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert main(["pipeline", "earth_mars_3d"]) != 0
-    assert "solving only" in capsys.readouterr().err
+    assert "so far there are its optima" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
     mission = load_mission("earth_mars_3d", in_space=True)
     for given in (mission, "earth_mars_3d"):
-        with pytest.raises(MissionError, match="solving only"):
+        with pytest.raises(MissionError, match="so far there are its optima"):
             sailnet.fly(given, (1.0, 0.0, 1.0))

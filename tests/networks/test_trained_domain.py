@@ -61,7 +61,7 @@ def samples(stored: Path) -> Array:
     """(n, 3) states of the training trajectories."""
     with open_dataset(stored) as data:
         columns = data.read(["r", "u", "v"], 0, data.samples)
-        part = np.repeat(split_trajectories(data.trajectories, SEED), np.diff(data.first_sample))
+        part = np.repeat(split_trajectories(data.families(), SEED), np.diff(data.first_sample))
     states = np.column_stack([columns[name] for name in "ruv"])
     return np.asarray(states[part == 0])
 

@@ -63,7 +63,7 @@ def test_they_are_known_by_their_flag(data: Dataset) -> None:
 @pytest.mark.parametrize(("name", "learns"), [("tau", False), ("alpha_pre", False), ("lambda_v", True)])
 def test_the_side_alone_is_learnt_there(data: Dataset, name: str, learns: bool) -> None:
     samples = of(data, name)
-    parts = split_trajectories(TRAJECTORIES, SEED)
+    parts = split_trajectories(np.arange(TRAJECTORIES), SEED)
     for number, part in enumerate((samples.train, samples.validation, samples.test)):
         told = (parts == number) & (learns | ~MARKED)
         assert len(part.alpha) == told.sum() * (LENGTH - 1)  # arrivals have no direction
@@ -83,6 +83,6 @@ def test_all_have_the_same_ranges(data: Dataset) -> None:
 
 def test_where_not_all_have_learnt_is_outside(data: Dataset) -> None:
     domain = fit_domain(data, SEED)
-    training = split_trajectories(TRAJECTORIES, SEED) == 0
+    training = split_trajectories(np.arange(TRAJECTORIES), SEED) == 0
     assert share_outside(data, domain, training & ~MARKED) == 0.0
     assert share_outside(data, domain, training & MARKED) > 0.9

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from torch import Tensor
 from torch.func import jacrev, jvp
 
+from training import levenberg_marquardt
 from training.layers import Layers, augment, forward
 from training.least_squares import LeastSquares
 from training.levenberg_marquardt import Iterate, advance, begin
@@ -17,38 +18,45 @@ from training.levenberg_marquardt import Iterate, advance, begin
 # More threads only wait for each other on matrices this small.
 torch.set_num_threads(1)
 
-SHAPES = st.lists(st.integers(1, 5), min_size=2, max_size=4).map(lambda widths: Layers((*widths, 1)))
+WIDTHS = st.lists(st.integers(1, 5), min_size=2, max_size=4)
 
 
 def _problem(layers: Layers, samples: int, chunk: int = 7, seed: int = 0) -> LeastSquares:
     generator = torch.Generator().manual_seed(seed)
     inputs = torch.rand(layers.widths[0], samples, generator=generator, dtype=torch.float64)
     targets = torch.rand(samples, generator=generator, dtype=torch.float64)
-    return LeastSquares.of(layers, inputs, targets, chunk)
+    factors = None
+    if layers.widths[-1] > 1:
+        factors = torch.randn(layers.widths[-1], samples, generator=generator, dtype=torch.float64)
+    return LeastSquares.of(layers, inputs, targets, chunk, factors)
 
 
 def _random(layers: Layers, seed: int) -> Tensor:
     return torch.randn(layers.parameters, generator=torch.Generator().manual_seed(seed), dtype=torch.float64)
 
 
-def _plain_output(layers: Layers, inputs: Tensor, parameters: Tensor) -> Tensor:
+def _plain_outputs(layers: Layers, inputs: Tensor, parameters: Tensor) -> Tensor:
     """The textbook network, on (k, n) inputs, for automatic differentiation."""
     layer = inputs
     matrices = layers.matrices(parameters)
     for matrix in matrices[:-1]:
         layer = torch.sigmoid(matrix[:, :-1] @ layer + matrix[:, -1:])
-    return (matrices[-1][:, :-1] @ layer + matrices[-1][:, -1:])[0]
+    return matrices[-1][:, :-1] @ layer + matrices[-1][:, -1:]
 
 
 @pytest.mark.slow
 @settings(deadline=None, max_examples=20)
-@given(layers=SHAPES, samples=st.integers(1, 40), seed=st.integers(0, 99))
-def test_derivatives_equal_automatic_differentiation(layers: Layers, samples: int, seed: int) -> None:
+@given(widths=WIDTHS, outputs=st.integers(1, 3), samples=st.integers(1, 40), seed=st.integers(0, 99))
+def test_derivatives_equal_automatic_differentiation(
+    widths: list[int], outputs: int, samples: int, seed: int
+) -> None:
+    layers = Layers((*widths, outputs))
     problem = _problem(layers, samples, seed=seed)
     parameters = _random(layers, seed)
 
     def residual(at: Tensor) -> Tensor:
-        return _plain_output(layers, problem.inputs[:-1], at) - problem.targets
+        outputs = _plain_outputs(layers, problem.inputs[:-1], at)
+        return (problem.factors * outputs).sum(dim=0) - problem.targets
 
     jacobian = jacrev(residual)(parameters)
     errors = residual(parameters)
@@ -97,7 +105,7 @@ def test_blocks_walk_through_all_samples() -> None:
 def _representable(layers: Layers, samples: int) -> tuple[LeastSquares, Tensor]:
     teacher = _random(layers, 5)
     inputs = _problem(layers, samples).inputs[:-1]
-    return LeastSquares.of(layers, inputs, _plain_output(layers, inputs, teacher), 64), teacher
+    return LeastSquares.of(layers, inputs, _plain_outputs(layers, inputs, teacher)[0], 64), teacher
 
 
 def test_convergence_is_quadratic_where_the_target_is_representable() -> None:
@@ -136,7 +144,7 @@ def test_a_minimum_is_recognised() -> None:
     layers = Layers((2, 3, 1))
     problem, teacher = _representable(layers, 50)
     assert problem.loss(teacher) < 1e-30
-    exact = LeastSquares.of(layers, problem.inputs[:-1], forward(layers.matrices(teacher), problem.inputs)[1])
+    exact = LeastSquares.of(layers, problem.inputs[:-1], problem.value(teacher))
     assert advance(exact, begin(exact, teacher), 50) is None
 
 
@@ -166,3 +174,30 @@ def test_cuda_takes_the_same_steps() -> None:
         here, there = one, other
     assert there.loss == pytest.approx(here.loss, rel=1e-6)
     torch.testing.assert_close(there.parameters.cpu(), here.parameters, rtol=1e-5, atol=1e-7)
+
+
+@pytest.mark.parametrize(("damping", "dtype"), [(1e-3, torch.float32), (1e-7, torch.float64)])
+def test_curvature_is_as_precise_as_the_damping_asks(
+    damping: float, dtype: torch.dtype, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And the step is the same to what that precision is."""
+    layers = Layers((2, 6, 1))
+    problem, start = _problem(layers, 300), layers.initial(3)
+    at = Iterate(start, torch.zeros_like(start), damping, 0, problem.loss(start))
+    formed: list[torch.dtype] = []
+    real = LeastSquares.curvature
+
+    def curvature(self: LeastSquares, parameters: Tensor) -> Tensor:
+        formed.append(parameters.dtype)
+        return real(self, parameters)
+
+    monkeypatch.setattr(LeastSquares, "curvature", curvature)
+    steps = []
+    for single in (levenberg_marquardt.SINGLE, math.inf):
+        monkeypatch.setattr(levenberg_marquardt, "SINGLE", single)
+        steps.append(advance(problem, at, 300))
+    assert formed == [dtype, torch.float64]
+    assert steps[0] is not None
+    assert steps[1] is not None
+    assert steps[0].parameters.dtype == torch.float64
+    torch.testing.assert_close(steps[0].parameters, steps[1].parameters, rtol=0, atol=1e-4)

@@ -89,13 +89,28 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_split_is_by_trajectory_in_the_papers_proportions() -> None:
-    parts = split_trajectories(1000, seed=1)
+    parts = split_trajectories(np.arange(1000), seed=1)
     assert np.bincount(parts).tolist() == [700, 150, 150]
-    assert np.array_equal(parts, split_trajectories(1000, seed=1))
-    assert not np.array_equal(parts, split_trajectories(1000, seed=2))
+    assert np.array_equal(parts, split_trajectories(np.arange(1000), seed=1))
+    assert not np.array_equal(parts, split_trajectories(np.arange(1000), seed=2))
     with pytest.raises(DatasetError, match="at least 7"):
-        split_trajectories(2, seed=1)
-    assert np.bincount(split_trajectories(7, seed=1)).min() > 0
+        split_trajectories(np.arange(2), seed=1)
+    assert np.bincount(split_trajectories(np.arange(7), seed=1)).min() > 0
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_family_is_in_one_part_and_the_parts_keep_their_shares(seed: int) -> None:
+    families = np.random.default_rng(seed).integers(0, 300, 2000)
+    families = np.unique(families, return_inverse=True)[1]
+    parts = split_trajectories(families, seed)
+    assert all(len(set(parts[families == family])) == 1 for family in set(families))
+    assert np.bincount(parts) / len(families) == pytest.approx([0.70, 0.15, 0.15], abs=0.01)
+
+
+def test_trajectories_that_are_all_alone_are_split_as_before_there_were_families() -> None:
+    """Networks that ship were: their trained domain is of the same split."""
+    before = np.random.default_rng([7, 0]).permutation(np.repeat(np.arange(3), [700, 150, 150]))
+    assert np.array_equal(split_trajectories(np.arange(1000), 7), before)
 
 
 def test_no_trajectory_is_in_two_parts_and_all_test_samples_are_used(dataset: Path) -> None:
@@ -112,7 +127,7 @@ def test_no_trajectory_is_in_two_parts_and_all_test_samples_are_used(dataset: Pa
     assert len(samples.test.values) == LENGTH * len(test)
     assert len(np.unique(samples.train.inputs, axis=0)) == 600
     assert np.any(np.diff(samples.train.values) < 0.0), "blocks for J^T J need a random order"
-    scaled, _ = samples.scaled(samples.train)
+    scaled, _, _ = samples.scaled(samples.train)
     assert scaled.min() >= 0.0
     assert scaled.max() <= 1.0
 
@@ -193,7 +208,7 @@ def test_stored_errors_are_those_of_the_stored_network(dataset: Path, tmp_path: 
     train_network(dataset, _mission(), target, tmp_path)
     network = load_network(tmp_path / "alpha_pre.safetensors")
     with open_dataset(dataset) as data:
-        rows = np.repeat(split_trajectories(data.trajectories, 3), LENGTH) == 2
+        rows = np.repeat(split_trajectories(data.families(), 3), LENGTH) == 2
         columns = {
             name: column[rows]
             for name, column in data.read(("r", "u", "v", "tau", "alpha"), 0, data.samples).items()

@@ -1,0 +1,100 @@
+"""The four networks that make the guidance in three dimensions: when, how far, and where to."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sailnet.errors import NetworkError
+from sailnet.mission.mission import Mission
+from sailnet.networks.approach import APPROACH_INPUTS_IN_SPACE, LATERAL_INPUTS, approach_coordinates_in_space
+from sailnet.networks.network import EXTRAPOLATION, Network, load_network, trained_box
+from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import clock_angle, in_space
+from sailnet.physics.jumps import cone_angle_size
+
+NAMES = ("tau", "alpha_pre", "lambda_v", "lambda_w")
+
+
+@dataclass(frozen=True)
+class GuidanceNetworksInSpace:
+    """Four networks which together turn a state into a cone and a clock angle.
+
+    ``tau`` and ``alpha_pre`` are what they are in the plane; the sign of lambda_v has become the direction
+    of (lambda_v, lambda_w). What they give is exactly the same, mirrored, to the north and to the south.
+
+    Attributes:
+        tau: log(tau / s) of the time of flight.
+        alpha_pre: size of the cone angle.
+        lambda_v, lambda_w: costates, of which only the direction is used.
+    """
+
+    tau: Network
+    alpha_pre: Network
+    lambda_v: Network
+    lambda_w: Network
+
+    def __post_init__(self) -> None:
+        networks = [getattr(self, name) for name in NAMES]
+        factors = [network.factors for network in networks]
+        if {network.inputs for network in networks} != {APPROACH_INPUTS_IN_SPACE}:
+            raise NetworkError("these networks are not of three dimensions: train them on such a data set")
+        if factors != [(), (), (), LATERAL_INPUTS]:
+            raise NetworkError(
+                f"networks {', '.join(NAMES)} do not fit together: their factors are {factors}"
+            )
+        for network in networks:
+            if network.mission.digest() != self.mission.digest() or not network.mission.inclined:
+                raise NetworkError(f"networks do not belong together: {network.name} is of another mission")
+
+    @property
+    def mission(self) -> Mission:
+        """The mission the networks were trained for."""
+        return self.tau.mission
+
+    @property
+    def beta_range(self) -> tuple[float, float]:
+        """Smallest and largest beta the networks were trained for."""
+        return float(self.tau.input_min[-1]), float(self.tau.input_max[-1])
+
+    @property
+    def state_range(self) -> tuple[Array, Array]:
+        """(5,) lowest and highest state the networks were trained on.
+
+        Raises:
+            NetworkError: they do not say.
+        """
+        return trained_box([self.tau.provenance.get(name) for name in ("state_min", "state_max")], 5)
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> tuple[Array, Array, Array]:
+        """Cone angle and clock angle [rad] and time of flight [TU] at (n, 5) states.
+
+        Args:
+            states: rows r [AU], latitude [rad], u, v, w [AU/TU].
+            beta: (n,) or one normalised characteristic acceleration, clamped to ``beta_range``; by
+                default the mission's.
+        """
+        lowest, highest = self.state_range
+        margin = EXTRAPOLATION * (highest - lowest)
+        within = np.clip(np.asarray(states, float), lowest - margin, highest + margin)
+        sail = np.clip(self.mission.sail.beta if beta is None else beta, *self.beta_range)
+        inputs = approach_coordinates_in_space(self.mission.problem, within, sail)
+        even, s = inputs[:, : len(APPROACH_INPUTS_IN_SPACE)], inputs[:, APPROACH_INPUTS_IN_SPACE.index("s")]
+        cone = cone_angle_size(self.alpha_pre(even), self.mission.problem.phi_max)
+        costates = in_space(np.zeros((len(inputs), 3)))
+        costates[:, 3], costates[:, 4] = self.lambda_v(even), self.lambda_w(inputs)
+        return cone, clock_angle(costates), s * np.exp(self.tau(even))
+
+
+def load_guidance_networks_in_space(folder: Path) -> GuidanceNetworksInSpace:
+    """Read ``tau``, ``alpha_pre``, ``lambda_v`` and ``lambda_w`` (``.safetensors``) from a folder.
+
+    Raises:
+        NetworkError: one is missing or damaged, they do not belong together, or are the plane's.
+    """
+    if (folder / "tau.safetensors").exists() and not (folder / "lambda_w.safetensors").exists():
+        raise NetworkError(
+            f"{folder} holds networks of the plane, without lambda_w: name one of three dimensions"
+        )
+    return GuidanceNetworksInSpace(*(load_network(folder / f"{name}.safetensors") for name in NAMES))
