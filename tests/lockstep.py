@@ -157,7 +157,8 @@ class Lockstep:
 def _numbers(steered: Steered, memory: Memory) -> dict[str, Array]:
     """Everything that a step gives, and everything that it leaves in memory, by name."""
     left = {f"memory.{item.name}": np.asarray(getattr(memory, item.name), float) for item in fields(Memory)}
-    return {item.name: np.asarray(getattr(steered, item.name), float) for item in fields(Steered)} | left
+    said = {item.name: getattr(steered, item.name) for item in fields(Steered)}
+    return {name: np.asarray(value, float) for name, value in said.items() if value is not None} | left
 
 
 def _kinds(answer: dict[str, Array]) -> NDArray[np.int64]:

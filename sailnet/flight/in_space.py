@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from sailnet.networks.guidance_in_space import GuidanceNetworksInSpace
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import runge_kutta_change_in_space
-from sailnet.physics.geometry import target_of
+from sailnet.physics.geometry import lengths_of, target_of
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ def fly_in_space(
     """
     mission = networks.mission
     target, flight, force = target_of(mission.problem, 5), mission.flight, mission.sail.optics.force
-    unit = np.array([1.0, mission.transfer.target_radius, 1.0, 1.0, 1.0])
+    unit = lengths_of(mission.problem, 5)
     now = np.array(states, float)
     count = len(now)
     sail = np.broadcast_to(mission.sail.beta if beta is None else np.asarray(beta, float), count)
@@ -64,7 +64,7 @@ def fly_in_space(
     longest = max(flight.period, flight.arrival_threshold)
     while (flying := np.flatnonzero(~ended & (time < flight.longest))).size:
         kept = 1.0 - reserve * np.minimum(before[flying], 1.0)
-        cone, clock, tau = networks.command(now[flying], mission.sail.beta * kept)
+        cone, clock, tau, *_ = networks.command(now[flying], mission.sail.beta * kept)
         error = np.abs((now[flying] - target) * unit).max(axis=1)
         past = (error <= flight.arrival_tolerance) & (tau >= before[flying]) & (tau > longest)
         last = tau <= longest
@@ -74,12 +74,12 @@ def fly_in_space(
         largest[flying] = np.fmax(largest[flying], turn)
         hold = np.where(past, 0.0, np.where(last, longest, flight.period))
         attitude = np.array([cone, clock])
-        change = runge_kutta_change_in_space(now[flying].T, attitude, sail[flying], hold, force).T
+        change = runge_kutta_change_in_space(now[flying].T, attitude, sail[flying], hold, 0.0, force).T
         if last.any():
             missing = target - now[flying]
             share = (missing * change).sum(axis=1) / np.maximum((change**2).sum(axis=1), 1e-300)
             hold = np.where(last, hold * np.clip(share, 0.0, 1.0), hold)
-            change = runge_kutta_change_in_space(now[flying].T, attitude, sail[flying], hold, force).T
+            change = runge_kutta_change_in_space(now[flying].T, attitude, sail[flying], hold, 0.0, force).T
         now[flying] += change
         time[flying] += hold
         before[flying], normal[flying] = tau, own

@@ -1,8 +1,7 @@
 """What every exported guidance says about itself, whatever the back end that flies it."""
 
-import hashlib
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 
 import numpy as np
@@ -16,7 +15,7 @@ from sailnet.mission.mission import Mission
 from sailnet.mission.sections import NO_DEGRADATION, Degradation
 from sailnet.networks.approach import APPROACH_INPUTS
 from sailnet.networks.guidance_networks import GuidanceNetworks
-from sailnet.networks.network import Network
+from sailnet.networks.network import Network, weights_digest
 from sailnet.networks.trained_domain import TrainedDomain
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS, Optics, is_number, optics_from
@@ -198,7 +197,7 @@ def describe(networks: GuidanceNetworks, mission: Mission, alpha: Network | None
         version=__version__,
         mission=mission.name,
         mission_digest=mission.digest(),
-        networks_digest=_digest(flown),
+        networks_digest=weights_digest(flown),
         datasets={n.name: str(n.provenance.get("dataset", "not recorded")) for n in flown},
         phi_max=mission.problem.phi_max,
         arrival_threshold=mission.flight.arrival_threshold,
@@ -235,14 +234,3 @@ def round_down(value: float, precision: DTypeLike) -> float:
     nearest = np.asarray(value, precision)
     below = np.nextafter(nearest, np.asarray(-np.inf, precision))
     return float(nearest if float(nearest) <= value else below)
-
-
-def _digest(networks: Iterable[Network]) -> str:
-    content = hashlib.sha256()
-    for network in sorted(networks, key=lambda network: network.name):
-        scaling = np.array([network.output_min, network.output_max])
-        arrays: tuple[Array, ...] = (*network.weights, *network.biases, network.input_min, network.input_max)
-        for array in (*arrays, scaling):
-            content.update(f"{network.name} {array.shape}".encode())
-            content.update(np.ascontiguousarray(array, dtype="<f8").tobytes())
-    return content.hexdigest()

@@ -49,12 +49,17 @@ class Commands:
         lambda_v: (n,) costate of v times beta / r_f^2, where that is small: its size says what the other
             sign of the cone angle costs. Infinite if the guidance does not know it: steering then obeys it.
         status: (n,) values of GuidanceStatus.
+        clock_angle: (n,) from the transverse direction to the north [rad], in (-pi, pi]; None in the plane,
+            where the cone angle has a sign instead.
+        lambda_w: (n,) costate of w, scaled as ``lambda_v``; None in the plane.
     """
 
     cone_angle: Array
     time_of_flight: Array
     lambda_v: Array
     status: NDArray[np.int32]
+    clock_angle: Array | None = None
+    lambda_w: Array | None = None
 
 
 @dataclass(frozen=True)
@@ -69,6 +74,7 @@ class Steered:
         lambda_v: as of ``Commands``.
         status: values of ``GuidanceStatus``: ``ARRIVED`` where the flight ends, ``RECKONED`` or ``AT_LIMIT``
             by what steering knows, else of the command.
+        clock_angle, lambda_w: as of ``Commands``.
     """
 
     cone_angle: Array
@@ -77,6 +83,8 @@ class Steered:
     beta: Array
     lambda_v: Array
     status: NDArray[np.int32]
+    clock_angle: Array | None = None
+    lambda_w: Array | None = None
 
     @property
     def arrived(self) -> NDArray[np.bool_]:
@@ -97,10 +105,11 @@ class Steering(Protocol):
         with ``hold`` 0.
 
         Args:
-            states: (n, 3) r, u, v now, after what was commanded last was held.
+            states: (n, 3) r, u, v now, or (n, 5), after what was commanded last was held.
             period: guidance period [TU].
             sails: (n,) which of the sails these are.
-            attitudes: (n,) mean cone angles over the period that ends, as measured [rad]; NaN where not.
+            attitudes: (n,) mean cone angles over the period that ends, as measured [rad]; NaN where not. In
+                space none are taken yet.
         """
 
 
@@ -128,12 +137,12 @@ class Guidance(Protocol):
         """Smallest and largest beta the networks were trained for."""
 
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        """Command the sails at (n, 3) states (r, u, v) [AU, AU/TU, AU/TU].
+        """Command the sails at (n, 3) states (r, u, v) [AU, AU/TU, AU/TU], in space at (n, 5).
 
         Any numbers give a bounded command, NaN and infinities included; see GuidanceStatus.
 
         Args:
-            states: rows r, u, v.
+            states: rows r, u, v; in space r, latitude [rad], u, v, w.
             beta: (n,) or one normalised characteristic acceleration, clamped to ``beta_range``; the
                 mission's by default, and in place of NaN.
 

@@ -16,6 +16,7 @@ from sailnet.guidance.interface import Commands, Steering
 from sailnet.guidance.rules import LOOK_AHEAD_RULES, SteeringRules
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.guidance.with_rules import WithRules
+from sailnet.mission.mission import in_the_plane
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import runge_kutta_step
 
@@ -34,6 +35,7 @@ class LookingAhead(WithRules):
 
     Raises:
         GuidanceError: there are no such rules.
+        MissionError: a mission of three dimensions, where there are more ways than two.
     """
 
     rules: SteeringRules = field(init=False)
@@ -42,6 +44,7 @@ class LookingAhead(WithRules):
     def __post_init__(self) -> None:
         if self.name not in LOOK_AHEAD_RULES:
             raise GuidanceError(f"no law {self.name!r}: known are {' and '.join(LOOK_AHEAD_RULES)}")
+        in_the_plane(self.guidance.mission)
         object.__setattr__(self, "rules", LOOK_AHEAD_RULES[self.name])
 
     @property

@@ -7,10 +7,16 @@ from numpy.typing import NDArray
 
 from sailnet.physics.arrays import Array
 
+TILTS = ("cone_angle", "attitude", "measured", "offset")
+
 
 @dataclass
 class Memory:
-    """Of n sails, as in ``sailnet_memory`` of one that ages, in order; (n, 3) states r, u, v; arrays (n,)."""
+    """Of n sails, as in ``sailnet_memory`` of one that ages, in order.
+
+    States are (n, 3) or (n, 5); ``cone_angle``, ``attitude``, ``measured`` and ``offset`` are tilts of
+    :mod:`sailnet.guidance.tilts`; all others are (n,).
+    """
 
     state: Array
     cone_angle: Array
@@ -35,15 +41,13 @@ class Memory:
     periods: NDArray[np.int64]
 
     @classmethod
-    def started(cls, count: int, beta: float) -> "Memory":
-        """Of ``count`` sails that know nothing but a beta."""
-        names = [item.name for item in fields(cls) if item.name not in ("state", "beta", "periods")]
-        return cls(
-            state=np.zeros((count, 3)),
-            beta=np.full(count, beta),
-            periods=np.zeros(count, np.int64),
-            **{name: np.zeros(count) for name in names},
-        )
+    def started(cls, count: int, beta: float, components: int = 3) -> "Memory":
+        """Of ``count`` sails that know nothing but a beta; a state has so many components, 3 or 5."""
+        tilt = (count,) if components == 3 else (count, 2)
+        shapes = {"state": (count, components), **dict.fromkeys(TILTS, tilt)}
+        given = {"beta": np.full(count, beta), "periods": np.zeros(count, np.int64)}
+        names = [item.name for item in fields(cls) if item.name not in given]
+        return cls(**given, **{name: np.zeros(shapes.get(name, (count,))) for name in names})
 
     def rows(self, sails: NDArray[np.intp]) -> "Memory":
         """Copies of some of them."""

@@ -1,39 +1,24 @@
-"""Which side of the Sun line the thrust is on, where both are almost equally fast."""
-
-from dataclasses import dataclass
+"""Which side of the Sun line the thrust is on, where others are almost equally fast."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.guidance.interface import Commands
+from sailnet.guidance.last_period import Change
 from sailnet.guidance.memory import Memory
 from sailnet.guidance.rules import LARGEST_PERIOD, SteeringRules
+from sailnet.guidance.tilts import along, in_direction, turned
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 
 
-@dataclass(frozen=True)
-class Change:
-    """What the last period did.
-
-    Attributes:
-        by: changes of (r, u, v), (n, 3) [AU, AU/TU].
-        cosine: of the direction of the normal, (n,).
-        sine: the same.
-        force: of the mission's sail, (2, n), radial and transverse, per beta / r^2.
-    """
-
-    by: Array
-    cosine: Array
-    sine: Array
-    force: Array
-
-
 class SideKeeping:
-    """The sign of the cone angle: a reversal waits until it is worth it.
+    """The sign of the cone angle, or in space the clock angle: a reversal waits until it is worth it.
 
     *Patience.* Where the networks' command reverses the sail, it keeps its side until that has cost it as
-    much time as patience allows, at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian.
+    much time as patience allows, at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian. In space a
+    turn of the clock angle by D, more than a right angle, is a reversal; to keep the clock angle costs
+    (1 - cos D) f_t |(lambda_v, lambda_w)|.
 
     *Lateness.* Beside the target the time to go jumps. What the networks learn of that is smooth: on the edge
     they promise the same time for ever, and a sail that follows them turns over for ever. Such a sail is
@@ -54,29 +39,37 @@ class SideKeeping:
         self._target_radius, self._rules = mission.problem.target_radius, rules
         self._patience = rules.patience(mission.problem.phi_max, mission.flight.turn_rate)
 
-    def kept(self, memory: Memory, change: Change, command: Commands, valid: NDArray[np.bool_]) -> Array:
-        """(n,) the cone angle, mirrored where the sail stays on its side; the memory follows where valid."""
+    def kept(
+        self, memory: Memory, change: Change, command: Commands, wanted: Array, valid: NDArray[np.bool_]
+    ) -> Array:
+        """The tilt ``wanted``, on the other side where the sail stays on its own.
+
+        The memory follows where ``valid``, (n,).
+        """
         rules = self._rules
         ratio = self._target_radius / memory.state[:, 0]
-        rate = 2.0 * memory.stake * ratio**2 * change.force[1] * np.sign(change.sine)
+        rate = 2.0 * memory.stake * ratio**2 * change.force[1]
         regret = np.nan_to_num(memory.regret + memory.held * rate, nan=0.0)
         regret = np.clip(regret, 0.0, LARGEST_PERIOD)
         late, wait = self._time_passes(memory, command)
-        angle = command.cone_angle
-        step = np.abs(angle - memory.cone_angle)
-        reverses = (angle * memory.cone_angle < 0.0) & (step > rules.reversal)
+        cosine = along(wanted, memory.cone_angle)
+        reverses = (cosine < 0.0) & (turned(wanted, memory.cone_angle) > rules.reversal)
         size = np.abs(command.lambda_v)
+        if command.lambda_w is not None:
+            size = np.hypot(size, command.lambda_w)
+        cost = size * 0.5 * (1.0 - cosine)
         # What staying costs must be known.
         stays = reverses & ((regret < self._patience) | (wait > 0.0)) & np.isfinite(size)
         turns = reverses & ~stays
         waits = (late > rules.late_tolerated) & (memory.waited <= 0.0)
         begun = np.where(waits, np.minimum(rules.wait * late, rules.largest_wait), 0.0)
-        memory.stake = np.where(valid, np.where(stays, size, -size), memory.stake)
+        memory.stake = np.where(valid, np.where(stays, cost, -size), memory.stake)
         memory.regret = np.where(valid, np.where(turns, 0.0, regret), memory.regret)
         memory.late = np.where(valid, late, memory.late)
         memory.wait = np.where(valid, np.where(turns, begun, wait), memory.wait)
         memory.waited = np.where(valid & turns, begun, memory.waited)
-        return np.where(stays, -angle, angle)
+        kept = stays if wanted.ndim == 1 else stays[:, None]
+        return np.where(kept, in_direction(memory.cone_angle, wanted), wanted)
 
     def _time_passes(self, memory: Memory, command: Commands) -> tuple[Array, Array]:
         """How late the sails are, and how long they still wait [TU]."""

@@ -11,13 +11,16 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from sailnet.errors import GuidanceError
 from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Steered, as_attitudes
+from sailnet.guidance.last_period import Change, predicted
 from sailnet.guidance.memory import Memory
 from sailnet.guidance.rules import LARGEST_PERIOD, SteeringRules, rules_for
-from sailnet.guidance.side import Change, SideKeeping
+from sailnet.guidance.side import SideKeeping
+from sailnet.guidance.tilts import angles_of, limited, size_of, tilt_of, turned
 from sailnet.physics.arrays import Array
-from sailnet.physics.dynamics import Coefficients, runge_kutta_change
-from sailnet.physics.real_law import force_curve
+from sailnet.physics.dynamics import Coefficients
+from sailnet.physics.geometry import lengths_of, target_of
 
 
 class ReferenceSteering:
@@ -29,6 +32,8 @@ class ReferenceSteering:
     and f the force along the normal per beta / r^2, which is cos^2 alpha of an ideal sail,
 
         d_beta = (dv . n) r^2 / (h f),    d_T cos(alpha) sin(alpha) / f = -(dv . t) r^2 / (h f beta).
+
+    In space dv, n and t have three components, and all the rest is the same.
 
     The estimates start at the mission's beta and at 0, and move by a share of the measurement that falls as
     1/2, 1/3, 1/4, ... down to h / memory: the mean of all periods at first, with the start value as one of
@@ -64,7 +69,11 @@ class ReferenceSteering:
         self._force: Coefficients = mission.sail.optics.force
         self._degradation = mission.degradation
         self._side = SideKeeping(mission, rules)
-        self._memory = Memory.started(count, float(np.clip(mission.sail.beta, *guidance.beta_range)))
+        components = 5 if mission.inclined else 3
+        self._target = target_of(mission.problem, components)
+        self._lengths = lengths_of(mission.problem, components)
+        beta = float(np.clip(mission.sail.beta, *guidance.beta_range))
+        self._memory = Memory.started(count, beta, components)
 
     def steer(
         self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None
@@ -72,6 +81,8 @@ class ReferenceSteering:
         """See :class:`sailnet.guidance.interface.Steering`."""
         rules, memory = self._rules, self._memory.rows(sails)
         if attitudes is not None:
+            if self._guidance.mission.inclined:
+                raise GuidanceError("in three dimensions steering takes no measured attitudes yet")
             self._measured(memory, np.asarray(as_attitudes(attitudes, len(sails), "float64"), float))
         shown = np.asarray(states, float)
         timed = 0.0 < period <= LARGEST_PERIOD
@@ -85,31 +96,33 @@ class ReferenceSteering:
         command = self._command(known, np.clip(plan, *self._guidance.beta_range), hold, sails)
         status = command.status.copy()
         valid = status != GuidanceStatus.INVALID_INPUT
-        angle = command.cone_angle.copy()
+        tilt = tilt_of(command.cone_angle, command.clock_angle)
         if change is not None:
             with np.errstate(all="ignore"):
-                angle = self._side.kept(memory, change, command, valid)
+                tilt = self._side.kept(memory, change, command, tilt, valid)
             status, hold = self._end(memory, known, command, status, hold)
         low, high = self._guidance.beta_range
         left = valid & (status != GuidanceStatus.ARRIVED)
         unseen = left & (memory.unseen > 0.0)
         status[left & (status == GuidanceStatus.OK) & (plan < low) & (low < high)] = GuidanceStatus.AT_LIMIT
         status[unseen] = GuidanceStatus.RECKONED
-        told = np.where(valid, self._told(memory, angle), angle)
-        self._remember(memory, known, angle, hold, command.time_of_flight, valid)
-        memory.attitude = np.where(valid, told + memory.offset, memory.attitude)
+        each = _each(valid, tilt)
+        told = np.where(each, self._told(memory, tilt), tilt)
+        self._remember(memory, known, tilt, hold, command.time_of_flight, valid)
+        memory.attitude = np.where(each, told + memory.offset, memory.attitude)
         last = valid & (status == GuidanceStatus.ARRIVED) & (hold > 0.0)
         if last.any():
             hold = np.where(last, self._until_nearest(memory), hold)
             memory.held = np.where(last, hold, memory.held)
         self._memory.put(sails, memory)
-        return Steered(told, hold, command.time_of_flight, memory.beta, command.lambda_v, status)
+        cone, clock = angles_of(told)
+        tau, lambda_v, lambda_w = command.time_of_flight, command.lambda_v, command.lambda_w
+        return Steered(cone, hold, tau, memory.beta, lambda_v, status, clock, lambda_w)
 
-    def _told(self, memory: Memory, angle: Array) -> Array:
-        """What the sails are told for a cone angle to come true."""
-        bound = np.maximum(self._guidance.mission.problem.phi_max, abs(angle))
-        told: Array = np.clip(angle - memory.offset, -bound, bound)
-        return told
+    def _told(self, memory: Memory, tilt: Array) -> Array:
+        """What the sails are told for a tilt to come true."""
+        bound = np.maximum(self._guidance.mission.problem.phi_max, size_of(tilt))
+        return limited(tilt - memory.offset, bound)
 
     def _measured(self, memory: Memory, attitudes: Array) -> None:
         """What the attitude was in the period that ends, where that was measured."""
@@ -133,30 +146,21 @@ class ReferenceSteering:
     def _known(self, memory: Memory, shown: Array) -> tuple[Array, Change]:
         """States to steer by: those shown, or where the sails must be; NaN where neither is known."""
         seen = np.asarray(np.isfinite(shown).all(axis=1))
-        change = self._predicted(memory)
+        change = predicted(memory, self._force)
         self._learn(memory, shown, change, seen)
         memory.unseen = np.where(seen, 0.0, memory.unseen + memory.held)
         reckoned = memory.state + change.by
         lost = (memory.held <= 0.0) | (memory.unseen > self._rules.longest_reckoning)
         return np.where(seen[:, None], shown, np.where(lost[:, None], np.nan, reckoned)), change
 
-    def _predicted(self, memory: Memory) -> Change:
-        before = np.zeros((4, len(memory.state)))
-        before[[0, 2, 3]] = memory.state.T
-        sails = memory.attitude, memory.beta, memory.held, memory.tangential
-        by = runge_kutta_change(before, *sails, self._force)[[0, 2, 3]].T
-        force = force_curve(memory.attitude, np.array(self._force))[0]
-        return Change(by, np.cos(memory.attitude), np.sin(memory.attitude), force)
-
     def _learn(self, memory: Memory, shown: Array, change: Change, seen: NDArray[np.bool_]) -> None:
         rules, beta = self._rules, self._guidance.mission.sail.beta
-        cosine, sine, held = change.cosine, change.sine, memory.held
-        normal = change.force[0] * cosine + change.force[1] * sine
+        held, normal = memory.held, change.along_normal
         telling = seen & (held > 0.0) & (memory.unseen == 0.0) & (normal >= rules.least_cosine2)
         telling &= memory.slewing**2 * self._turn_rate <= rules.slew_blur * held
-        du, dv = (shown - memory.state - change.by)[:, 1:].T
+        faster = (shown - memory.state - change.by)[:, -change.normal.shape[1] :]
         per = (0.5 * (memory.state[:, 0] + shown[:, 0])) ** 2 / (held * normal)
-        along, across = (du * cosine + dv * sine) * per, (dv * cosine - du * sine) * per
+        along, across = ((faster * way).sum(axis=1) * per for way in (change.normal, change.surface))
         telling &= np.isfinite(along) & np.isfinite(across)
         bound = rules.largest_surprise * beta
         relative, aside = (np.clip(np.where(telling, x, 0.0), -bound, bound) / beta for x in (along, across))
@@ -164,7 +168,7 @@ class ReferenceSteering:
         share = np.where(telling, _weight(memory, rules.surprise_memory), 0.0)
         memory.beta = np.clip(memory.beta + slow_share * relative * beta, *self._guidance.beta_range)
         memory.tangential = np.clip(
-            memory.tangential - 2.0 * share * sine * cosine * aside,
+            memory.tangential - 2.0 * share * change.sine * change.cosine * aside,
             -rules.largest_tangential,
             rules.largest_tangential,
         )
@@ -209,7 +213,7 @@ class ReferenceSteering:
         status = np.where(inside, np.int32(GuidanceStatus.OK), status)
         longest = np.maximum(hold, mission.flight.arrival_threshold)
         last = inside & (tau <= longest)
-        error = np.abs(known - mission.problem.target_state).max(axis=1)
+        error = np.abs((known - self._target) * self._lengths).max(axis=1)
         past = inside & ~last & (error <= mission.flight.arrival_tolerance)
         past &= (memory.periods > 0) & (tau >= memory.time_of_flight)
         status = np.where(last | past, np.int32(GuidanceStatus.ARRIVED), status)
@@ -217,25 +221,30 @@ class ReferenceSteering:
 
     def _until_nearest(self, memory: Memory) -> Array:
         """(n,) for how long to hold the command that is remembered [TU]: at most what is."""
-        missing = self._guidance.mission.problem.target_state - memory.state
+        missing = (self._target - memory.state) * self._lengths
         with np.errstate(all="ignore"):
-            by = self._predicted(memory).by
+            by = predicted(memory, self._force).by * self._lengths
             share = (missing * by).sum(axis=1) / (by * by).sum(axis=1)
         until: Array = memory.held * np.nan_to_num(np.clip(share, 0.0, 1.0), nan=0.0)
         return until
 
     def _remember(
-        self, memory: Memory, known: Array, angle: Array, hold: Array, tau: Array, valid: NDArray[np.bool_]
+        self, memory: Memory, known: Array, tilt: Array, hold: Array, tau: Array, valid: NDArray[np.bool_]
     ) -> None:
         left = np.clip(memory.slewing - memory.held, 0.0, LARGEST_PERIOD)
-        turning = left + np.abs(angle - memory.cone_angle) / self._turn_rate
+        turning = left + turned(tilt, memory.cone_angle) / self._turn_rate
         memory.slewing = np.where(valid & (memory.periods > 0), turning, memory.slewing)
         memory.state = np.where(valid[:, None], known, memory.state)
-        memory.cone_angle = np.where(valid, angle, memory.cone_angle)
+        memory.cone_angle = np.where(_each(valid, tilt), tilt, memory.cone_angle)
         # After an invalid state the rest stays, but the next is not what came of the last command.
         memory.held = np.where(valid, hold, 0.0)
         memory.time_of_flight = np.where(valid, tau, memory.time_of_flight)
         memory.periods += valid
+
+
+def _each(chosen: NDArray[np.bool_], tilt: Array) -> NDArray[np.bool_]:
+    """(n,) chosen sails, in a shape that chooses among tilts."""
+    return chosen if tilt.ndim == 1 else chosen[:, None]
 
 
 def _wear(halvings: Array) -> Array:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -9,12 +10,30 @@ from numpy.typing import ArrayLike
 from sailnet.errors import NetworkError
 from sailnet.mission.mission import Mission
 from sailnet.networks.approach import APPROACH_INPUTS_IN_SPACE, LATERAL_INPUTS, approach_coordinates_in_space
-from sailnet.networks.network import EXTRAPOLATION, Network, load_network, trained_box
+from sailnet.networks.guidance_networks import APPROACH_SIGN_SCALE
+from sailnet.networks.network import EXTRAPOLATION, Network, load_network, trained_box, weights_digest
 from sailnet.physics.arrays import Array
 from sailnet.physics.geometry import clock_angle, in_space
 from sailnet.physics.jumps import cone_angle_size
 
 NAMES = ("tau", "alpha_pre", "lambda_v", "lambda_w")
+
+
+class Outputs(NamedTuple):
+    """What the networks make of n states; (n,) each.
+
+    Attributes:
+        cone_angle: in [0, phi_max] [rad].
+        clock_angle: from the transverse direction to the north, in (-pi, pi] [rad].
+        time_of_flight: [TU].
+        lambda_v, lambda_w: costates times beta / r_f^2, where these are small.
+    """
+
+    cone_angle: Array
+    clock_angle: Array
+    time_of_flight: Array
+    lambda_v: Array
+    lambda_w: Array
 
 
 @dataclass(frozen=True)
@@ -27,7 +46,7 @@ class GuidanceNetworksInSpace:
     Attributes:
         tau: log(tau / s) of the time of flight.
         alpha_pre: size of the cone angle.
-        lambda_v, lambda_w: costates, of which only the direction is used.
+        lambda_v, lambda_w: costates, of which the direction is the clock angle's.
     """
 
     tau: Network
@@ -67,8 +86,19 @@ class GuidanceNetworksInSpace:
         """
         return trained_box([self.tau.provenance.get(name) for name in ("state_min", "state_max")], 5)
 
-    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> tuple[Array, Array, Array]:
-        """Cone angle and clock angle [rad] and time of flight [TU] at (n, 5) states.
+    @property
+    def digest(self) -> str:
+        """See :func:`sailnet.networks.network.weights_digest`."""
+        return weights_digest(getattr(self, name) for name in NAMES)
+
+    @property
+    def longest(self) -> float:
+        """No longer time of flight was learnt [TU]: tau gives log(tau / s)."""
+        s = self.tau.input_max[APPROACH_INPUTS_IN_SPACE.index("s")]
+        return float(s * np.exp(self.tau.output_max))
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Outputs:
+        """What they make of (n, 5) states: the reference in NumPy.
 
         Args:
             states: rows r [AU], latitude [rad], u, v, w [AU/TU].
@@ -84,7 +114,8 @@ class GuidanceNetworksInSpace:
         cone = cone_angle_size(self.alpha_pre(even), self.mission.problem.phi_max)
         costates = in_space(np.zeros((len(inputs), 3)))
         costates[:, 3], costates[:, 4] = self.lambda_v(even), self.lambda_w(inputs)
-        return cone, clock_angle(costates), s * np.exp(self.tau(even))
+        directions, tau = costates[:, 3:] * APPROACH_SIGN_SCALE, s * np.exp(self.tau(even))
+        return Outputs(cone, clock_angle(costates), tau, *directions.T)
 
 
 def load_guidance_networks_in_space(folder: Path) -> GuidanceNetworksInSpace:

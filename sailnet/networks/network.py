@@ -6,7 +6,7 @@ linear layer and the inverse scaling. Three of them make the guidance (Section 4
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -174,6 +174,18 @@ def load_network(path: Path) -> Network:
         )
     except (ValueError, MissionError) as error:
         raise NetworkError(f"{path} is not a complete network: {error}") from error
+
+
+def weights_digest(networks: Iterable[Network]) -> str:
+    """SHA-256 over weights and scaling of networks, whatever their order: equal means that the same fly."""
+    content = hashlib.sha256()
+    for network in sorted(networks, key=lambda network: network.name):
+        scaling = np.array([network.output_min, network.output_max])
+        arrays: tuple[Array, ...] = (*network.weights, *network.biases, network.input_min, network.input_max)
+        for array in (*arrays, scaling):
+            content.update(f"{network.name} {array.shape}".encode())
+            content.update(np.ascontiguousarray(array, dtype="<f8").tobytes())
+    return content.hexdigest()
 
 
 def _read(path: Path) -> tuple[dict[str, Array], dict[str, str]]:

@@ -142,11 +142,14 @@ def _compiled_step(coefficients: Coefficients) -> Any:
 
 @cache
 def _compiled_step_in_space(coefficients: Coefficients) -> Any:
-    step, clock = hy.make_vars("step", "clock")
+    (step, clock), (square, linear, across) = hy.make_vars("step", "clock"), coefficients
     state = dict(zip(("r", "latitude", "u", "v", "w"), SPACE_STATE, strict=True))
-    slopes = motion(beta, alpha, coefficients, SPACE_STATE, (hy.cos(clock), hy.sin(clock)))
+    of_sail = (square, linear, across + tangential)
+    slopes = motion(beta, alpha, of_sail, SPACE_STATE, (hy.cos(clock), hy.sin(clock)))
     return hy.cfunc(
-        _runge_kutta_4(state, step, slopes), vars=[*SPACE_STATE, alpha, clock, beta, step], compact_mode=True
+        _runge_kutta_4(state, step, slopes),
+        vars=[*SPACE_STATE, alpha, clock, beta, step, tangential],
+        compact_mode=True,
     )
 
 
@@ -194,6 +197,7 @@ def runge_kutta_change_in_space(
     attitude: Array,
     beta: ArrayLike,
     step: ArrayLike,
+    tangential: ArrayLike = 0.0,
     coefficients: Coefficients = IDEAL,
 ) -> Array:
     """:func:`runge_kutta_change` in three dimensions.
@@ -201,11 +205,11 @@ def runge_kutta_change_in_space(
     Args:
         states: (5, n) rows r, latitude, u, v, w.
         attitude: (2, n) cone and clock angle [rad], held.
-        beta, step, coefficients: as in the plane.
+        beta, step, tangential, coefficients: as in the plane.
 
     Returns:
         (5, n) changes.
     """
-    inputs = np.empty((9, states.shape[1]))
-    inputs[:5], inputs[5:7], inputs[7], inputs[8] = states, attitude, beta, step
+    inputs = np.empty((10, states.shape[1]))
+    inputs[:5], inputs[5:7], inputs[7], inputs[8], inputs[9] = states, attitude, beta, step, tangential
     return np.asarray(_compiled_step_in_space(coefficients)(inputs))

@@ -125,3 +125,14 @@ def target_of(transfer: AnyTransfer, components: int) -> Array:
     """(components,) the state on the target orbit."""
     planar = np.array(transfer.target_state)
     return planar if components == 3 else in_space(planar)
+
+
+def lengths_of(transfer: AnyTransfer, components: int) -> Array:
+    """(components,) what turns a deviation from the target into lengths and speeds [AU, AU/TU].
+
+    The target's radius for the latitude, 1 for all others.
+    """
+    lengths = np.ones(components)
+    if components == 5:
+        lengths[1] = transfer.target_state[0]
+    return lengths

@@ -25,7 +25,7 @@ def test_in_the_plane_it_is_the_plane_s(optics: str) -> None:
     for alpha in (0.7, -0.7):
         flat = runge_kutta_change(planar, alpha, 0.17, 0.05, 0.0, force)
         attitude = np.array([[abs(alpha)], [0.0 if alpha > 0 else math.pi]])
-        found = runge_kutta_change_in_space(lifted, attitude, 0.17, 0.05, force)
+        found = runge_kutta_change_in_space(lifted, attitude, 0.17, 0.05, 0.0, force)
         np.testing.assert_allclose(found[[0, 2, 3], 0], flat[[0, 2, 3], 0], rtol=0, atol=1e-15)
         np.testing.assert_allclose(found[[1, 4], 0], 0.0, atol=1e-17)
 

@@ -14,7 +14,7 @@ from sailnet.guidance.by_expert.courses import Courses
 from sailnet.guidance.interface import Commands, GuidanceStatus, as_betas, as_states
 from sailnet.guidance.rules import EXPERT_RULES, SteeringRules
 from sailnet.guidance.steering import ReferenceSteering
-from sailnet.mission.mission import Mission
+from sailnet.mission.mission import Mission, in_the_plane
 from sailnet.physics.arrays import Array
 
 
@@ -30,6 +30,7 @@ class ExpertGuidance:
 
     Raises:
         GuidanceError: there are no rules of this name.
+        MissionError: a mission of three dimensions, whose extremals are indexed elsewhere.
     """
 
     mission: Mission
@@ -39,6 +40,7 @@ class ExpertGuidance:
     def __post_init__(self) -> None:
         if self.name not in EXPERT_RULES:
             raise GuidanceError(f"no expert {self.name!r}: known are {' and '.join(EXPERT_RULES)}")
+        in_the_plane(self.mission)
 
     @property
     def networks_digest(self) -> str:
