@@ -71,7 +71,7 @@ class ReferenceSteering:
         self._side = SideKeeping(mission, rules)
         components = 5 if mission.inclined else 3
         self._target = target_of(mission.problem, components)
-        self._lengths = lengths_of(mission.problem, components)
+        self._lengths = lengths_of(self._target)
         beta = float(np.clip(mission.sail.beta, *guidance.beta_range))
         self._memory = Memory.started(count, beta, components)
 
