@@ -114,8 +114,7 @@ def _sails(mission: Mission, levels: range) -> list[Transfer]:
 def _from_around(mission: Mission) -> Block:
     """The same states for all sails: each extremal is a few Newton steps from that of the sail before."""
     recipe = mission.dataset.wide
-    components = 5 if mission.inclined else 3
-    states = around_target(mission.problem, recipe.around, recipe.seed, components)
+    states = around_target(mission.problem, recipe.around, recipe.seed, mission.components)
     sails = _sails(mission, range(recipe.levels))
     blocks = []
     for sail, found in zip(sails, solve_neighbouring_sails(sails, [states] * len(sails)), strict=True):

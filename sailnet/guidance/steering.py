@@ -69,7 +69,7 @@ class ReferenceSteering:
         self._force: Coefficients = mission.sail.optics.force
         self._degradation = mission.degradation
         self._side = SideKeeping(mission, rules)
-        components = 5 if mission.inclined else 3
+        components = mission.components
         self._target = target_of(mission.problem, components)
         self._lengths = lengths_of(self._target)
         beta = float(np.clip(mission.sail.beta, *guidance.beta_range))
