@@ -29,7 +29,7 @@ def path(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_states_around_the_target_lie_mostly_near_its_plane(mission: Mission) -> None:
-    """There a sail that has missed the target comes back; in the plane's components they lie as the plane's."""
+    """There a sail that has missed the target comes back."""
     problem = mission.problem
     states = around_target(problem, 4000, 3, 5)
     missing = (states - target_of(problem, 5)) * [1.0, problem.target_radius, 1.0, 1.0, 1.0]
