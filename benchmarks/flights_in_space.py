@@ -15,6 +15,7 @@ import numpy as np
 from benchmarks.expert_in_space import RESULTS
 from sailnet.artefacts.files import fill_block
 from sailnet.artefacts.provenance import software
+from sailnet.campaign.excess import above_own_optimum, excess_of
 from sailnet.campaign.own_optima import assumed_optima, optimal_turns, own_optimal_times
 from sailnet.campaign.plan import Series, load_plan
 from sailnet.campaign.tables import Table
@@ -27,9 +28,6 @@ from sailnet.guidance.by_networks import NetworksInSpace
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_in_space import load_guidance_networks_in_space
-
-MISSED = 1.5
-"""Times the optimum from which on a flight has missed its first approach."""
 
 TOGETHER = 1000
 """Flights side by side."""
@@ -58,18 +56,19 @@ def measure(guidance: Guidance, series: Series, flights: int, seed: int, assumed
 
 
 def scores(mission: Mission, flown: Flights, own: np.ndarray, assumed: Optima) -> dict[str, float]:
-    """Of all flights; those without an optimum, or that do not arrive, count as such."""
-    known = np.isfinite(own)
-    share = 100.0 * (flown.time_of_flight / own - 1.0)[flown.arrived & known]
-    first = flown.arrived & (flown.time_of_flight <= MISSED * own)
+    """Of all flights whose optimum is known; one that did not come near counts as the longest flight."""
+    excess = excess_of(mission, flown, own)
+    if excess is None:
+        raise SailnetError("the expert knows no optimum of these flights")
+    share = 100.0 * above_own_optimum(mission, flown, own)[np.isfinite(own)]
     optimum = optimal_turns(mission.problem, assumed, mission.flight.period)
     turns = flown.attitude_slew / np.where(optimum.slew > 0.0, optimum.slew, np.nan)
     error = flown.terminal_error.max(axis=1)
     return {
         "flights": len(own),
         "do not arrive": int((~flown.arrived).sum()),
-        "optimum unknown": int((~known).sum()),
-        "at the first approach [%]": 100.0 * float(first[known].mean()),
+        "optimum unknown": excess.unknown,
+        "at the first approach [%]": 100.0 * excess.first_approach.share,
         "time over the own optimum: mean [%]": float(share.mean()),
         "median": float(np.median(share)),
         "99 %": float(np.quantile(share, 0.99)),
