@@ -46,7 +46,8 @@ def least_time(transfer: Transfer, states: ArrayLike, beta: ArrayLike) -> Array:
     """
     given = np.atleast_2d(np.asarray(states, float))
     size = given.shape[1]
-    off = ((given - target_of(transfer, size)) * lengths_of(transfer, size)).T
+    target = target_of(transfer, size)
+    off = ((given - target) * lengths_of(target)).T
     positions, (u, *aside) = off[: size // 2], off[size // 2 :]
     largest = np.asarray(beta, float) / transfer.target_radius**2
     steepest = guidance_law(replace(transfer, delta=0.0), np.zeros(1), -np.ones(1))
