@@ -110,7 +110,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--mission", default="earth_mars", help="name of one (%(default)s)")
     parser.add_argument("--size", choices=("quick", "full"), default="full", help="(%(default)s)")
     parser.add_argument("--repository", type=Path, default=ROOT, help="to be cloned (this one)")
-    parser.add_argument("--text", type=Path, help=f"file with marks <!-- {MARK} --> for the table")
+    parser.add_argument("--text", type=Path, help=f"file with marks such as <!-- {MARK} --> for the table")
+    parser.add_argument("--mark", default=MARK, help="of the place in that file (%(default)s)")
     options = parser.parse_args(arguments)
     try:
         with tempfile.TemporaryDirectory() as name:
@@ -124,7 +125,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         )
         content = "\n".join([told, "", *lines(stages)])
         if options.text:
-            fill_block(options.text, MARK, content)
+            fill_block(options.text, options.mark, content)
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

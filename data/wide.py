@@ -36,6 +36,10 @@ stronger are a few Newton steps away."""
 AROUND = (3e-4, 0.1)
 """How far from the target, evenly in the logarithm, states around it lie, in units of its orbit."""
 
+ASIDE = (0.01, 1.0)
+"""In space what is off the target's plane is multiplied by a factor between these, evenly in its logarithm: a
+sail that has missed the target comes back nearly in the plane, where hardly any direction lies."""
+
 SAMPLES = 60
 """Samples of an approach besides its arrival, evenly in log(tau)."""
 
@@ -88,11 +92,13 @@ def wide_shard(mission: Mission, shard: int) -> Block:
 def around_target(problem: Transfer, count: int, seed: int, components: int = 3) -> Array:
     """(count, 3) states r [AU], u, v [AU/TU] about the target: in every direction, evenly in log distance.
 
-    Or (count, 5) in space.
+    Or (count, 5) in space, mostly near the target's plane.
     """
     rng, size = np.random.default_rng(seed), problem.target_radius
     direction = rng.normal(size=(count, components))
     direction /= np.linalg.norm(direction, axis=1)[:, None]
+    if components == 5:
+        direction[:, [1, 4]] *= np.exp(rng.uniform(*np.log(ASIDE), (count, 1)))
     nearest, farthest = np.log(AROUND)
     distance = np.exp(rng.uniform(nearest, farthest, count))[:, None]
     speed = size**-0.5
@@ -114,8 +120,7 @@ def _sails(mission: Mission, levels: range) -> list[Transfer]:
 def _from_around(mission: Mission) -> Block:
     """The same states for all sails: each extremal is a few Newton steps from that of the sail before."""
     recipe = mission.dataset.wide
-    components = 5 if mission.inclined else 3
-    states = around_target(mission.problem, recipe.around, recipe.seed, components)
+    states = around_target(mission.problem, recipe.around, recipe.seed, mission.components)
     sails = _sails(mission, range(recipe.levels))
     blocks = []
     for sail, found in zip(sails, solve_neighbouring_sails(sails, [states] * len(sails)), strict=True):

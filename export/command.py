@@ -16,7 +16,7 @@ def parser() -> argparse.ArgumentParser:
     """What the command understands."""
     made = HelpfulParser(
         prog="sailnet export",
-        description="Export the three guidance networks as ONNX graphs, as one C99 file with its header, "
+        description="Export the guidance networks as ONNX graphs, as one C99 file with its header, "
         "and as the shared libraries compiled from it. The target folder changes only if all succeeds.",
         epilog="example: sailnet export build/earth_mars/wide/networks build/export --mission earth_mars",
     )
@@ -24,7 +24,7 @@ def parser() -> argparse.ArgumentParser:
         "networks",
         type=Path,
         metavar="NETWORKS_DIR",
-        help="folder of tau, alpha_pre and lambda_v (.safetensors)",
+        help="folder of tau, alpha_pre and lambda_v (.safetensors), in space also of lambda_w",
     )
     made.add_argument("target", type=Path, metavar="OUT_DIR", help="folder to write to")
     made.add_argument(
@@ -78,7 +78,7 @@ def _export(options: argparse.Namespace) -> list[Path]:
     from sailnet.guidance.rules import PLAIN, rules_for
     from sailnet.mission.mission import load_mission
 
-    mission = load_mission(options.mission)
+    mission = load_mission(options.mission, in_space=True)
     if options.degradation is not None:
         mission = mission.with_degradation(options.degradation)
     rules = PLAIN if options.plain_law else rules_for(mission)

@@ -4,7 +4,7 @@ import numpy as np
 
 from export.numbers import literal
 from sailnet.guidance.facts import GuidanceFacts
-from sailnet.networks.trained_domain import AXES, KNOTS, SMALLEST_SQUARE
+from sailnet.networks.trained_domain import AXES, DIRECTIONS, KNOTS, ORBITS, SMALLEST_SQUARE
 from sailnet.physics.arrays import Array
 
 
@@ -16,7 +16,11 @@ def domain_tables(facts: GuidanceFacts) -> str:
     """
     domain = facts.domain
     lower, upper = np.array(domain.lower), np.array(domain.upper)
-    axes = len(AXES)
+    axes = DIRECTIONS[facts.components]
+    along = np.zeros((facts.components, axes))
+    along[: AXES.shape[1], : len(AXES)] = AXES.T
+    # In space the sizes of the lateral components are bounded as they are.
+    along[AXES.shape[1] :, len(AXES) :] = np.eye(axes - len(AXES))
     constants = {
         "PER_TARGET_R2": 1.0 / facts.target_state[0] ** 2,
         "SMALLEST_SQUARE": SMALLEST_SQUARE,
@@ -30,12 +34,12 @@ def domain_tables(facts: GuidanceFacts) -> str:
             f"#define SAILNET_KNOTS {KNOTS}",
             *(f"#define SAILNET_{name} R({literal(value)})" for name, value in constants.items()),
             f"#define SAILNET_AXES {axes}",
-            _table(f"axes[3][SAILNET_PADDED({axes})]", AXES.T),
+            _table(f"axes[{len(along)}][SAILNET_PADDED({axes})]", along),
             *(
                 _table(f"{name}[SAILNET_KNOTS][{columns}]", rows)
                 for family, columns, part in (
                     ("direction", f"SAILNET_PADDED({axes})", slice(0, axes)),
-                    ("orbit", "2", slice(axes, axes + 2)),
+                    ("orbit", str(ORBITS[facts.components]), slice(axes, None)),
                 )
                 for name, rows in (
                     (f"{family}_middle", 0.5 * (lower + upper)[:, part]),

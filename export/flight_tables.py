@@ -6,12 +6,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from export.errors import ExportError
+from export.limits import NAMES, ORDER, limits, scaled_ranges, scales_of
 from export.numbers import LOG2_E, centred_layers, literal
 from sailnet.guidance.facts import GuidanceFacts
-from sailnet.guidance.rules import RULES
-from sailnet.networks.guidance_networks import GuidanceNetworks
-from sailnet.networks.network import EXTRAPOLATION, Network
-from sailnet.networks.trained_domain import KNOTS
+from sailnet.networks.approach import LATERAL_BLUR
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
+from sailnet.networks.network import Network
+from sailnet.networks.trained_domain import DIRECTIONS, KNOTS
 from sailnet.physics.arrays import Array
 
 Numbers = tuple[str, Array]
@@ -26,33 +27,40 @@ BLOCK = 10
 CIRCLE = [0, 3, 4, 1, 7, 8, 2, 5, 6]
 """Columns of the tube in the order x_r, x_r + x_u, x_r - x_u, x_u, ... The last is that of -(x_r - x_v)."""
 
-ORBITS = [10, 9]
-"""Energy and radial speed."""
+LATERAL = [9, 10]
+"""Sizes of the lateral components, in space behind those of the circle."""
+
+ORBITS = {3: [1, 0], 5: [1, 0, 2]}
+"""Columns behind those of the direction, by the components of a state."""
+
+ORBIT_NAMES = {3: "energy and radial speed", 5: "energy, radial speed and momentum across the axis"}
+"""Of them."""
 
 
-def flight_tables(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
+def flight_tables(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> str:
     """C source of all tables of the flight file.
 
     Raises:
         ExportError: a number does not fit single precision, or the networks do not fit each other.
     """
-    trio = _trio(networks)
-    inputs = max(len(network.inputs) for network in trio)
-    widest = max(size for network in trio for size in network.hidden)
+    flown = networks.all
+    inputs = max(len(network.inputs) for network in flown)
+    widest = max(size for network in flown for size in network.hidden)
     width = math.ceil(max(widest, inputs) / BLOCK) * BLOCK
-    units = (LOG2_E, 1.0, 1.0) if networks.approach else (1.0, 1.0, 1.0)
+    units = [LOG2_E if network is networks.tau and networks.approach else 1.0 for network in flown]
     if networks.approach:
         _check_exponent(networks.tau)
     numbers = [
         (
-            "The target's r, u, v, each in two parts, of which the first is exact in either precision.",
+            f"The target's {NAMES[networks.components]}, each in two parts, of which the first is exact in "
+            "either precision.",
             _target(facts),
         ),
         *_tube(facts),
-        ("Lower ends of the inputs' ranges.", _scaled_ranges(networks)[:, 2]),
+        ("Lower ends of the inputs' ranges.", scaled_ranges(networks)[:, 2]),
     ]
-    for network, unit in zip(trio, units, strict=True):
-        numbers += _weights(network, unit, _scales(networks), widest, width)
+    for network, unit in zip(flown, units, strict=True):
+        numbers += _weights(network, unit, scales_of(networks), widest, width)
     return "\n".join(
         [
             limits(networks, facts),
@@ -65,35 +73,13 @@ def flight_tables(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
             f"#define SAILNET_KNOTS {KNOTS}",
             "/* r^2 of the target. */",
             f"#define SAILNET_TARGET_R2 R({literal(facts.target_state[0] ** 2)})",
+            *_blur(networks),
             "/* Hidden layers of a network. */",
-            _depths(trio),
+            _depths(flown),
             "",
-            f"/* All numbers, in the order in which they are read. Networks: {_sizes(trio)}. */",
+            f"/* All numbers, in the order in which they are read. Networks: {_sizes(flown)}. */",
             f"#define R{BLOCK}({_list('n{}')}) \\\n    {_list('(sailnet_real)(n{})')}",
             _flat("sailnet_numbers", numbers),
-        ]
-    )
-
-
-def limits(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
-    """C source of the bounds that are the mission's and the networks'.
-
-    Raises:
-        ExportError: a number does not fit single precision, or the networks do not fit each other.
-    """
-    edge_on = math.cos(facts.phi_max) ** 2 < RULES.least_cosine2
-    return "\n".join(
-        [
-            "/* Whether the bound on the cone angle lets a sail be edge-on, which tells nothing of beta. */",
-            f"#define SAILNET_MAY_BE_EDGE_ON {int(edge_on)}",
-            "/* A measured attitude counts for no more [rad]. */",
-            f"#define SAILNET_LARGEST_ATTITUDE R({literal(RULES.largest_attitude(facts.phi_max))})",
-            "/* The tube's last knot. */",
-            f"#define SAILNET_LAST_KNOT R({literal(KNOTS - 1)})",
-            "/* Of each of r, u, v: the trained box, the widened box, and what is at the target. */",
-            _rows("SAILNET_STATE_LIMITS", _state_limits(facts)),
-            "/* Of each of the networks' inputs. */",
-            _rows("SAILNET_INPUT_LIMITS", _scaled_ranges(networks)[:, :2]),
         ]
     )
 
@@ -102,24 +88,17 @@ def _list(form: str) -> str:
     return ", ".join(form.format(i) for i in range(BLOCK))
 
 
-def _trio(networks: GuidanceNetworks) -> list[Network]:
-    return [networks.tau, networks.alpha_pre, networks.lambda_v]
+def _blur(networks: AnyGuidanceNetworks) -> list[str]:
+    if networks.components == 3:
+        return []
+    return [
+        "/* Square of the size of what is off the plane below which the inputs are smooth in it. */",
+        f"#define SAILNET_LATERAL_BLUR2 R({literal(LATERAL_BLUR**2)})",
+    ]
 
 
 def _sizes(trio: Sequence[Network]) -> str:
     return ", ".join(f"{network.name} {'-'.join(map(str, network.hidden))}" for network in trio)
-
-
-def _scales(networks: GuidanceNetworks) -> Array:
-    """What the C's inputs are multiplied by: it has twice the first of approach coordinates."""
-    inputs = max(len(network.inputs) for network in _trio(networks))
-    return np.array([2.0 if networks.approach else 1.0, *np.ones(inputs - 1)])
-
-
-def _scaled_ranges(networks: GuidanceNetworks) -> Array:
-    """Rows of lower clamp, upper clamp and lower end, of the inputs as the C has them."""
-    ranges: Array = _scales(networks)[:, np.newaxis] * _input_ranges(_trio(networks))
-    return ranges
 
 
 def _depths(trio: Sequence[Network]) -> str:
@@ -127,7 +106,7 @@ def _depths(trio: Sequence[Network]) -> str:
     depths = [len(network.hidden) for network in trio]
     if len(set(depths)) == 1:
         return f"#define SAILNET_DEPTH(network) {depths[0]}"
-    table = f"static const int32_t sailnet_depth[3] = {{{', '.join(map(str, depths))}}};"
+    table = f"static const int32_t sailnet_depth[{len(depths)}] = {{{', '.join(map(str, depths))}}};"
     return f"{table}\n#define SAILNET_DEPTH(network) sailnet_depth[network]"
 
 
@@ -145,34 +124,16 @@ def _weights(network: Network, unit: float, scales: Array, widest: int, width: i
             neurons = f"neurons {first + 1}-{first + BLOCK}"
             what = f"{network.name}, layer {layer + 1}, {neurons}."
             numbers.append((what, rows[:, first : first + BLOCK]))
-    last = np.concatenate([[output_bias], np.pad(output, (0, widest - len(output)))])
-    return [*numbers, (f"{network.name}, output: bias, then weights.", last)]
-
-
-def _input_ranges(trio: Sequence[Network]) -> Array:
-    """Rows of lower clamp, upper clamp and lower end, of the inputs of all networks."""
-    rows = [np.column_stack([*network.clamp, network.input_min]) for network in trio]
-    longest = max(rows, key=len)
-    for network, own in zip(trio, rows, strict=True):
-        if not np.array_equal(own, longest[: len(own)]):
-            raise ExportError(
-                f"network {network.name} has other input ranges than the others: train them on the same data"
-            )
-    return longest
-
-
-def _state_limits(facts: GuidanceFacts) -> Array:
-    """Rows of bounds, of each of r, u, v three: the box, the widened box, and what is at the target."""
-    target, tolerance = np.array(facts.target_state), facts.arrival_tolerance
-    low, high = np.array(facts.state_min), np.array(facts.state_max)
-    margin = EXTRAPOLATION * (high - low)
-    columns = [low, high, low - margin, high + margin, target - tolerance, target + tolerance]
-    return np.column_stack(columns).reshape(-1, 2)
+    last = np.column_stack([output_bias, output, np.zeros((len(output), widest - output.shape[1]))])
+    factors = [f" times {factor}" for factor in network.factors] or [""]
+    for row, factor in zip(last, factors, strict=True):
+        numbers.append((f"{network.name}, output{factor}: bias, then weights.", row))
+    return numbers
 
 
 def _target(facts: GuidanceFacts) -> Array:
-    """Of each of r, u, v two parts, of which the first is exact in either precision."""
-    target = np.array(facts.target_state)
+    """Of each component two parts, of which the first is exact in either precision."""
+    target = np.array(facts.target_state)[ORDER[facts.components]]
     exact = target.astype(np.float32).astype(float)
     return np.column_stack([exact, target - exact]).ravel()
 
@@ -188,8 +149,10 @@ def _tube(facts: GuidanceFacts) -> list[Numbers]:
     turned = CIRCLE[-1]
     sides[:, :, turned] = sides[::-1, :, turned]
     padded = np.concatenate([sides, sides[:, -1:]], axis=1)
+    size, behind = facts.components, DIRECTIONS[facts.components]
+    families = (CIRCLE + LATERAL[: behind - len(CIRCLE)], [behind + column for column in ORBITS[size]])
     directions, orbits = (
-        padded[:, :, columns].transpose(2, 0, 1).reshape(-1, KNOTS + 1) for columns in (CIRCLE, ORBITS)
+        padded[:, :, columns].transpose(2, 0, 1).reshape(-1, KNOTS + 1) for columns in families
     )
     bounds = "lower bounds at the knots of each column and of its negative."
     return [
@@ -202,14 +165,14 @@ def _tube(facts: GuidanceFacts) -> list[Numbers]:
             "The tube's knots by angular momentum: the first, and how many there are to one.",
             np.array([domain.momentum_min, 1.0 / domain.momentum_step]),
         ),
-        (f"Of energy and radial speed: {bounds}", orbits),
+        (f"Of {ORBIT_NAMES[size]}: {bounds}", orbits),
     ]
 
 
 def _check_exponent(tau: Network) -> None:
     """Whatever the activations, the C's power of two takes the output."""
     _, _, output, bias = centred_layers(tau, LOG2_E)
-    largest = float(np.abs(output).sum() + abs(bias))
+    largest = float(np.abs(output).sum() + np.abs(bias).sum())
     if not largest <= LARGEST_EXPONENT:
         raise ExportError(
             f"the output of network {tau.name} may reach {largest:.0f} octaves, the C takes "
@@ -240,9 +203,3 @@ def _row(values: Sequence[float]) -> str:
     if len(values) == BLOCK:
         return f"R{BLOCK}({','.join(map(_short, values))})"
     return ", ".join(f"R({literal(value)})" for value in values)
-
-
-def _rows(name: str, pairs: Array) -> str:
-    """A macro of initialisers of pairs."""
-    rows = [f"{{R({literal(float(lower))}), R({literal(float(upper))})}}" for lower, upper in pairs]
-    return f"#define {name} \\\n    " + ", \\\n    ".join(rows)

@@ -13,10 +13,11 @@ import numpy as np
 
 from export.centred import centred_biases
 from export.errors import ExportError
+from export.limits import ORDER
 from export.numbers import LOG2_E, centred_layers, literal
 from export.row_orders import RowOrder
 from sailnet.guidance.facts import GuidanceFacts
-from sailnet.networks.approach import SMALLEST_SCALE
+from sailnet.networks.approach import LATERAL_BLUR, SMALLEST_SCALE
 from sailnet.networks.network import EXTRAPOLATION, Network
 from sailnet.physics.arrays import Array
 
@@ -62,18 +63,19 @@ def stage_tables(
     first = np.zeros((inputs, len(networks), rows))
     biases = np.zeros((max(depths), len(networks), rows))
     hidden = np.zeros((max(1, max(depths) - 1), rows, len(networks), rows))
-    output = np.zeros((len(networks), rows))
-    output_bias = []
+    factors = max(1, *(len(network.factors) for network in networks))
+    output = np.zeros((factors, len(networks), rows))
+    output_bias = np.zeros((factors, len(networks)))
     for k, network in enumerate(networks):
         _check_steepness(network)
-        weights, bias_rows, output_row, last = centred_layers(network, 1.0 if units is None else units[k])
+        weights, bias_rows, output_rows, last = centred_layers(network, 1.0 if units is None else units[k])
         first[:, k, : len(weights[0])] = weights[0].T[order]
         for layer, bias in enumerate(bias_rows):
             biases[layer, k, : len(bias)] = bias
         for layer, weight in enumerate(weights[1:]):
             hidden[layer, : weight.shape[1], k, : len(weight)] = weight.T
-        output[k, : len(output_row)] = output_row
-        output_bias.append(last)
+        output[: len(last), k, : output_rows.shape[1]] = output_rows
+        output_bias[: len(last), k] = last
 
     return "\n".join(
         [
@@ -95,11 +97,17 @@ def stage_tables(
                 f"{name}_hidden[{len(hidden)}][STAGE_ROWS][STAGE_PARTS][STAGE_PART]",
                 "{\n" + ",\n".join(_rows(row_order, layer) for layer in hidden) + "\n}",
             ),
-            _table(
-                f"{name}_output[STAGE_OUTPUTS][STAGE_OUTPUT]",
-                row_order.row(_numbers(output), "OUTPUT_ROW"),
+            *(
+                table
+                for which, rows_of, bias in zip(("output", "second"), output, output_bias, strict=False)
+                for table in (
+                    _table(
+                        f"{name}_{which}[STAGE_OUTPUTS][STAGE_OUTPUT]",
+                        row_order.row(_numbers(rows_of), "OUTPUT_ROW"),
+                    ),
+                    _table(f"{name}_{which}_bias[STAGE_NETWORKS]", _row(bias)),
+                )
             ),
-            _table(f"{name}_output_bias[STAGE_NETWORKS]", _row(output_bias)),
             f"#define STAGE_DEPTHS {{{', '.join(map(str, depths))}}}",
             "",
         ]
@@ -111,17 +119,22 @@ def constants(facts: GuidanceFacts, approach: bool) -> str:
 
     The target is split into a part that single precision holds exactly and the rest.
     """
-    target = np.array(facts.target_state)
+    target, low, high = np.array([facts.target_state, facts.state_min, facts.state_max])[
+        :, ORDER[facts.components]
+    ]
     exact = target.astype(np.float32).astype(float)
-    low, high = np.array(facts.state_min), np.array(facts.state_max)
     tables = {"target": exact, "target_rest": target - exact, "domain_min": low, "domain_max": high}
     if approach:
         margin = EXTRAPOLATION * (high - low)
         tables |= {"state_clamp_min": low - margin, "state_clamp_max": high + margin}
-    lines = [_table(f"sailnet_{name}[3]", _row(values)) for name, values in tables.items()]
+    if facts.components > 3:
+        tables["tolerance"] = facts.tolerances[ORDER[facts.components]]
+    lines = [_table(f"sailnet_{name}[{facts.components}]", _row(values)) for name, values in tables.items()]
     if approach:
         lines.append(f"#define SAILNET_TARGET_R2 R({literal(target[0] ** 2)})")
         lines.append(f"#define SAILNET_SMALLEST_S4 R({literal(SMALLEST_SCALE**4)})")
+    if facts.components > 3:
+        lines.append(f"#define SAILNET_LATERAL_BLUR2 R({literal(LATERAL_BLUR**2)})")
     return "\n".join(lines) + "\n"
 
 

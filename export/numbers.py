@@ -11,7 +11,7 @@ LOG2_E = 1.0 / math.log(2.0)
 SMALLEST, LARGEST = 1e-30, 1e30
 
 
-def centred_layers(network: Network, unit: float) -> tuple[list[Array], list[Array], Array, float]:
+def centred_layers(network: Network, unit: float) -> tuple[list[Array], list[Array], Array, Array]:
     """A network as the C computes it, from shifted inputs and with centred and doubled sigmoids of octaves.
 
     Args:
@@ -19,14 +19,15 @@ def centred_layers(network: Network, unit: float) -> tuple[list[Array], list[Arr
         unit: what its output is multiplied by.
 
     Returns:
-        weights (neurons, inputs) and biases of its hidden layers, and those of its output.
+        weights (neurons, inputs) and biases of its hidden layers, and those of its outputs, of which there is
+        one, or one a factor: (outputs, neurons) and (outputs,).
     """
     *inner, last = centred_biases(network)
     per_range = network.weights[0] / (network.input_max - network.input_min)
     weights = [-LOG2_E * per_range, *(-LOG2_E / 2 * weight for weight in network.weights[1:-1])]
     span = unit * (network.output_max - network.output_min)
-    output_bias = unit * network.output_min + span * float(last[0])
-    return weights, [-LOG2_E * bias for bias in inner], span / 2 * network.weights[-1][0], output_bias
+    output_bias = unit * network.output_min + span * last
+    return weights, [-LOG2_E * bias for bias in inner], span / 2 * network.weights[-1], output_bias
 
 
 def literal(value: float) -> str:

@@ -1,4 +1,8 @@
-"""The C templates in ``c_runtime``: include lines expanded, and values put in the places named ``@KEY@``."""
+"""The C templates in ``c_runtime``: include lines expanded, and values put in the places named ``@KEY@``.
+
+Of what stands between ``#if SAILNET_IN_SPACE`` (or ``!SAILNET_IN_SPACE``), ``#else`` and ``#endif`` only what
+is of the mission's dimensions is exported: a flight file holds nothing that it does not fly.
+"""
 
 import re
 from collections.abc import Mapping
@@ -12,7 +16,11 @@ _INCLUDE = re.compile(r'^#include "(\w+\.inc)"$', re.MULTILINE)
 _PLACE = re.compile(r"@([A-Z_0-9]+)@")
 
 
-def filled(template: str, values: Mapping[str, str]) -> str:
+IN_SPACE = {"#if SAILNET_IN_SPACE": True, "#if !SAILNET_IN_SPACE": False}
+"""What opens lines that are of three dimensions alone, or of the plane alone, until its ``#else``."""
+
+
+def filled(template: str, values: Mapping[str, str], *, in_space: bool = False) -> str:
     """The text of a template, with each included part in the place of its line, and the values in theirs.
 
     Lines that include headers stay as they are: what is exported is C.
@@ -20,13 +28,15 @@ def filled(template: str, values: Mapping[str, str]) -> str:
     Args:
         template: file name.
         values: what comes in the place of each ``@KEY@``; places in what is included count, too.
+        in_space: whether it is of three dimensions.
 
     Raises:
         KeyError: a place without a value.
     """
-    text = read(template)
+    text = _of_dimensions(read(template), in_space)
     while _INCLUDE.search(text):
-        text = _INCLUDE.sub(lambda line: read(line[1]).rstrip("\n"), _put(text, values))
+        put = _put(text, values)
+        text = _INCLUDE.sub(lambda line: _of_dimensions(read(line[1]), in_space).rstrip("\n"), put)
     return _put(text, values)
 
 
@@ -44,3 +54,21 @@ def read(name: str) -> str:
 
 def _put(text: str, values: Mapping[str, str]) -> str:
     return _PLACE.sub(lambda place: values[place[1]], text)
+
+
+def _of_dimensions(text: str, in_space: bool) -> str:
+    """Without the lines that are of other dimensions, and those that tell them apart."""
+    kept: list[str] = []
+    opened: list[bool | None] = []  # of each #if: whether its lines count, or None if they are not told apart
+    for line in text.splitlines(keepends=True):
+        if line.startswith("#if"):
+            wanted = IN_SPACE.get(line.strip())
+            opened.append(None if wanted is None else wanted == in_space)
+            tells = wanted is not None
+        elif line.startswith("#else") and (counts := opened[-1]) is not None:
+            opened[-1], tells = not counts, True
+        else:
+            tells = line.startswith("#endif") and opened.pop() is not None
+        if not tells and False not in opened:
+            kept.append(line)
+    return "".join(kept)

@@ -11,22 +11,23 @@ import numpy as np
 
 from export.domain import domain_tables
 from export.errors import ExportError
-from export.flight_tables import flight_tables, limits
+from export.flight_tables import flight_tables
 from export.host_tables import constants, stage_tables
+from export.limits import ORDER, limits
 from export.numbers import LOG2_E, literal
-from export.templates import filled, read
+from export.templates import filled
 from sailnet.guidance.facts import GuidanceFacts, round_down
 from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
-from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.physics import units
 from sailnet.physics.optics import Optics
 
 SIMULATION = ("sailnet_batch.h", "sailnet_batch.c")
-"""Files that are the same for all networks, for simulation."""
+"""Files that are the same for all networks of as many dimensions, for simulation."""
 
 
 def write_c(
-    networks: GuidanceNetworks, facts: GuidanceFacts, folder: Path, rules: SteeringRules = RULES
+    networks: AnyGuidanceNetworks, facts: GuidanceFacts, folder: Path, rules: SteeringRules = RULES
 ) -> None:
     """Write the flight file, its form for hosts, their header, and the batch entry that simulation adds.
 
@@ -49,11 +50,11 @@ def write_c(
     (folder / "sailnet_guidance.c").write_text(_flight(networks, facts))
     (folder / "sailnet_guidance_host.c").write_text(_host(networks, facts))
     for name in SIMULATION:
-        (folder / name).write_text(read(name))
+        (folder / name).write_text(filled(name, {}, in_space=facts.components > 3))
 
 
-def _header(networks: GuidanceNetworks, facts: GuidanceFacts, rules: SteeringRules) -> str:
-    r, u, v = facts.target_state
+def _header(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: SteeringRules) -> str:
+    r, u, v = np.array(facts.target_state)[ORDER[facts.components]][:3]
     patience = rules.patience(facts.phi_max, facts.turn_rate)
     return filled(
         "sailnet_guidance.h.in",
@@ -91,6 +92,7 @@ def _header(networks: GuidanceNetworks, facts: GuidanceFacts, rules: SteeringRul
             "AU_PER_TU": literal(units.AU_PER_TU),
             "GM_SUN": f"{units.GM_SUN:.12g}",
         },
+        in_space=facts.components > 3,
     )
 
 
@@ -120,23 +122,24 @@ def _days(time: float) -> str:
     return f"{time * units.TU / units.DAY:.0f}"
 
 
-def _flight(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
+def _flight(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> str:
     values = {"PROVENANCE": _provenance(facts), "TABLES": flight_tables(networks, facts)}
     values["AGEING"] = _ageing_part(facts)
-    return filled("sailnet_guidance.c.in", values)
+    return filled("sailnet_guidance.c.in", values, in_space=facts.components > 3)
 
 
-def _host(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
-    trio = [networks.tau, networks.alpha_pre, networks.lambda_v]
+def _host(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> str:
+    flown = networks.all
     if networks.approach:
         # tau comes as a power of 2; the C gives those inputs first that are known first.
-        approach = stage_tables("approach", trio, (LOG2_E, 1.0, 1.0), (4, 3, 2, 1, 0))
+        units = (LOG2_E, *[1.0] * (len(flown) - 1))
+        approach = stage_tables("approach", flown, units, range(len(networks.tau.inputs))[::-1])
         stages = {"FORM": "approach", "TABLES_OF_APPROACH": approach}
     else:
         stages = {
             "FORM": "paper",
-            "TABLES_OF_TAU": stage_tables("tau", trio[:1]),
-            "TABLES_OF_COMMAND": stage_tables("command", trio[1:]),
+            "TABLES_OF_TAU": stage_tables("tau", flown[:1]),
+            "TABLES_OF_COMMAND": stage_tables("command", flown[1:]),
         }
     values = {
         "PROVENANCE": _provenance(facts),
@@ -145,7 +148,7 @@ def _host(networks: GuidanceNetworks, facts: GuidanceFacts) -> str:
         "DOMAIN": domain_tables(facts),
         "AGEING": _ageing_part(facts),
     }
-    return filled("sailnet_guidance_host.c.in", values | stages)
+    return filled("sailnet_guidance_host.c.in", values | stages, in_space=facts.components > 3)
 
 
 def _provenance(facts: GuidanceFacts) -> str:

@@ -10,12 +10,15 @@ from torch import Tensor, nn
 from export.centred import centred_biases
 from sailnet.guidance.facts import GuidanceFacts, round_down
 from sailnet.networks.approach import SMALLEST_SCALE
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import EXTRAPOLATION, Network
 
 
 class TorchNetwork(nn.Module):
     """One network in float64: physical (n, k) inputs, clamped as ``Network.clamp``, to (n,) output.
+
+    With factors, (n, outputs), they are a second argument.
 
     Sigmoids are evaluated centred, as tanh(x / 2) / 2; the layers absorb both halves, exactly.
     """
@@ -39,7 +42,7 @@ class TorchNetwork(nn.Module):
         output_range = network.output_max - network.output_min
         self.register_buffer("output_range", torch.tensor(output_range, dtype=torch.float64))
 
-    def forward(self, inputs: Tensor) -> Tensor:
+    def forward(self, inputs: Tensor, factors: Tensor | None = None) -> Tensor:
         """Evaluate."""
         clamped = torch.minimum(
             torch.maximum(inputs, self.get_buffer("clamp_min")), self.get_buffer("clamp_max")
@@ -47,7 +50,12 @@ class TorchNetwork(nn.Module):
         layer = (clamped - self.get_buffer("input_min")) / self.get_buffer("input_range")
         for hidden in self.layers[:-1]:
             layer = torch.tanh(hidden(layer))
-        scaled = self.layers[-1](layer)[:, 0]
+        outputs = self.layers[-1](layer)
+        scaled = outputs[:, 0]
+        if factors is not None:
+            scaled = scaled * factors[:, 0]
+            for i in range(1, outputs.shape[1]):
+                scaled = scaled + outputs[:, i] * factors[:, i]
         output: Tensor = self.get_buffer("output_min") + self.get_buffer("output_range") * scaled
         return output
 
@@ -55,7 +63,7 @@ class TorchNetwork(nn.Module):
 class TorchGuidance(nn.Module):
     """The guidance law, Eq. (25), whatever the networks read."""
 
-    def __init__(self, networks: GuidanceNetworks) -> None:
+    def __init__(self, networks: AnyGuidanceNetworks) -> None:
         super().__init__()
         self.tau = TorchNetwork(networks.tau)
         self.alpha_pre = TorchNetwork(networks.alpha_pre)
@@ -63,9 +71,13 @@ class TorchGuidance(nn.Module):
         self.register_buffer("phi_max", torch.tensor(networks.mission.problem.phi_max, dtype=torch.float64))
         self.register_buffer("costate_unit", torch.tensor(networks.costate_unit, dtype=torch.float64))
 
+    def size(self, inputs: Tensor) -> Tensor:
+        """(n,) cone angle without a sign [rad], at the inputs of the command networks."""
+        return torch.minimum(torch.abs(self.alpha_pre(inputs)), self.get_buffer("phi_max"))
+
     def angle_and_costate(self, inputs: Tensor) -> tuple[Tensor, Tensor]:
         """(n,) cone angle [rad], and lambda_v beta / r_f^2, at the inputs of the command networks."""
-        size = torch.minimum(torch.abs(self.alpha_pre(inputs)), self.get_buffer("phi_max"))
+        size = self.size(inputs)
         lambda_v = self.lambda_v(inputs)
         return torch.where(lambda_v > 0.0, -size, size), self.get_buffer("costate_unit") * lambda_v
 
@@ -93,7 +105,7 @@ class TorchApproachGuidance(TorchGuidance):
     States are clamped to the box of trained ones, widened, and beta to its range.
     """
 
-    def __init__(self, networks: GuidanceNetworks, facts: GuidanceFacts) -> None:
+    def __init__(self, networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> None:
         super().__init__(networks)
         low, high = np.array(facts.state_min), np.array(facts.state_max)
         margin = EXTRAPOLATION * (high - low)
@@ -112,20 +124,25 @@ class TorchApproachGuidance(TorchGuidance):
         }.items():
             self.register_buffer(name, torch.tensor(value, dtype=torch.float64))
 
-    def coordinates(self, state: Tensor, beta: Tensor) -> Tensor:
-        """(n, 5) ``APPROACH_INPUTS``."""
+    def missing(self, state: Tensor, beta: Tensor) -> tuple[Tensor, Tensor]:
+        """(n, k) deviations from the target per acceleration of the sail there; and (n,) beta, clamped."""
         known = self.get_buffer
         sail = torch.minimum(torch.maximum(beta, known("beta_min")), known("beta_max"))
         near = torch.minimum(torch.maximum(state, known("state_clamp_min")), known("state_clamp_max"))
         acceleration = sail / known("target_radius2")
-        missing = ((near - known("target")) - known("target_rest")) / acceleration[:, None]
+        return ((near - known("target")) - known("target_rest")) / acceleration[:, None], sail
+
+    def coordinates(self, state: Tensor, beta: Tensor) -> Tensor:
+        """(n, 5) ``APPROACH_INPUTS``."""
+        known = self.get_buffer
+        missing, sail = self.missing(state, beta)
         speed2 = missing[:, 1] ** 2 + missing[:, 2] ** 2
         s4 = torch.maximum(speed2**2 + (2.0 * missing[:, 0]) ** 2, known("smallest_s4"))
         s2 = torch.sqrt(s4)
         s = torch.sqrt(s2)
         return torch.stack([missing[:, 0] / s2, missing[:, 1] / s, missing[:, 2] / s, s, sail], dim=1)
 
-    def forward(self, state: Tensor, beta: Tensor) -> tuple[Tensor, Tensor, Tensor]:
+    def forward(self, state: Tensor, beta: Tensor) -> tuple[Tensor, ...]:
         """Evaluate."""
         inputs = self.coordinates(state, beta)
         angle, lambda_v = self.angle_and_costate(inputs)
@@ -133,7 +150,7 @@ class TorchApproachGuidance(TorchGuidance):
 
 
 def torch_guidance(networks: GuidanceNetworks, facts: GuidanceFacts) -> TorchGuidance:
-    """The guidance law as a module, of the form that the networks have."""
+    """The guidance law of the plane as a module, of the form that the networks have."""
     return TorchApproachGuidance(networks, facts) if networks.approach else TorchPaperGuidance(networks)
 
 

@@ -9,6 +9,7 @@ from c_runtime.shared_library import CompilerError, compile_libraries
 from export.errors import ExportError
 from export.to_c import write_c
 from export.to_onnx import Graph, Inputs, write_onnx
+from export.torch_in_space import TorchGuidanceInSpace
 from export.torch_networks import TorchBaseline, torch_guidance
 from sailnet.artefacts.checksums import write_checksums
 from sailnet.artefacts.room import room_told
@@ -17,19 +18,16 @@ from sailnet.guidance.exported_files import graph_name
 from sailnet.guidance.facts import GuidanceFacts, describe
 from sailnet.guidance.rules import SteeringRules, rules_for
 from sailnet.mission.mission import Mission
-from sailnet.networks.approach import APPROACH_INPUTS
-from sailnet.networks.guidance_networks import (
-    COMMAND_INPUTS,
-    STATE_INPUTS,
-    GuidanceNetworks,
-    load_guidance_networks,
-)
+from sailnet.networks.approach import APPROACH_INPUTS, APPROACH_INPUTS_IN_SPACE, LATERAL_INPUTS
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks, GuidanceNetworksInSpace, load_networks_of
+from sailnet.networks.guidance_networks import COMMAND_INPUTS, STATE_INPUTS
 from sailnet.networks.network import Network, load_network
 
 CHECKSUMS = "SHA256SUMS"
 UNFINISHED = ".export-"
 STATE: Inputs = {"state": len(STATE_INPUTS)}
 COMMAND = ("cone_angle", "time_of_flight", "lambda_v")
+COMMAND_IN_SPACE = (*COMMAND, "clock_angle", "lambda_w")
 
 
 def export(
@@ -45,10 +43,12 @@ def export(
     The list of checksums is moved last: an export that was killed between two files is noticed on load.
 
     Args:
-        networks_folder: holds ``tau``, ``alpha_pre`` and ``lambda_v`` (``.safetensors``).
+        networks_folder: holds ``tau``, ``alpha_pre`` and ``lambda_v`` (``.safetensors``), in space also
+            ``lambda_w``.
         target: folder to write to; it keeps what it had if anything fails.
         mission: whose rules of flight are built in, and whose problem the networks must be trained for.
-        baseline: ``alpha.safetensors``, a network that gives the signed cone angle from (r, u, v, tau).
+        baseline: ``alpha.safetensors``, a network that gives the signed cone angle from (r, u, v, tau); of
+            the plane.
         progress: show a bar on stderr.
         rules: of steering, which the C has built in; the mission's by default.
 
@@ -56,7 +56,7 @@ def export(
         NetworkError: a network is missing, damaged or does not fit.
         ExportError: networks of another mission, no compiler, or a target that cannot be written.
     """
-    networks = load_guidance_networks(networks_folder)
+    networks = load_networks_of(mission, networks_folder)
     _refuse_other_mission(networks.tau, mission)
     alpha = load_network(baseline) if baseline else None
     if alpha is not None:
@@ -78,7 +78,7 @@ def export(
 
 
 def _write_and_move(
-    networks: GuidanceNetworks,
+    networks: AnyGuidanceNetworks,
     alpha: Network | None,
     mission: Mission,
     beside: Path,
@@ -102,7 +102,9 @@ def _write_and_move(
     return [file.replace(target / file.name) for file in moved]
 
 
-def _graphs(networks: GuidanceNetworks, facts: GuidanceFacts) -> list[Graph]:
+def _graphs(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> list[Graph]:
+    if isinstance(networks, GuidanceNetworksInSpace):
+        return _graphs_in_space(networks, facts)
     guidance = torch_guidance(networks, facts)
     whole: Inputs
     of_tau: Inputs
@@ -118,6 +120,21 @@ def _graphs(networks: GuidanceNetworks, facts: GuidanceFacts) -> list[Graph]:
         Graph("lambda_v.onnx", guidance.lambda_v, of_command, ["lambda_v"]),
         Graph(graph_name("float32"), guidance.in_float32(), whole, COMMAND),
         Graph(graph_name("float64"), guidance, whole, COMMAND),
+    ]
+
+
+def _graphs_in_space(networks: GuidanceNetworksInSpace, facts: GuidanceFacts) -> list[Graph]:
+    guidance = TorchGuidanceInSpace(networks, facts)
+    whole: Inputs = {"state": networks.components, "beta": None}
+    even: Inputs = {"approach": len(APPROACH_INPUTS_IN_SPACE)}
+    odd: Inputs = {**even, "lateral": len(LATERAL_INPUTS)}
+    return [
+        Graph("tau.onnx", guidance.tau, even, ["tau"]),
+        Graph("alpha_pre.onnx", guidance.alpha_pre, even, ["alpha_pre"]),
+        Graph("lambda_v.onnx", guidance.lambda_v, even, ["lambda_v"]),
+        Graph("lambda_w.onnx", guidance.lambda_w, odd, ["lambda_w"]),
+        Graph(graph_name("float32"), guidance.in_float32(), whole, COMMAND_IN_SPACE),
+        Graph(graph_name("float64"), guidance, whole, COMMAND_IN_SPACE),
     ]
 
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.interface import Commands, Steered
-from sailnet.guidance.memory import Memory
+from sailnet.guidance.memory import TILTS, Memory
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.arrays import Array
 
@@ -24,10 +24,19 @@ NUDGES = 16
 """Networks round within too, in float by more than a nudge: the farthest of eight fell short once."""
 
 
-def memory_type(precision: str, ages: bool = False) -> np.dtype[np.void]:
-    """``sailnet_memory``: the members of the reference's, in order, the state as three; more if it ages."""
-    shapes = {"state": (precision, 3), "periods": ("u4",)}
+def memory_type(precision: str, ages: bool = False, components: int = 3) -> np.dtype[np.void]:
+    """``sailnet_memory``: the members of the reference's, in order; in space a normal in place of tilts.
+
+    Args:
+        precision: of its numbers.
+        ages: whether the sail is known to.
+        components: of a state.
+    """
+    shapes = {"state": (precision, components), "normal": (precision, 3), "periods": ("u4",)}
     known = [item.name for item in fields(Memory) if ages or item.name != "worn"]
+    if components > 3:
+        known = [name for name in known if name not in TILTS]
+        known.insert(known.index("state") + 1, "normal")
     members = [(name, *shapes.get(name, (precision,))) for name in known]
     return np.dtype(members, align=True)
 
@@ -71,7 +80,8 @@ class Lockstep:
 
     def __init__(self, guidance: CGuidance, count: int) -> None:
         self._c = guidance.steering(count)
-        self._kind = memory_type(guidance.precision, guidance.mission.degradation.loss > 0.0)
+        components = 5 if guidance.mission.inclined else 3
+        self._kind = memory_type(guidance.precision, guidance.mission.degradation.loss > 0.0, components)
         assert self._c.memories.shape == (count, self._kind.itemsize)
         self._precision = guidance.precision
         self._epsilon = float(np.finfo(guidance.precision).eps)
@@ -83,6 +93,8 @@ class Lockstep:
             "memory.slewing": 2.0 * bound / rate,
             "memory.offset": bound,
             "memory.attitude": bound,
+            "memory.cone_angle": bound if components > 3 else 0.0,
+            "clock_angle": 1.0,
         }
         self._scales["cone_angle"] = bound
         # When a sail is nearest: of what is missing, far from the target, hardly any lies along a step, and
@@ -94,6 +106,9 @@ class Lockstep:
         """That of the C, in the reference's form."""
         packed = self._c.memories.view(self._kind)[:, 0]
         wide = {name: packed[name].astype(float) for name in self._kind.fields or {}}
+        if "normal" in wide:
+            tilt = _tilt_of_normal(wide.pop("normal"))
+            wide |= {"cone_angle": tilt, "attitude": tilt} | dict.fromkeys(("measured", "offset"), 0.0 * tilt)
         return Memory(
             **{"worn": np.zeros(len(packed))} | wide | {"periods": packed["periods"].astype(np.int64)}
         )
@@ -158,10 +173,20 @@ def _numbers(steered: Steered, memory: Memory) -> dict[str, Array]:
     """Everything that a step gives, and everything that it leaves in memory, by name."""
     left = {f"memory.{item.name}": np.asarray(getattr(memory, item.name), float) for item in fields(Memory)}
     said = {item.name: getattr(steered, item.name) for item in fields(Steered)}
+    if steered.clock_angle is not None:  # by its direction, as pi is where -pi is
+        said["clock_angle"] = np.column_stack([np.cos(steered.clock_angle), np.sin(steered.clock_angle)])
     return {name: np.asarray(value, float) for name, value in said.items() if value is not None} | left
 
 
 def _kinds(answer: dict[str, Array]) -> NDArray[np.int64]:
     """(n, k) what of an answer is no matter of degree."""
     signs = [np.sign(answer[name]) for name in ("cone_angle", "lambda_v", "memory.stake", "memory.regret")]
+    signs += [np.sign(answer["lambda_w"])] if "lambda_w" in answer else []
     return np.stack([answer["status"], *signs, answer["memory.unseen"] > 0.0], axis=1).astype(np.int64)
+
+
+def _tilt_of_normal(normal: Array) -> Array:
+    """(n, 2) tilts of :mod:`sailnet.guidance.tilts` that have (n, 3) normals."""
+    across = np.hypot(normal[:, 1], normal[:, 2])
+    size = np.arctan2(across, normal[:, 0])
+    return np.asarray(normal[:, 1:] * (size / np.where(across > 0.0, across, 1.0))[:, None])

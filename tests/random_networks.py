@@ -7,10 +7,12 @@ import numpy as np
 from scipy.special import expit
 
 from sailnet import Mission, load_mission
-from sailnet.networks.approach import APPROACH_INPUTS
+from sailnet.networks.approach import APPROACH_INPUTS, APPROACH_INPUTS_IN_SPACE, LATERAL_INPUTS
+from sailnet.networks.guidance_in_space import NAMES, AnyGuidanceNetworks, GuidanceNetworksInSpace
 from sailnet.networks.guidance_networks import COMMAND_INPUTS, STATE_INPUTS, GuidanceNetworks
 from sailnet.networks.network import Network, save_network
-from sailnet.networks.trained_domain import AXES, KNOTS
+from sailnet.networks.trained_domain import AXES, DIRECTIONS, KNOTS, ORBITS
+from sailnet.physics.arrays import Array
 
 STATE_MIN, STATE_MAX = (0.35, -0.45, 0.59), (1.56, 0.45, 1.85)
 WIDE = [[100.0] * (len(AXES) + 2)] * KNOTS
@@ -22,6 +24,9 @@ NO_TUBE = {
     "upper": WIDE,
 }
 """A trained domain that is as wide as the box."""
+STATE_MIN_IN_SPACE, STATE_MAX_IN_SPACE = (0.6, -0.12, -0.45, 0.59, -0.15), (1.56, 0.12, 0.45, 1.2, 0.15)
+WIDE_IN_SPACE = [[100.0] * (DIRECTIONS[5] + ORBITS[5])] * KNOTS
+NO_TUBE_IN_SPACE = NO_TUBE | {"lower": (-np.array(WIDE_IN_SPACE)).tolist(), "upper": WIDE_IN_SPACE}
 BETA_SHARES = (0.8, 1.2)
 """Range of beta of approach networks, in units of the mission's."""
 OUTPUT_RANGE = {
@@ -43,7 +48,6 @@ def random_network(
 ) -> Network:
     """A network whose output covers its range, and a little more, over its box of inputs."""
     mission = mission or load_mission("earth_mars")
-    rng = np.random.default_rng([seed, len(name), *name.encode()])
     inputs: tuple[str, ...]
     low: tuple[float, ...]
     high: tuple[float, ...]
@@ -55,21 +59,13 @@ def random_network(
         inputs, low, high = STATE_INPUTS, STATE_MIN, STATE_MAX
     else:
         inputs, low, high = COMMAND_INPUTS, (*STATE_MIN, 0.0), (*STATE_MAX, 10.0)
-    sizes = [len(inputs), *hidden]
-    shapes = list(zip(sizes[1:], sizes[:-1], strict=True))
-    weights = [rng.normal(scale=3.0 if i == 0 else 6.0 / np.sqrt(s[1]), size=s) for i, s in enumerate(shapes)]
-    biases = [-w.sum(axis=1) / 2 + rng.normal(scale=0.5, size=len(w)) for w in weights]
-    layer = rng.uniform(size=(4000, len(inputs)))
-    for weight, bias in zip(weights, biases, strict=True):
-        layer = expit(layer @ weight.T + bias)
-    last = rng.normal(size=hidden[-1])
-    lowest, highest = (layer @ last).min(), (layer @ last).max()
+    weights, biases = _random_layers(len(inputs), hidden, 1, [seed, len(name), *name.encode()])
     output_min, output_max = (APPROACH_OUTPUT_RANGE if approach else OUTPUT_RANGE)[name]
     return Network(
         name=name,
         inputs=inputs,
-        weights=(*weights, 1.02 * last[None, :] / (highest - lowest)),
-        biases=(*biases, np.array([-1.02 * lowest / (highest - lowest) - 0.01])),
+        weights=weights,
+        biases=biases,
         input_min=np.array(low),
         input_max=np.array(high),
         output_min=output_min,
@@ -82,6 +78,58 @@ def random_network(
             "domain": NO_TUBE,
         },
     )
+
+
+def random_network_in_space(
+    name: str, hidden: Sequence[int] = (20, 20, 20), seed: int = 0, mission: Mission | None = None
+) -> Network:
+    """A network of three dimensions whose outputs cover their range over its box of inputs."""
+    mission = mission or load_mission("earth_mars_3d", in_space=True)
+    smallest, largest = (share * mission.sail.beta for share in BETA_SHARES)
+    low = (-0.5, -1.0, -1.0, 0.0, -1.0, 0.0, 0.0, smallest)
+    high = (0.5, 1.0, 1.0, 0.5, 1.0, 1.0, 16.0, largest)
+    factors = LATERAL_INPUTS if name == "lambda_w" else ()
+    weights, biases = _random_layers(
+        len(low), hidden, max(1, len(factors)), [seed, len(name), *name.encode()]
+    )
+    output_min, output_max = (APPROACH_OUTPUT_RANGE | {"lambda_w": (0.0, 3.0)})[name]
+    return Network(
+        name=name,
+        inputs=APPROACH_INPUTS_IN_SPACE,
+        weights=weights,
+        biases=biases,
+        input_min=np.array(low),
+        input_max=np.array(high),
+        output_min=output_min,
+        output_max=output_max,
+        mission=mission,
+        provenance={
+            "dataset": "random */ weights",
+            "state_min": STATE_MIN_IN_SPACE,
+            "state_max": STATE_MAX_IN_SPACE,
+            "domain": NO_TUBE_IN_SPACE,
+        },
+        factors=factors,
+    )
+
+
+def _random_layers(
+    inputs: int, hidden: Sequence[int], outputs: int, seed: Sequence[int]
+) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
+    """Weights and biases; each output covers [0, 1], and a little more, over scaled inputs in [0, 1]."""
+    rng = np.random.default_rng(seed)
+    sizes = [inputs, *hidden]
+    shapes = list(zip(sizes[1:], sizes[:-1], strict=True))
+    weights = [rng.normal(scale=3.0 if i == 0 else 6.0 / np.sqrt(s[1]), size=s) for i, s in enumerate(shapes)]
+    biases = [-w.sum(axis=1) / 2 + rng.normal(scale=0.5, size=len(w)) for w in weights]
+    layer = rng.uniform(size=(4000, inputs))
+    for weight, bias in zip(weights, biases, strict=True):
+        layer = expit(layer @ weight.T + bias)
+    last = rng.normal(size=(outputs, hidden[-1]))
+    given = layer @ last.T
+    lowest, highest = given.min(axis=0), given.max(axis=0)
+    scale = 1.02 / (highest - lowest)
+    return (*weights, scale[:, None] * last), (*biases, -scale * lowest - 0.01)
 
 
 def random_guidance(
@@ -100,7 +148,18 @@ def random_guidance(
     )
 
 
-def save_guidance(networks: GuidanceNetworks, folder: Path) -> None:
-    """Write the three files that ``load_guidance_networks`` reads."""
-    for network in (networks.tau, networks.alpha_pre, networks.lambda_v):
+def random_guidance_in_space(
+    *hidden: Sequence[int], seed: int = 0, mission: Mission | None = None
+) -> GuidanceNetworksInSpace:
+    """Four random networks, with these hidden sizes if they are said."""
+    sizes = hidden or ((20, 20, 20),) * len(NAMES)
+    named = zip(NAMES, sizes, strict=True)
+    return GuidanceNetworksInSpace(
+        *(random_network_in_space(name, size, seed, mission) for name, size in named)
+    )
+
+
+def save_guidance(networks: AnyGuidanceNetworks, folder: Path) -> None:
+    """Write the files that ``load_networks_of`` reads."""
+    for network in networks.all:
         save_network(network, folder / f"{network.name}.safetensors")

@@ -100,8 +100,7 @@ def _train(options: argparse.Namespace) -> "list[Network]":
         overwrite=options.overwrite,
         quiet=options.quiet,
     )
-    if not mission.inclined:
-        ensure_domain(networks, options.dataset, options.output, quiet=options.quiet)
+    ensure_domain(networks, options.dataset, options.output, quiet=options.quiet)
     return networks
 
 

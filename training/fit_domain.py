@@ -21,20 +21,22 @@ from sailnet.dataset import Dataset, open_dataset
 from sailnet.errors import NetworkError, SailnetError
 from sailnet.networks.network import Network, load_network, save_network
 from sailnet.networks.trained_domain import (
-    AXES,
+    DIRECTIONS,
     KNOTS,
+    ORBITS,
     TrainedDomain,
     interval,
     momentum_and_orbit,
     size_and_direction,
 )
 from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import lengths_of, target_of
 from sailnet.workers.interruption import run_command
 from training.samples import ROWS_READ, crossings, split_trajectories
 
 MARGIN = 0.01
 """Margin of the bounds on the direction, whose components are at most 1, and, relative, of the ranges of
-size and momentum. That of speed and energy is the arrival tolerance."""
+size and momentum. That of speed, energy and the momentum across is the arrival tolerance."""
 
 COLUMNS = 256
 """Parts of an interval between knots; of the samples in one only the highest and lowest count."""
@@ -103,12 +105,12 @@ def fit_domain(data: Dataset, seed: int) -> TrainedDomain:
     Raises:
         NetworkError: the samples span no domain.
     """
-    problem = data.mission.problem
+    target = target_of(data.mission.problem, len(data.states))
     momenta, sizes = [], []
     training = (split_trajectories(data.families(), seed) == 0) & ~crossings(data)
     for states, beta in _samples(data, training):
         if len(states):
-            sizes.append(size_and_direction(states, beta, problem.target_state)[0].max())
+            sizes.append(size_and_direction(states, beta, target)[0].max())
             momentum = momentum_and_orbit(states)[0]
             momenta += [momentum.min(), momentum.max()]
     if not sizes or not min(momenta) < max(momenta):
@@ -118,37 +120,42 @@ def fit_domain(data: Dataset, seed: int) -> TrainedDomain:
     momentum_min = min(momenta) - widened
     momentum_step = (max(momenta) + widened - momentum_min) / (KNOTS - 1)
 
-    by_size, by_momentum = Extremes.none(len(AXES)), Extremes.none(2)
+    directions, orbits = DIRECTIONS[len(target)], ORBITS[len(target)]
+    by_size, by_momentum = Extremes.none(directions), Extremes.none(orbits)
     for states, beta in _samples(data, training):
-        size, direction = size_and_direction(states, beta, problem.target_state)
+        size, direction = size_and_direction(states, beta, target)
         by_size.include(size / size_step, direction)
         momentum, orbit = momentum_and_orbit(states)
         by_momentum.include((momentum - momentum_min) / momentum_step, orbit)
     tolerance = data.mission.flight.arrival_tolerance
     bounds = zip(
-        by_size.bounds(np.full(len(AXES), MARGIN)), by_momentum.bounds(np.full(2, tolerance)), strict=True
+        by_size.bounds(np.full(directions, MARGIN)),
+        by_momentum.bounds(np.full(orbits, tolerance)),
+        strict=True,
     )
     lower, upper = (tuple(map(tuple, np.hstack(pair).tolist())) for pair in bounds)
     return TrainedDomain(size_step, float(momentum_min), float(momentum_step), lower, upper)
 
 
 def _samples(data: Dataset, trajectories: NDArray[np.bool_]) -> Iterator[tuple[Array, Array]]:
-    """Blocks of (n, 3) states and (n,) beta, without those within the arrival tolerance of the target."""
-    target, tolerance = np.array(data.mission.problem.target_state), data.mission.flight.arrival_tolerance
+    """Blocks of (n, 3) or (n, 5) states and (n,) beta, without those at the target within the tolerance."""
+    target = target_of(data.mission.problem, len(data.states))
+    lengths, tolerance = lengths_of(target), data.mission.flight.arrival_tolerance
     wanted = np.repeat(trajectories, np.diff(data.first_sample))
     for start in range(0, data.samples, ROWS_READ):
         stop = min(start + ROWS_READ, data.samples)
-        columns = data.read(["r", "u", "v", "beta"], start, stop)
-        states = np.column_stack([columns[name] for name in "ruv"])
-        kept = wanted[start:stop] & (np.abs(states - target) > tolerance).any(axis=1)
+        columns = data.read([*data.states, "beta"], start, stop)
+        states = np.column_stack([columns[name] for name in data.states])
+        kept = wanted[start:stop] & (np.abs((states - target) * lengths) > tolerance).any(axis=1)
         yield states[kept], columns["beta"][kept]
 
 
 def share_outside(data: Dataset, domain: TrainedDomain, trajectories: NDArray[np.bool_]) -> float:
     """Share of the samples of some trajectories that a domain does not contain; arrivals left out."""
     outside = samples = 0
+    target = target_of(data.mission.problem, len(data.states))
     for states, beta in _samples(data, trajectories):
-        outside += int((domain.excess(states, beta, data.mission.problem.target_state) > 0.0).sum())
+        outside += int((domain.excess(states, beta, target) > 0.0).sum())
         samples += len(states)
     return outside / max(samples, 1)
 
@@ -180,8 +187,6 @@ def add_domain(dataset: Path, folder: Path, *, quiet: bool = False) -> Network:
     tau = load_network(path)
     seed = tau.provenance.get("seed")
     with open_dataset(dataset) as data:
-        if data.mission.inclined:
-            raise NetworkError(f"{dataset} is of three dimensions, and the trained domain is the plane's")
         learned = tau.provenance.get("dataset")
         if learned != data.digest or not isinstance(seed, int):
             raise NetworkError(

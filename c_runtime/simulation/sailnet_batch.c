@@ -3,17 +3,32 @@
 
 #include <stddef.h>
 
+#if SAILNET_IN_SPACE
+void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
+                            sailnet_real *cone_angles, sailnet_real *clock_angles, sailnet_real *times_of_flight,
+                            sailnet_real *lambda_vs, sailnet_real *lambda_ws, int32_t *statuses)
+#else
 void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
                             sailnet_real *cone_angles, sailnet_real *times_of_flight, sailnet_real *lambda_vs,
                             int32_t *statuses)
+#endif
 {
     for (uint64_t i = 0; i < count; i++) {
+#if SAILNET_IN_SPACE
+        const sailnet_real *const given = &states[5 * i];
+        const sailnet_state state = {given[0], given[1], given[2], given[3], given[4]};
+#else
         const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
+#endif
         sailnet_command command;
         statuses[i] = (int32_t)sailnet_guidance(&state, betas[i], &command);
         cone_angles[i] = command.cone_angle;
         times_of_flight[i] = command.time_of_flight;
         lambda_vs[i] = command.lambda_v;
+#if SAILNET_IN_SPACE
+        clock_angles[i] = command.clock_angle;
+        lambda_ws[i] = command.lambda_w;
+#endif
     }
 }
 
@@ -28,11 +43,21 @@ void sailnet_steer_batch(uint64_t count, sailnet_memory *memories, const uint64_
                          const sailnet_real *states, const sailnet_real *attitudes, sailnet_real period,
                          sailnet_command *commands, int32_t *statuses)
 {
+#if SAILNET_IN_SPACE
+    (void)attitudes;
+#endif
     for (uint64_t i = 0; i < count; i++) {
+#if SAILNET_IN_SPACE
+        const sailnet_real *const given = &states[5 * i];
+        const sailnet_state state = {given[0], given[1], given[2], given[3], given[4]};
+#else
         const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
+#endif
+#if !SAILNET_IN_SPACE
         if (attitudes != NULL) {
             sailnet_measured(&memories[sails[i]], attitudes[i]);
         }
+#endif
         statuses[i] = (int32_t)sailnet_steer(&memories[sails[i]], &state, period, &commands[i]);
     }
 }

@@ -35,6 +35,16 @@
 extern "C" {
 #endif
 
+#if SAILNET_IN_SPACE
+/*
+ * Command `count` states: `states` holds r, latitude, u, v, w of one sail after the other, `betas` one number a sail;
+ * `cone_angles` and `clock_angles` [rad], `times_of_flight` [TU], `lambda_vs`, `lambda_ws` and `statuses`
+ * (sailnet_status) get one entry a sail.
+ */
+void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
+                            sailnet_real *cone_angles, sailnet_real *clock_angles, sailnet_real *times_of_flight,
+                            sailnet_real *lambda_vs, sailnet_real *lambda_ws, int32_t *statuses);
+#else
 /*
  * Command `count` states: `states` holds r, u, v of one sail after the other, `betas` one number a sail;
  * `cone_angles` [rad], `times_of_flight` [TU], `lambda_vs` and `statuses` (sailnet_status) get one entry a sail.
@@ -42,14 +52,22 @@ extern "C" {
 void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
                             sailnet_real *cone_angles, sailnet_real *times_of_flight, sailnet_real *lambda_vs,
                             int32_t *statuses);
+#endif
 
 /* Start `count` memories. */
 void sailnet_start_batch(uint64_t count, sailnet_memory *memories);
 
+#if SAILNET_IN_SPACE
+/*
+ * Steer `count` sails, of which entry i uses memories[sails[i]] and gets commands[i] and statuses[i]. No attitudes are
+ * taken yet: whatever `attitudes` is has no effect.
+ */
+#else
 /*
  * Steer `count` sails, of which entry i uses memories[sails[i]] and gets commands[i] and statuses[i]. Unless it is null,
  * `attitudes` has a measured mean cone angle [rad] each, or NaN.
  */
+#endif
 void sailnet_steer_batch(uint64_t count, sailnet_memory *memories, const uint64_t *sails,
                          const sailnet_real *states, const sailnet_real *attitudes, sailnet_real period,
                          sailnet_command *commands, int32_t *statuses);

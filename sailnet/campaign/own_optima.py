@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sailnet.expert.fastest import solve_states
+from sailnet.expert.any_dimension import solve_states
 from sailnet.expert.neighbours import solve_among
 from sailnet.expert.optima import Optima, sample_many
 from sailnet.expert.real_sails import own_optima
@@ -14,10 +14,12 @@ from sailnet.flight.closed_loop import Flights
 from sailnet.flight.drawn_optics import forces, optics_of_flights
 from sailnet.flight.plant import REVERSAL
 from sailnet.flight.starts import some_optima
+from sailnet.guidance.tilts import tilt_of, turned
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.extremals import propagate_extremals
+from sailnet.physics.geometry import attitude
 from sailnet.physics.optics import Optics
 from sailnet.physics.transfer import Transfer
 
@@ -65,15 +67,15 @@ def own_optimal_times(
 
 
 def assumed_optima(mission: Mission, states: Array, *, anywhere: bool = False) -> Optima:
-    """Optima of the sail as assumed from (n, 3) states, those that occur several times solved once.
+    """Optima of the sail as assumed from states of the mission, those that occur several times solved once.
 
     Args:
         mission: poses the problem.
-        states: rows r [AU], u, v [AU/TU].
+        states: (n, 3) rows r [AU], u, v [AU/TU], or (n, 5) r, latitude [rad], u, v, w.
         anywhere: these need not be of the generalisation set, which is otherwise indexed once for many.
     """
     distinct, which = np.unique(states, axis=0, return_inverse=True)
-    region = None if anywhere or len(distinct) <= FEW else mission.generalisation.corners
+    region = None if anywhere or len(distinct) <= FEW else mission.region
     return solve_states(mission.problem, distinct, region=region).rows(which.ravel())
 
 
@@ -100,7 +102,7 @@ class Turns:
     """What optima ask of the sail: n of each, NaN where there is no optimum.
 
     Attributes:
-        slew: by how much the cone angle changes in all [rad].
+        slew: by how much the cone angle, or in space the normal, turns in all [rad].
         reversals: steps of it of more than ``REVERSAL`` within a guidance period, as flights' are counted.
     """
 
@@ -125,9 +127,19 @@ def optimal_turns(transfer: Transfer, optima: Optima, period: float) -> Turns:
         rows, left = np.split(left, [max(1, TOGETHER // count)])
         duration = optima.time_of_flight[rows]
         _, columns = sample_many(transfer, optima.arrival_costates[rows], duration, count)
-        steps = np.abs(np.diff(columns[..., 6], axis=1))
+        steps = _steps(columns)
         slew[rows], reversals[rows] = steps.sum(axis=1), (steps > REVERSAL).sum(axis=1)
     return Turns(slew, reversals)
+
+
+def _steps(columns: Array) -> Array:
+    """(n, m - 1) by how much the sail turns between the (n, m, 7) or (n, m, 11) samples of optima [rad]."""
+    alpha = columns[..., -1]
+    if columns.shape[2] == 7:
+        return np.abs(np.diff(alpha, axis=1))
+    cone, clock = attitude(columns[..., 5:10], alpha)
+    tilts = [tilt_of(cone[:, at].ravel(), clock[:, at].ravel()) for at in (slice(1, None), slice(-1))]
+    return turned(*tilts).reshape(len(columns), -1)
 
 
 def optimal_times_of(mission: Mission, flights: Flights, disturbance: Disturbance) -> Array:

@@ -58,7 +58,7 @@ class Dataset:
     @property
     def states(self) -> list[str]:
         """Names of the components of a state, in order."""
-        return geometry_of(5 if self.mission.inclined else 3).state_names
+        return geometry_of(self.mission.components).state_names
 
     @property
     def kind(self) -> str:

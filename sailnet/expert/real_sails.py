@@ -10,8 +10,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.expert.any_dimension import solve_states
 from sailnet.expert.continuation import follow
-from sailnet.expert.fastest import solve_states
 from sailnet.expert.optima import Optima, optima_of, put
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS, Optics
@@ -37,8 +37,8 @@ def own_optima(
 
     Args:
         transfer: the problem of the nominal sail.
-        states: (n, 3) r [AU], u, v [AU/TU] at the start.
-        arrival_costates: (n, 3) of the nominal sail's optima from there; NaN if not known.
+        states: (n, 3) r [AU], u, v [AU/TU] at the start, or (n, 5) in space.
+        arrival_costates: (n, 3), or (n, 5), of the nominal sail's optima from there; NaN if not known.
         times_of_flight: (n,) of those [TU].
         beta: (n,) normalised characteristic accelerations of the sails.
         optics: of all the sails, or n, of each. If these or the nominal's are not ideal, the exact law is

@@ -261,8 +261,8 @@ def _flights(mission: Mission, start: Array, flown: SideBySide) -> Flights:
     sails = flown.sails
     names, problem = components_of(mission), mission.problem
     ends = np.column_stack([sails["state"][component] for component in names])
-    target, lengths = target_of(problem, len(names)), lengths_of(problem, len(names))
-    terminal_error = np.abs(ends - target) * lengths
+    target = target_of(problem, mission.components)
+    terminal_error = np.abs(ends - target) * lengths_of(target)
     inside = np.all(terminal_error <= mission.flight.arrival_tolerance, axis=1)
     bounded = sails["max_cone_angle"] <= problem.phi_max
     named = {field.name for field in fields(Flights)} & set(sails.dtype.names or ())

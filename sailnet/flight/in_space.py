@@ -55,7 +55,7 @@ def fly_in_space(
     """
     mission = networks.mission
     target, flight, force = target_of(mission.problem, 5), mission.flight, mission.sail.optics.force
-    unit = lengths_of(mission.problem, 5)
+    unit = lengths_of(target)
     now = np.array(states, float)
     count = len(now)
     sail = np.broadcast_to(mission.sail.beta if beta is None else np.asarray(beta, float), count)

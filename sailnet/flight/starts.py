@@ -43,7 +43,7 @@ def random_starts(mission: Mission, count: int, seed: int, first: int = 0) -> Ar
         seed: of the random numbers; start i depends on (seed, i) alone.
         first: number of the first one.
     """
-    low, high = _region(mission)
+    low, high = mission.region
     return _drawn(seed, first, count, lambda rng: rng.uniform(low, high))
 
 
@@ -73,7 +73,7 @@ def some_optima(mission: Mission) -> Optima:
     They are the same whatever is flown beside them, and take the expert half a minute.
     """
     starts = random_starts(mission, OPTIMA, seed=0)
-    optima = solve_states(mission.problem, starts, region=_region(mission))
+    optima = solve_states(mission.problem, starts, region=mission.region)
     return optima.rows(optima.found)
 
 
@@ -154,12 +154,6 @@ def _drawn(
     """(count, k) what each start draws from random numbers of its own."""
     drawn = [draw(np.random.default_rng([seed, number, stream])) for number in range(first, first + count)]
     return np.array(drawn)
-
-
-def _region(mission: Mission) -> tuple[Array, Array]:
-    """Corners of the generalisation set, as its states are."""
-    region = mission.generalisation
-    return region.corners_in_space if mission.inclined else region.corners
 
 
 def _units(radius: float, components: int) -> Array:

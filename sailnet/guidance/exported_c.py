@@ -10,13 +10,30 @@ from sailnet.artefacts.checksums import verify_checksum
 from sailnet.artefacts.shared_objects import refuse_unloadable
 from sailnet.errors import GuidanceError
 from sailnet.guidance.exported_files import SUFFIXES
-from sailnet.guidance.interface import Commands, Precision, Steered, as_attitudes, as_betas, as_states
+from sailnet.guidance.interface import (
+    Commands,
+    Precision,
+    Steered,
+    as_attitudes,
+    as_betas,
+    as_states,
+    refuse_attitudes,
+)
 from sailnet.mission.mission import Mission
 
 API_VERSION = 6
 
-COMMAND_FIELDS = ("cone_angle", "time_of_flight", "beta", "hold", "lambda_v")
-"""Members of ``sailnet_command``, in order."""
+COMMAND_FIELDS = {
+    3: ("cone_angle", "time_of_flight", "beta", "hold", "lambda_v"),
+    5: ("cone_angle", "clock_angle", "time_of_flight", "beta", "hold", "lambda_v", "lambda_w"),
+}
+"""Members of ``sailnet_command``, in order, by the components of a state."""
+
+LAW_FIELDS = {
+    components: tuple(name for name in members if name not in ("beta", "hold"))
+    for components, members in COMMAND_FIELDS.items()
+}
+"""Those that ``sailnet_guidance_batch`` gives, in order."""
 
 
 class CGuidance:
@@ -33,6 +50,8 @@ class CGuidance:
     def __init__(self, mission: Mission, library: Path) -> None:
         # Before anything is loaded: a truncated library does not raise, it ends the process.
         content = verify_checksum(library, library.parent / "libraries.sha256")
+        self._components = 5 if mission.inclined else 3
+        given = len(LAW_FIELDS[self._components])
         integer, text, pointer = ctypes.c_uint32, ctypes.c_char_p, ctypes.c_void_p
         try:
             refuse_unloadable(content)
@@ -59,7 +78,9 @@ class CGuidance:
             }
             real = ctypes.c_double if precision == "float64" else ctypes.c_float
             count = ctypes.c_uint64
-            self._command = _declared(loaded, f"sailnet_guidance_batch_{suffix}", None, count, *[pointer] * 6)
+            self._command = _declared(
+                loaded, f"sailnet_guidance_batch_{suffix}", None, count, *[pointer] * (3 + given)
+            )
             self._start = _declared(loaded, f"sailnet_start_batch_{suffix}", None, count, pointer)
             self._steer = _declared(
                 loaded, f"sailnet_steer_batch_{suffix}", None, count, *[pointer] * 4, real, *[pointer] * 2
@@ -88,14 +109,14 @@ class CGuidance:
         return CGuidance, (self.mission, self._library)
 
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        """Command the sails at (n, 3) states; see ``sailnet.guidance.interface.Guidance``."""
-        array = as_states(states, self.precision)
+        """Command the sails at (n, 3) or (n, 5) states; see ``sailnet.guidance.interface.Guidance``."""
+        array = as_states(states, self.precision, self._components)
         betas = as_betas(beta, len(array), self.mission.sail.beta, self.precision)
-        outputs = np.empty((3, len(array)), self.precision)
+        fields = LAW_FIELDS[self._components]
+        outputs = np.empty((len(fields), len(array)), self.precision)
         status = np.empty(len(array), np.int32)
         self._command(len(array), *(place.ctypes.data for place in (array, betas, *outputs, status)))
-        cone_angle, time_of_flight, lambda_v = outputs.astype(np.float64)
-        return Commands(cone_angle, time_of_flight, lambda_v, status)
+        return Commands(**dict(zip(fields, outputs.astype(np.float64), strict=True)), status=status)
 
     @property
     def steer_address(self) -> int:
@@ -123,14 +144,16 @@ class CGuidance:
         """Steer the sails numbered ``sails``, whose ``memories`` are changed.
 
         Raises:
-            GuidanceError: states of another shape, or a sail that there is no memory of.
+            GuidanceError: states of another shape, a sail that there is no memory of, or attitudes in space.
         """
-        array = as_states(states, self.precision)
+        array = as_states(states, self.precision, self._components)
+        refuse_attitudes(self.mission, attitudes)
         measured = None if attitudes is None else as_attitudes(attitudes, len(array), self.precision)
         rows = np.ascontiguousarray(sails, np.uint64)
         if rows.shape != (len(array),) or (len(rows) and int(rows.max()) >= len(memories)):
             raise GuidanceError(f"{len(array)} states need as many numbers of sails below {len(memories)}")
-        commands = np.empty((len(array), len(COMMAND_FIELDS)), self.precision)
+        fields = COMMAND_FIELDS[self._components]
+        commands = np.empty((len(array), len(fields)), self.precision)
         status = np.empty(len(array), np.int32)
         self._steer(
             len(array),
@@ -140,7 +163,7 @@ class CGuidance:
             commands.ctypes.data,
             status.ctypes.data,
         )
-        named = dict(zip(COMMAND_FIELDS, commands.T.astype(np.float64), strict=True))
+        named = dict(zip(fields, commands.T.astype(np.float64), strict=True))
         return Steered(**named, status=status)
 
 

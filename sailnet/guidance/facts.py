@@ -13,18 +13,18 @@ from sailnet.errors import GuidanceError, SailnetError
 from sailnet.guidance.interface import Commands, GuidanceStatus
 from sailnet.mission.mission import Mission
 from sailnet.mission.sections import NO_DEGRADATION, Degradation
-from sailnet.networks.approach import APPROACH_INPUTS
-from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.network import Network, weights_digest
 from sailnet.networks.trained_domain import TrainedDomain
 from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import lengths_of, target_of
 from sailnet.physics.optics import OPTICS, Optics, is_number, optics_from
 
 METADATA_KEY = "sailnet_guidance"
 """The key of an ONNX file's ``metadata_props`` that holds the facts as JSON."""
 
 _TEXTS = ("version", "mission", "mission_digest", "networks_digest")
-_TRIPLES = ("target_state", "state_min", "state_max")
+_STATES = ("target_state", "state_min", "state_max")
 _NUMBERS = (
     *("phi_max", "arrival_threshold", "arrival_tolerance", "largest_time_of_flight"),
     *("beta", "beta_min", "beta_max", "costate_unit", "turn_rate"),
@@ -43,14 +43,15 @@ class GuidanceFacts:
         datasets: digest of the data set of each network, as its trainer recorded it.
         phi_max: bound on the cone angle [rad], Eq. (3).
         arrival_threshold: a shorter predicted time of flight is an arrival [TU].
-        arrival_tolerance: arrived means each of r, u, v within this of the target [AU, AU/TU].
+        arrival_tolerance: arrived means each of r, u, v within this of the target [AU, AU/TU]; in space also
+            the latitude times the target's radius, and w.
         largest_time_of_flight: the networks were trained on no longer one [TU].
         beta: the mission's normalised characteristic acceleration.
         beta_min, beta_max: range of it the networks were trained on.
-        costate_unit: of the output of ``lambda_v``, see ``GuidanceNetworks.costate_unit``.
+        costate_unit: of the outputs of ``lambda_v`` and ``lambda_w``, see ``GuidanceNetworks.costate_unit``.
         turn_rate: how fast the sail turns [rad/TU].
-        target_state: (r, u, v) on the target orbit.
-        state_min, state_max: box of states (r, u, v) the time-of-flight network was trained on.
+        target_state: (r, u, v) on the target orbit, or in space (r, latitude, u, v, w).
+        state_min, state_max: box of such states that the time-of-flight network was trained on.
         domain: the tube of trained states within it.
         optics: of the sail that was trained for and flies; ideal where nothing was said.
         degradation: how that sail is known to age; not at all where nothing was said.
@@ -70,9 +71,9 @@ class GuidanceFacts:
     beta_max: float
     costate_unit: float
     turn_rate: float
-    target_state: tuple[float, float, float]
-    state_min: tuple[float, float, float]
-    state_max: tuple[float, float, float]
+    target_state: tuple[float, ...]
+    state_min: tuple[float, ...]
+    state_max: tuple[float, ...]
     domain: TrainedDomain
     optics: Optics = OPTICS["ideal"]
     degradation: Degradation = NO_DEGRADATION
@@ -81,14 +82,24 @@ class GuidanceFacts:
         for name, value in vars(self).items():
             if name in _TEXTS and not isinstance(value, str):
                 raise GuidanceError(f"{name} is {value!r:.40}, not text")
-            if name in _TRIPLES and not (len(value) == 3 and all(map(_is_finite, value))):
-                raise GuidanceError(f"{name} is {value!r:.60}, not three finite numbers")
+            if name in _STATES and not (len(value) == self.components and all(map(_is_finite, value))):
+                raise GuidanceError(f"{name} is {value!r:.60}, not {self.components} finite numbers")
             if name in _NUMBERS and not (_is_finite(value) and value > 0.0):
                 raise GuidanceError(f"{name} is {value!r:.40}, not a finite number above 0")
         if not isinstance(self.datasets, Mapping) or not all(
             isinstance(value, str) for value in self.datasets.values()
         ):
             raise GuidanceError(f"datasets is {self.datasets!r:.60}, not a table of texts")
+
+    @property
+    def components(self) -> int:
+        """Of a state: 3, or 5 in space."""
+        return self.domain.components
+
+    @property
+    def tolerances(self) -> Array:
+        """(k,) by how much each component of a state may differ from the target's on arrival."""
+        return self.arrival_tolerance / lengths_of(self.target_state)
 
     def contains(self, states: ArrayLike, beta: ArrayLike) -> NDArray[np.bool_]:
         """(n,) whether the networks were trained on such states and sails; never on what is not finite.
@@ -97,7 +108,7 @@ class GuidanceFacts:
         and the box are rounded as the states are.
 
         Args:
-            states: (n, 3) rows r [AU], u, v [AU/TU].
+            states: (n, 3) rows r [AU], u, v [AU/TU]; in space (n, 5) rows r, latitude [rad], u, v, w.
             beta: (n,) normalised characteristic accelerations.
         """
         state, sail = np.asarray(states), np.asarray(beta)
@@ -107,7 +118,7 @@ class GuidanceFacts:
         # What is outside is not evaluated any further.
         known = np.where(inside[:, None], state, self.target_state).astype(float)
         sails = np.where(inside, sail, self.beta).astype(float)
-        at_target = (np.abs(known - self.target_state) <= self.arrival_tolerance).all(axis=1)
+        at_target = (np.abs(known - self.target_state) <= self.tolerances).all(axis=1)
         within = self.domain.excess(known, sails, self.target_state) <= 0.0
         return np.asarray(inside & (at_target | within))
 
@@ -118,6 +129,8 @@ class GuidanceFacts:
         cone_angle: ArrayLike,
         time_of_flight: ArrayLike,
         lambda_v: ArrayLike = np.inf,
+        clock_angle: ArrayLike | None = None,
+        lambda_w: ArrayLike | None = None,
     ) -> Commands:
         """What networks gave for these states, with the status of each: the rules of ``sailnet_guidance.h``.
 
@@ -125,11 +138,13 @@ class GuidanceFacts:
         command.
 
         Args:
-            states: (n, 3) rows r [AU], u, v [AU/TU].
+            states: (n, 3) or (n, 5) rows, as in :meth:`contains`.
             beta: (n,) normalised characteristic accelerations.
             cone_angle: (n,) [rad].
             time_of_flight: (n,) [TU].
             lambda_v: (n,) in units of r_f^2 / beta; by default not known.
+            clock_angle: (n,) [rad], in space.
+            lambda_w: (n,) in the same units, in space.
         """
         state, angle, tau = np.asarray(states), np.asarray(cone_angle), np.asarray(time_of_flight)
         valid = np.isfinite(state).all(axis=1)
@@ -142,6 +157,8 @@ class GuidanceFacts:
             time_of_flight=np.where(valid, tau, self.largest_time_of_flight).astype(np.float64),
             lambda_v=np.where(valid, lambda_v, 0.0).astype(np.float64),
             status=status,
+            clock_angle=None if clock_angle is None else np.where(valid, clock_angle, 0.0).astype(np.float64),
+            lambda_w=None if lambda_w is None else np.where(valid, lambda_w, 0.0).astype(np.float64),
         )
 
     def to_json(self) -> str:
@@ -162,7 +179,7 @@ class GuidanceFacts:
         """
         try:
             content = table_of(text)
-            for name in _TRIPLES:
+            for name in _STATES:
                 content[name] = tuple(content[name])
             content["domain"] = TrainedDomain.parse(content["domain"])
             content["optics"] = optics_from(content.get("optics", "ideal"))
@@ -172,25 +189,18 @@ class GuidanceFacts:
             raise GuidanceError(f"the guidance does not say what it is: {error}; export it again") from error
 
 
-def describe(networks: GuidanceNetworks, mission: Mission, alpha: Network | None = None) -> GuidanceFacts:
+def describe(networks: AnyGuidanceNetworks, mission: Mission, alpha: Network | None = None) -> GuidanceFacts:
     """Facts of networks flown by the rules of ``mission``.
 
     Args:
-        networks: the trio.
+        networks: of the plane or of space.
         mission: the mission that is flown.
         alpha: the network that flies instead of ``alpha_pre`` and ``lambda_v``, for the baseline.
 
     Raises:
         NetworkError: the networks do not say what states they were trained on.
     """
-    tau = networks.tau
-    flown = (tau, networks.alpha_pre, networks.lambda_v) if alpha is None else (tau, alpha)
-    # Over approach coordinates tau is given in units of s, by its logarithm.
-    longest = (
-        tau.input_max[APPROACH_INPUTS.index("s")] * np.exp(tau.output_max)
-        if networks.approach
-        else tau.output_max
-    )
+    flown = networks.all if alpha is None else (networks.tau, alpha)
     lowest, highest = networks.state_range
     beta_min, beta_max = networks.beta_range
     return GuidanceFacts(
@@ -202,15 +212,15 @@ def describe(networks: GuidanceNetworks, mission: Mission, alpha: Network | None
         phi_max=mission.problem.phi_max,
         arrival_threshold=mission.flight.arrival_threshold,
         arrival_tolerance=mission.flight.arrival_tolerance,
-        largest_time_of_flight=float(longest),
+        largest_time_of_flight=networks.longest,
         beta=mission.sail.beta,
         beta_min=beta_min,
         beta_max=beta_max,
         costate_unit=networks.costate_unit,
         turn_rate=mission.flight.turn_rate,
-        target_state=mission.problem.target_state,
-        state_min=_triple(lowest),
-        state_max=_triple(highest),
+        target_state=tuple(map(float, target_of(mission.problem, networks.components))),
+        state_min=tuple(map(float, lowest)),
+        state_max=tuple(map(float, highest)),
         domain=networks.domain,
         optics=mission.sail.optics,
         degradation=mission.degradation,
@@ -222,11 +232,6 @@ def _is_finite(value: object) -> bool:
         return is_number(value) and bool(np.isfinite(float(value)))  # type: ignore[arg-type]
     except OverflowError:
         return False
-
-
-def _triple(values: Array) -> tuple[float, float, float]:
-    r, u, v = (float(value) for value in values)
-    return r, u, v
 
 
 def round_down(value: float, precision: DTypeLike) -> float:

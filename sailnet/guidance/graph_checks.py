@@ -11,8 +11,23 @@ WIDEST = 1 << 14
 Shape = tuple[Dimension, ...]
 
 ELEMENTWISE = {
-    *("Abs", "Add", "Clip", "Div", "Exp", "Greater", "Identity", "Less", "Max", "Min", "Mul", "Neg", "Pow"),
-    *("Sigmoid", "Sqrt", "Sub", "Tanh", "Where"),
+    *(
+        "Abs",
+        "Add",
+        "Clip",
+        "Cos",
+        "Div",
+        "Exp",
+        "Greater",
+        "Identity",
+        "Less",
+        "Max",
+        "Min",
+        "Mul",
+        "Neg",
+        "Pow",
+    ),
+    *("Sigmoid", "Sin", "Sqrt", "Sub", "Tanh", "Where"),
 }
 
 

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from sailnet.errors import GuidanceError
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import geometry_of
 
 Precision = Literal["float32", "float64"]
 
@@ -154,15 +155,22 @@ class Guidance(Protocol):
         """Steering of ``count`` sails that start knowing nothing but the mission's beta."""
 
 
-def as_states(states: ArrayLike, precision: Precision) -> NDArray[np.floating]:
-    """(n, 3) contiguous array of one precision; numbers beyond its range become infinite.
+def as_states(states: ArrayLike, precision: Precision, components: int = 3) -> NDArray[np.floating]:
+    """(n, 3) contiguous array of one precision, in space (n, 5); numbers beyond its range become infinite.
+
+    Args:
+        states: rows of numbers.
+        precision: of the array.
+        components: of a state.
 
     Raises:
         GuidanceError: another shape, or not numbers.
     """
-    array = _as_numbers(states, precision, "states must be numbers in an (n, 3) array")
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise GuidanceError(f"states must be an (n, 3) array of (r, u, v), not of shape {array.shape}")
+    shape = f"(n, {components})"
+    array = _as_numbers(states, precision, f"states must be numbers in an {shape} array")
+    if array.ndim != 2 or array.shape[1] != components:
+        names = ", ".join(geometry_of(components).state_names)
+        raise GuidanceError(f"states must be an {shape} array of ({names}), not of shape {array.shape}")
     return array
 
 
@@ -176,6 +184,16 @@ def as_attitudes(attitudes: ArrayLike, count: int, precision: Precision) -> NDAr
     if array.shape != (count,):
         raise GuidanceError(f"{count} states need as many attitudes, not an array of shape {array.shape}")
     return array
+
+
+def refuse_attitudes(mission: Mission, attitudes: ArrayLike | None) -> None:
+    """Raise an error if attitudes are measured that steering does not take yet: those of three dimensions.
+
+    Raises:
+        GuidanceError: they are.
+    """
+    if attitudes is not None and mission.inclined:
+        raise GuidanceError("in three dimensions steering takes no measured attitudes yet")
 
 
 def _as_numbers(values: ArrayLike, precision: Precision, must: str) -> NDArray[np.floating]:

@@ -45,7 +45,7 @@ class Change:
     @property
     def along_normal(self) -> Array:
         """(n,) the force along the normal per beta / r^2."""
-        return self.force[0] * self.cosine + self.force[1] * np.abs(self.sine)
+        return np.asarray(self.force[0] * self.cosine + self.force[1] * np.abs(self.sine))
 
 
 def predicted(memory: Memory, force: Coefficients) -> Change:

@@ -45,9 +45,12 @@ class Memory:
         """Of ``count`` sails that know nothing but a beta; a state has so many components, 3 or 5."""
         tilt = (count,) if components == 3 else (count, 2)
         shapes = {"state": (count, components), **dict.fromkeys(TILTS, tilt)}
-        given = {"beta": np.full(count, beta), "periods": np.zeros(count, np.int64)}
-        names = [item.name for item in fields(cls) if item.name not in given]
-        return cls(**given, **{name: np.zeros(shapes.get(name, (count,))) for name in names})
+        names = [item.name for item in fields(cls) if item.name not in ("beta", "periods")]
+        return cls(
+            beta=np.full(count, beta),
+            periods=np.zeros(count, np.int64),
+            **{name: np.zeros(shapes.get(name, (count,))) for name in names},
+        )
 
     def rows(self, sails: NDArray[np.intp]) -> "Memory":
         """Copies of some of them."""

@@ -37,7 +37,7 @@ class OnnxGuidance:
         options.intra_op_num_threads = options.inter_op_num_threads = 1
         options.log_severity_level = _SILENT
         try:
-            self.precision, found = _checked(content)
+            self.precision, found = _checked(content, 5 if mission.inclined else 3)
             self._session = onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
         except Exception as error:  # onnxruntime's exceptions share no other base
             raise GuidanceError(f"cannot load {graph}: {error}; export it again") from error
@@ -67,8 +67,8 @@ class OnnxGuidance:
         return OnnxGuidance, (self.mission, self._graph)
 
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
-        """Command the sails at (n, 3) states; see ``sailnet.guidance.interface.Guidance``."""
-        array = as_states(states, self.precision)
+        """Command the sails at (n, 3) or (n, 5) states; see ``sailnet.guidance.interface.Guidance``."""
+        array = as_states(states, self.precision, self._facts.components)
         betas = as_betas(beta, len(array), self.mission.sail.beta, self.precision)
         valid = np.isfinite(array).all(axis=1)
         # A NaN never enters the graph: what its operators make of one is not defined.
@@ -82,15 +82,18 @@ class OnnxGuidance:
         return ReferenceSteering(self, count)
 
 
-def _checked(content: bytes) -> tuple[Precision, GraphFile]:
-    """The precision of a graph that is as sailnet exports them, and what its file holds."""
+def _checked(content: bytes, components: int) -> tuple[Precision, GraphFile]:
+    """The precision of a graph that is as sailnet exports them for such states, and what its file holds."""
     graph = read_graph(content)
     state = graph.inputs.get("state")
     if state is None or state.kind not in _PRECISIONS:
         raise ValueError(f"its inputs are {', '.join(graph.inputs)!r:.100}, and no state in floating point")
     one = Value(state.kind, (ROWS,))
-    inputs = {"state": Value(state.kind, (ROWS, 3))} | ({"beta": one} if "beta" in graph.inputs else {})
+    inputs = {"state": Value(state.kind, (ROWS, components))} | (
+        {"beta": one} if "beta" in graph.inputs else {}
+    )
     outputs = dict.fromkeys(("cone_angle", "time_of_flight"), one)
     outputs |= {"lambda_v": one} if "lambda_v" in graph.outputs else {}
+    outputs |= dict.fromkeys(("clock_angle", "lambda_w"), one) if components > 3 else {}
     refuse_foreign(graph, inputs, outputs)
     return _PRECISIONS[state.kind], graph

@@ -11,8 +11,14 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sailnet.errors import GuidanceError
-from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus, Steered, as_attitudes
+from sailnet.guidance.interface import (
+    Commands,
+    Guidance,
+    GuidanceStatus,
+    Steered,
+    as_attitudes,
+    refuse_attitudes,
+)
 from sailnet.guidance.last_period import Change, predicted
 from sailnet.guidance.memory import Memory
 from sailnet.guidance.rules import LARGEST_PERIOD, SteeringRules, rules_for
@@ -69,9 +75,9 @@ class ReferenceSteering:
         self._force: Coefficients = mission.sail.optics.force
         self._degradation = mission.degradation
         self._side = SideKeeping(mission, rules)
-        components = 5 if mission.inclined else 3
+        components = mission.components
         self._target = target_of(mission.problem, components)
-        self._lengths = lengths_of(mission.problem, components)
+        self._lengths = lengths_of(self._target)
         beta = float(np.clip(mission.sail.beta, *guidance.beta_range))
         self._memory = Memory.started(count, beta, components)
 
@@ -79,10 +85,9 @@ class ReferenceSteering:
         self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None
     ) -> Steered:
         """See :class:`sailnet.guidance.interface.Steering`."""
+        refuse_attitudes(self._guidance.mission, attitudes)
         rules, memory = self._rules, self._memory.rows(sails)
         if attitudes is not None:
-            if self._guidance.mission.inclined:
-                raise GuidanceError("in three dimensions steering takes no measured attitudes yet")
             self._measured(memory, np.asarray(as_attitudes(attitudes, len(sails), "float64"), float))
         shown = np.asarray(states, float)
         timed = 0.0 < period <= LARGEST_PERIOD

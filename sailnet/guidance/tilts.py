@@ -14,7 +14,7 @@ def tilt_of(cone_angle: Array, clock_angle: Array | None) -> Array:
     if clock_angle is None:
         return np.array(cone_angle, float)
     across = np.column_stack([np.cos(clock_angle), np.sin(clock_angle)])
-    return np.asarray(cone_angle, float)[:, None] * across
+    return np.asarray(cone_angle[:, None] * across)
 
 
 def angles_of(tilt: Array) -> tuple[Array, Array | None]:
@@ -43,7 +43,7 @@ def turned(tilt: Array, before: Array) -> Array:
     if tilt.ndim == 1:
         return np.abs(tilt - before)
     apart = np.linalg.norm(normal_of(tilt) - normal_of(before), axis=1)
-    return 2.0 * np.arcsin(np.minimum(0.5 * apart, 1.0))
+    return np.asarray(2.0 * np.arcsin(np.minimum(0.5 * apart, 1.0)))
 
 
 def limited(tilt: Array, bound: Array | float) -> Array:
@@ -59,7 +59,7 @@ def along(tilt: Array, other: Array) -> Array:
     if tilt.ndim == 1:
         return np.sign(tilt) * np.sign(other)
     sizes = size_of(tilt) * size_of(other)
-    return (tilt * other).sum(axis=1) / np.where(sizes > 0.0, sizes, 1.0)
+    return np.asarray((tilt * other).sum(axis=1) / np.where(sizes > 0.0, sizes, 1.0))
 
 
 def in_direction(other: Array, tilt: Array) -> Array:

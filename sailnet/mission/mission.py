@@ -37,6 +37,7 @@ from sailnet.mission.sections import (
     read_by,
 )
 from sailnet.mission.toml_files import read_table, shipped_names
+from sailnet.physics.arrays import Array
 from sailnet.physics.optics import Optics
 from sailnet.physics.transfer import Transfer
 
@@ -123,6 +124,16 @@ class Mission(Section):
     def inclined(self) -> bool:
         """Whether the transfer has three dimensions."""
         return self.transfer.inclination > 0.0
+
+    @property
+    def components(self) -> int:
+        """Of a state: 3 in the plane, 5 in space."""
+        return 5 if self.inclined else 3
+
+    @property
+    def region(self) -> tuple[Array, Array]:
+        """(components,) lowest and highest state of the generalisation set."""
+        return self.generalisation.corners_in_space if self.inclined else self.generalisation.corners
 
     @property
     def departure_state_in_space(self) -> tuple[float, float, float, float, float]:

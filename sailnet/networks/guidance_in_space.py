@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike
 from sailnet.errors import NetworkError
 from sailnet.mission.mission import Mission
 from sailnet.networks.approach import APPROACH_INPUTS_IN_SPACE, LATERAL_INPUTS, approach_coordinates_in_space
-from sailnet.networks.guidance_networks import APPROACH_SIGN_SCALE
+from sailnet.networks.guidance_networks import APPROACH_SIGN_SCALE, GuidanceNetworks, load_guidance_networks
 from sailnet.networks.network import EXTRAPOLATION, Network, load_network, trained_box, weights_digest
+from sailnet.networks.trained_domain import TrainedDomain, recorded_domain
 from sailnet.physics.arrays import Array
 from sailnet.physics.geometry import clock_angle, in_space
 from sailnet.physics.jumps import cone_angle_size
@@ -55,15 +56,14 @@ class GuidanceNetworksInSpace:
     lambda_w: Network
 
     def __post_init__(self) -> None:
-        networks = [getattr(self, name) for name in NAMES]
-        factors = [network.factors for network in networks]
-        if {network.inputs for network in networks} != {APPROACH_INPUTS_IN_SPACE}:
+        factors = [network.factors for network in self.all]
+        if {network.inputs for network in self.all} != {APPROACH_INPUTS_IN_SPACE}:
             raise NetworkError("these networks are not of three dimensions: train them on such a data set")
         if factors != [(), (), (), LATERAL_INPUTS]:
             raise NetworkError(
                 f"networks {', '.join(NAMES)} do not fit together: their factors are {factors}"
             )
-        for network in networks:
+        for network in self.all:
             if network.mission.digest() != self.mission.digest() or not network.mission.inclined:
                 raise NetworkError(f"networks do not belong together: {network.name} is of another mission")
 
@@ -73,23 +73,58 @@ class GuidanceNetworksInSpace:
         return self.tau.mission
 
     @property
+    def all(self) -> tuple[Network, ...]:
+        """The networks, in order."""
+        return self.tau, self.alpha_pre, self.lambda_v, self.lambda_w
+
+    @property
+    def components(self) -> int:
+        """Of a state."""
+        return 5
+
+    @property
+    def approach(self) -> bool:
+        """Whether the networks read approach coordinates, as all of three dimensions do."""
+        return True
+
+    @property
+    def costate_unit(self) -> float:
+        """What (lambda_v, lambda_w) is multiplied by to be the costates times beta / r_f^2, where small."""
+        return APPROACH_SIGN_SCALE
+
+    @property
     def beta_range(self) -> tuple[float, float]:
         """Smallest and largest beta the networks were trained for."""
         return float(self.tau.input_min[-1]), float(self.tau.input_max[-1])
 
     @property
     def state_range(self) -> tuple[Array, Array]:
-        """(5,) lowest and highest state the networks were trained on.
+        """(5,) lowest and highest state the networks were trained on, or its mirror image.
 
         Raises:
             NetworkError: they do not say.
         """
-        return trained_box([self.tau.provenance.get(name) for name in ("state_min", "state_max")], 5)
+        recorded = [self.tau.provenance.get(name) for name in ("state_min", "state_max")]
+        lowest, highest = trained_box(recorded, self.components)
+        # What was seen to the south is known to the north.
+        lateral = [1, 4]
+        highest[lateral] = np.maximum(highest, -lowest)[lateral]
+        lowest[lateral] = -highest[lateral]
+        return lowest, highest
+
+    @property
+    def domain(self) -> TrainedDomain:
+        """The tube of states within that range the networks were trained on.
+
+        Raises:
+            NetworkError: they do not say.
+        """
+        return recorded_domain(self.tau.provenance, self.components)
 
     @property
     def digest(self) -> str:
         """See :func:`sailnet.networks.network.weights_digest`."""
-        return weights_digest(getattr(self, name) for name in NAMES)
+        return weights_digest(self.all)
 
     @property
     def longest(self) -> float:
@@ -114,7 +149,7 @@ class GuidanceNetworksInSpace:
         cone = cone_angle_size(self.alpha_pre(even), self.mission.problem.phi_max)
         costates = in_space(np.zeros((len(inputs), 3)))
         costates[:, 3], costates[:, 4] = self.lambda_v(even), self.lambda_w(inputs)
-        directions, tau = costates[:, 3:] * APPROACH_SIGN_SCALE, s * np.exp(self.tau(even))
+        directions, tau = costates[:, 3:] * self.costate_unit, s * np.exp(self.tau(even))
         return Outputs(cone, clock_angle(costates), tau, *directions.T)
 
 
@@ -129,3 +164,15 @@ def load_guidance_networks_in_space(folder: Path) -> GuidanceNetworksInSpace:
             f"{folder} holds networks of the plane, without lambda_w: name one of three dimensions"
         )
     return GuidanceNetworksInSpace(*(load_network(folder / f"{name}.safetensors") for name in NAMES))
+
+
+AnyGuidanceNetworks = GuidanceNetworks | GuidanceNetworksInSpace
+
+
+def load_networks_of(mission: Mission, folder: Path) -> AnyGuidanceNetworks:
+    """The networks in a folder, of as many dimensions as a mission has.
+
+    Raises:
+        NetworkError: one is missing or damaged, they do not belong together, or are of other dimensions.
+    """
+    return load_guidance_networks_in_space(folder) if mission.inclined else load_guidance_networks(folder)

@@ -10,7 +10,7 @@ from sailnet.errors import NetworkError
 from sailnet.mission.mission import Mission
 from sailnet.networks.approach import APPROACH_INPUTS, approach_coordinates
 from sailnet.networks.network import EXTRAPOLATION, Network, load_network, trained_box
-from sailnet.networks.trained_domain import TrainedDomain
+from sailnet.networks.trained_domain import TrainedDomain, recorded_domain
 from sailnet.physics.arrays import Array
 from sailnet.physics.jumps import cone_angle_size, restore
 
@@ -66,6 +66,16 @@ class GuidanceNetworks:
         return self.tau.mission
 
     @property
+    def all(self) -> tuple[Network, ...]:
+        """The networks, in order."""
+        return self.tau, self.alpha_pre, self.lambda_v
+
+    @property
+    def components(self) -> int:
+        """Of a state."""
+        return 3
+
+    @property
     def approach(self) -> bool:
         """Whether the networks read approach coordinates, and with them beta."""
         return self.tau.inputs == APPROACH_INPUTS
@@ -75,6 +85,14 @@ class GuidanceNetworks:
         """What the output of ``lambda_v`` is multiplied by to be lambda_v beta / r_f^2, where small."""
         problem = self.mission.problem
         return APPROACH_SIGN_SCALE if self.approach else SIGN_SCALE * problem.beta / problem.target_radius**2
+
+    @property
+    def longest(self) -> float:
+        """No longer time of flight was learnt [TU]: over approach coordinates tau gives log(tau / s)."""
+        tau = self.tau
+        if not self.approach:
+            return tau.output_max
+        return float(tau.input_max[APPROACH_INPUTS.index("s")] * np.exp(tau.output_max))
 
     @property
     def beta_range(self) -> tuple[float, float]:
@@ -93,7 +111,7 @@ class GuidanceNetworks:
         recorded = [self.tau.provenance.get(name) for name in ("state_min", "state_max")]
         if recorded == [None, None] and not self.approach:
             recorded = [self.tau.input_min.tolist(), self.tau.input_max.tolist()]
-        return trained_box(recorded, 3)
+        return trained_box(recorded, self.components)
 
     @property
     def domain(self) -> TrainedDomain:
@@ -102,12 +120,7 @@ class GuidanceNetworks:
         Raises:
             NetworkError: they do not say.
         """
-        if "domain" not in self.tau.provenance:
-            raise NetworkError(
-                "network tau does not say which states it was trained on: "
-                "add it with python -m training.fit_domain DATASET NETWORKS_DIR"
-            )
-        return TrainedDomain.parse(self.tau.provenance["domain"])
+        return recorded_domain(self.tau.provenance, self.components)
 
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> tuple[Array, Array]:
         """Cone angle [rad] and time of flight [TU] at (n, 3) states: the reference in NumPy.

@@ -77,6 +77,11 @@ class Network:
         finite = all(np.isfinite(a).all() for a in (*self.weights, *self.biases, *scaling))
         if not finite or not np.all(self.input_min < self.input_max) or not self.output_min < self.output_max:
             raise NetworkError(f"network {self.name}: weights or scaling are not finite and ordered")
+        if self.factors and self.output_min != 0.0:
+            raise NetworkError(
+                f"network {self.name}: its outputs are multiplied by {', '.join(self.factors)}, and start at "
+                f"{self.output_min:g}, not at 0: train again"
+            )
 
     @property
     def clamp(self) -> tuple[Array, Array]:

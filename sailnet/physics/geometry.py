@@ -127,12 +127,16 @@ def target_of(transfer: AnyTransfer, components: int) -> Array:
     return planar if components == 3 else in_space(planar)
 
 
-def lengths_of(transfer: AnyTransfer, components: int) -> Array:
-    """(components,) what turns a deviation from the target into lengths and speeds [AU, AU/TU].
+def lengths_of(target: ArrayLike) -> Array:
+    """(k,) what turns deviations from a state on the target orbit into lengths and speeds [AU, AU/TU].
 
     The target's radius for the latitude, 1 for all others.
+
+    Args:
+        target: (3,) or (5,), as of :func:`target_of`.
     """
-    lengths = np.ones(components)
-    if components == 5:
-        lengths[1] = transfer.target_state[0]
+    given = np.asarray(target, float)
+    lengths = np.ones(len(given))
+    if len(given) == 5:
+        lengths[1] = given[0]
     return lengths

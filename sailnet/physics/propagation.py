@@ -94,8 +94,8 @@ class Propagator:
             np.ones((len(system) if kind == "real" else self.size, self.lanes)),
             t_events=events,
             tol=tolerance,
-            # Unrolled, the largest of the systems would take a minute to compile.
-            compact_mode=variational and (components > 3 or (kind == "real" and tolerance <= TOLERANCE)),
+            # Unrolled, a system that two of these make large would take a minute to compile, once a machine.
+            compact_mode=variational and (components > 3) + (kind == "real") + (tolerance <= TOLERANCE) >= 2,
         )
         self._law: RealLaw | None = None
         self._blur = BLUR_SHARE if tolerance <= TOLERANCE else ROUGH_BLUR_SHARE

@@ -8,7 +8,9 @@ import pytest
 from c_runtime.builds import BUILDS, Build
 from c_runtime.shared_library import find_compiler
 from tests.conftest import Exported
+from tests.guidance.space_export import export_c
 from tests.paths import ROOT
+from tests.random_networks import random_guidance_in_space
 from tests.tools import every_compiler, missing, needs
 
 C_RUNTIME = ROOT / "c_runtime"
@@ -31,13 +33,28 @@ every_build = pytest.mark.parametrize("build", BUILDS.values(), ids=BUILDS)
     ],
 )
 def test_unit_tests_in_c(exported: Exported, tmp_path: Path, compiler: list[str], flags: str) -> None:
+    pass_unit_tests(exported.folder, tmp_path, compiler, flags)
+
+
+@pytest.mark.slow
+@every_compiler
+@pytest.mark.parametrize(
+    "flags", [f"-O2 {SOME}", pytest.param(f"{TRAPPING} {SOME}", marks=pytest.mark.exhaustive)]
+)
+def test_unit_tests_in_c_of_three_dimensions(tmp_path: Path, compiler: list[str], flags: str) -> None:
+    """Every file compiles without a warning, too."""
+    made = export_c(random_guidance_in_space(), tmp_path / "exported")
+    pass_unit_tests(made.folder, tmp_path / "built", compiler, flags)
+
+
+def pass_unit_tests(exported: Path, built: Path, compiler: list[str], flags: str) -> None:
     run = subprocess.run(
         [
             "make",
             "-s",
             "test",
-            f"EXPORTED={exported.folder}",
-            f"BUILD={tmp_path}",
+            f"EXPORTED={exported}",
+            f"BUILD={built}",
             f"CC={shlex.join(compiler)}",
             f"CFLAGS={flags}",
         ],

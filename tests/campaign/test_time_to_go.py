@@ -10,6 +10,7 @@ from sailnet.campaign.time_to_go import MISSED, least_time, time_to_go
 from sailnet.flight.closed_loop import Ending, fly
 from sailnet.physics.arrays import Array
 from sailnet.physics.extremals import arrival_gain, propagate_extremals
+from sailnet.physics.geometry import in_space
 from sailnet.physics.optics import OPTICS
 from sailnet.physics.transfer import Transfer
 from tests.pilots import MISSION, Constant
@@ -19,12 +20,12 @@ TARGET = np.array(TRANSFER.target_state)
 PULL = TRANSFER.beta / TRANSFER.target_radius**2
 
 
-def extremals_before_arrival(transfer: Transfer, tau: float) -> Array:
-    """(n, 3) states with this time to go, whatever the direction they come from."""
-    drawn = np.random.default_rng(8).normal(size=(2000, 3))
+def extremals_before_arrival(transfer: Transfer, tau: float, components: int = 3) -> Array:
+    """(n, components) states with this time to go, whatever the direction they come from."""
+    drawn = np.random.default_rng(8).normal(size=(2000, components))
     directions = drawn / np.linalg.norm(drawn, axis=1, keepdims=True)
     directions = directions[arrival_gain(transfer, directions) < 0.0]
-    return np.asarray(propagate_extremals(transfer, directions, [0.0, tau]).states[:, 1, :3])
+    return np.asarray(propagate_extremals(transfer, directions, [0.0, tau]).states[:, 1, :components])
 
 
 @pytest.mark.parametrize(("tau", "too_much"), [(0.003, 1.002), (0.01, 1.006), (0.1, 1.05)])
@@ -42,6 +43,32 @@ def test_no_extremal_is_sooner_there(tau: float, too_much: float, bound: float, 
     if bound == 60.0:
         assert share.min() > 0.54
         assert np.median(share) > 0.94
+
+
+@pytest.mark.parametrize(("tau", "too_much"), [(0.003, 1.002), (0.01, 1.006), (0.1, 1.06)])
+@pytest.mark.parametrize("bound", [60.0, 30.0])
+def test_no_extremal_is_sooner_there_in_space(tau: float, too_much: float, bound: float) -> None:
+    transfer = replace(TRANSFER, phi_max=math.radians(bound), delta=0.0)
+    states = extremals_before_arrival(transfer, tau, 5)
+    assert len(states) > 900
+    share = least_time(transfer, states, transfer.beta) / tau
+    assert share.max() <= too_much
+    assert np.median(share) > 0.75
+
+
+def test_in_the_plane_it_is_the_plane_s() -> None:
+    states = np.array(TRANSFER.target_state) + 1e-3 * np.random.default_rng(2).normal(size=(50, 3))
+    both = (least_time(TRANSFER, of, TRANSFER.beta) for of in (states, in_space(states)))
+    np.testing.assert_allclose(*both, rtol=1e-12)
+
+
+def test_off_the_plane_it_is_a_double_integrator_of_the_thrust_across() -> None:
+    """From rest at a height z: 2 sqrt(z / b), with b = a 2 / (3 sqrt(3)) of an ideal sail."""
+    height = 1e-4
+    state = in_space(np.array(TRANSFER.target_state))
+    state[1] = height / TRANSFER.target_radius
+    across = PULL * 2.0 / (3.0 * math.sqrt(3.0))
+    assert least_time(TRANSFER, state, TRANSFER.beta)[0] == pytest.approx(2.0 * math.sqrt(height / across))
 
 
 def test_it_scales_with_the_sail_and_is_nothing_at_the_target() -> None:

@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 
 from data.recipes import prepare
+from data.wide import around_target
 from sailnet.dataset import open_dataset, write_dataset
 from sailnet.dataset.block import Block
 from sailnet.dataset.inspection import inspect_dataset
 from sailnet.errors import DatasetError
 from sailnet.expert.fastest_in_space import solve_states
 from sailnet.mission.mission import Mission, load_mission
+from sailnet.physics.geometry import target_of
 from tests.data.small_in_space import in_space, small_mission
 
 
@@ -24,6 +26,20 @@ def mission() -> Mission:
 @pytest.fixture(scope="module")
 def path(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return in_space(mission, tmp_path_factory.mktemp("space") / "wide.h5")
+
+
+def test_states_around_the_target_lie_mostly_near_its_plane(mission: Mission) -> None:
+    """There a sail that has missed the target comes back."""
+    problem = mission.problem
+    states = around_target(problem, 4000, 3, 5)
+    missing = (states - target_of(problem, 5)) * [1.0, problem.target_radius, 1.0, 1.0, 1.0]
+    aside, along = (np.linalg.norm(missing[:, at], axis=1) for at in ([1, 4], [0, 2, 3]))
+    shares = np.quantile(aside / along, [0.1, 0.5, 0.9])
+    assert shares[0] < 0.02 < 0.05 < shares[1] < 0.12 < 0.5 < shares[2]
+    nearest, farthest = np.quantile(along, [0.01, 0.99])
+    assert nearest < 1e-3 < 0.05 < farthest
+    for component in (1, 4):
+        assert 0.45 < (missing[:, component] > 0.0).mean() < 0.55
 
 
 @pytest.mark.slow

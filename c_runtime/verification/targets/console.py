@@ -75,7 +75,7 @@ class FlightComputer:
         answer = self._await(b"steering ").split()
         try:
             told = np.array([int(word, 16) for word in answer[2:]], unsigned)
-            (status, _) = int(answer[1]), told.reshape(len(COMMAND_FIELDS))
+            (status, _) = int(answer[1]), told.reshape(len(COMMAND_FIELDS[3]))
         except (ValueError, IndexError) as error:
             raise TargetError(f"{self._name} answered {answer!r}") from error
         self.bits.append([status, *told.tolist()])
@@ -157,5 +157,5 @@ class ByConsole:
         """See :class:`sailnet.guidance.interface.Steering`; attitudes are not told."""
         (state,) = as_states(states, "float64")
         status, told = self._computer.steer(state.tolist(), period)
-        named = dict(zip(COMMAND_FIELDS, told[:, None], strict=True))
+        named = dict(zip(COMMAND_FIELDS[3], told[:, None], strict=True))
         return Steered(**named, status=np.array([status], np.int32))

@@ -33,6 +33,30 @@ static sailnet_state far_from_the_target(sailnet_real beta)
     return some_state(beta, 0);
 }
 
+static sailnet_state at_target(void)
+{
+    sailnet_state target;
+    (void)memset(&target, 0, sizeof target);
+    target.r = SAILNET_TARGET_R;
+    target.u = SAILNET_TARGET_U;
+    target.v = SAILNET_TARGET_V;
+    return target;
+}
+
+/* The sail points somewhere. */
+static void any_attitude(sailnet_memory *memory)
+{
+#ifdef SAILNET_IN_SPACE
+    const double cone = (double)between(R(0.0), SAILNET_PHI_MAX);
+    const double clock = (double)between(R(-3.14), R(3.14));
+    memory->normal[0] = (sailnet_real)cos(cone);
+    memory->normal[1] = (sailnet_real)(sin(cone) * cos(clock));
+    memory->normal[2] = (sailnet_real)(sin(cone) * sin(clock));
+#else
+    memory->attitude = between(-SAILNET_PHI_MAX, SAILNET_PHI_MAX);
+#endif
+}
+
 /* A flight begins. Of a sail that ages, with one that is worn already: what is learnt is tested of its own. */
 static void begin(sailnet_memory *memory)
 {
@@ -58,8 +82,10 @@ static sailnet_state predicted(const sailnet_memory *memory)
 {
     sailnet_change change;
     sailnet_predict(memory, &change);
-    const sailnet_state next = {memory->state.r + change.by.r, memory->state.u + change.by.u,
-                                memory->state.v + change.by.v};
+    sailnet_state next = memory->state;
+    for (int i = 0; i < COMPONENTS; i++) {
+        *component(&next, i) += *component(&change.by, i);
+    }
     return next;
 }
 

@@ -56,7 +56,24 @@ static sailnet_real between(sailnet_real lower, sailnet_real upper)
     return lower + (upper - lower) * (sailnet_real)((double)(random_bits() >> 40) / 16777216.0);
 }
 
-/* Ends of the box of r, u, v. */
+/* The components of a state, in the order in which the tables have them. */
+#ifdef SAILNET_IN_SPACE
+#define COMPONENTS 5
+#else
+#define COMPONENTS 3
+#endif
+
+static sailnet_real *component(sailnet_state *state, int i)
+{
+#ifdef SAILNET_IN_SPACE
+    sailnet_real *const all[COMPONENTS] = {&state->r, &state->u, &state->v, &state->latitude, &state->w};
+#else
+    sailnet_real *const all[COMPONENTS] = {&state->r, &state->u, &state->v};
+#endif
+    return all[i];
+}
+
+/* Ends of the box of each. */
 #ifndef TESTED_HOST
 #define BOX_MIN(i) sailnet_limits[SAILNET_OF_STATE + 3 * (i)][0]
 #define BOX_MAX(i) sailnet_limits[SAILNET_OF_STATE + 3 * (i)][1]
@@ -71,9 +88,9 @@ static sailnet_state state_in_domain(void)
     for (;;) {
         sailnet_command command;
         sailnet_state state;
-        state.r = between(BOX_MIN(0), BOX_MAX(0));
-        state.u = between(BOX_MIN(1), BOX_MAX(1));
-        state.v = between(BOX_MIN(2), BOX_MAX(2));
+        for (int i = 0; i < COMPONENTS; i++) {
+            *component(&state, i) = between(BOX_MIN(i), BOX_MAX(i));
+        }
         if (sailnet_guidance(&state, SAILNET_BETA, &command) != SAILNET_OUTSIDE_DOMAIN) {
             return state;
         }
@@ -83,14 +100,36 @@ static sailnet_state state_in_domain(void)
 static sailnet_state middle_of_domain(void)
 {
     sailnet_state state;
-    state.r = R(0.5) * (BOX_MIN(0) + BOX_MAX(0));
-    state.u = R(0.5) * (BOX_MIN(1) + BOX_MAX(1));
-    state.v = R(0.5) * (BOX_MIN(2) + BOX_MAX(2));
+    for (int i = 0; i < COMPONENTS; i++) {
+        *component(&state, i) = R(0.5) * (BOX_MIN(i) + BOX_MAX(i));
+    }
     return state;
+}
+
+/* Of absurd numbers, for what is to be overwritten. */
+static sailnet_command absurd_command(void)
+{
+    sailnet_command command;
+    command.cone_angle = R(99.0);
+    command.time_of_flight = R(99.0);
+    command.beta = R(99.0);
+    command.hold = R(99.0);
+    command.lambda_v = R(99.0);
+#ifdef SAILNET_IN_SPACE
+    command.clock_angle = R(99.0);
+    command.lambda_w = R(99.0);
+#endif
+    return command;
 }
 
 static int is_bounded(sailnet_command command)
 {
+#ifdef SAILNET_IN_SPACE
+    if (!(command.cone_angle >= R(0.0) && (double)command.clock_angle > -3.141592653589793 &&
+          (double)command.clock_angle <= 3.141592653589793 && isfinite(command.lambda_w))) {
+        return 0;
+    }
+#endif
     return command.cone_angle >= -SAILNET_PHI_MAX && command.cone_angle <= SAILNET_PHI_MAX &&
            isfinite(command.time_of_flight) && command.beta >= SAILNET_BETA_MIN &&
            command.beta <= SAILNET_BETA_MAX && isfinite(command.lambda_v);
@@ -98,6 +137,11 @@ static int is_bounded(sailnet_command command)
 
 static int is_safe(sailnet_command command)
 {
+#ifdef SAILNET_IN_SPACE
+    if (command.clock_angle != R(0.0) || command.lambda_w != R(0.0)) {
+        return 0;
+    }
+#endif
     return command.cone_angle == R(0.0) && command.time_of_flight == SAILNET_LARGEST_TIME_OF_FLIGHT &&
            command.lambda_v == R(0.0);
 }

@@ -6,9 +6,11 @@
 #include "elementary.inc"
 #include "steering.inc"
 #include "reckoning.inc"
-#include "side.inc"
 #include "learning.inc"
+#ifndef SAILNET_IN_SPACE
+#include "side.inc"
 #include "measured_attitude.inc"
+#endif
 #include "batch.inc"
 #include "ageing.inc"
 
@@ -18,9 +20,13 @@ int main(void)
     test_elementary_functions();
     test_steering();
     test_reckoning();
+#ifndef SAILNET_IN_SPACE
     test_side();
+#endif
     test_learning();
+#ifndef SAILNET_IN_SPACE
     test_measured_attitude();
+#endif
     test_batches();
     test_ageing();
     printf("%s, %s: %s\n", SAILNET_MISSION, sizeof(sailnet_real) == 8 ? "float64" : "float32",

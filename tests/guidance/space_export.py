@@ -1,0 +1,46 @@
+"""The C of networks in three dimensions, compiled, without graphs: for tests of the C alone."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from c_runtime.builds import BUILDS, Build
+from c_runtime.shared_library import compile_libraries
+from export.to_c import write_c
+from sailnet.guidance.exported_c import CGuidance
+from sailnet.guidance.facts import GuidanceFacts, describe
+from sailnet.guidance.rules import rules_for
+from sailnet.mission.mission import Mission, load_mission
+from sailnet.mission.sections import Degradation
+from sailnet.networks.guidance_in_space import GuidanceNetworksInSpace
+from sailnet.physics.optics import OPTICS
+
+MISSION = load_mission("earth_mars_3d", in_space=True)
+AGEING = MISSION.with_optics(OPTICS["jpl"]).model_copy(update={"degradation": Degradation(loss=0.2)})
+"""A sail that is not ideal, and known to age."""
+
+
+@dataclass(frozen=True)
+class CInSpace:
+    """Exported C, of which all builds are compiled."""
+
+    networks: GuidanceNetworksInSpace
+    facts: GuidanceFacts
+    folder: Path
+
+    @property
+    def mission(self) -> Mission:
+        """That was exported for."""
+        return self.networks.mission
+
+    def guidance(self, build: Build) -> CGuidance:
+        """One of the builds, loaded."""
+        return CGuidance(self.mission, self.folder / build.library)
+
+
+def export_c(networks: GuidanceNetworksInSpace, folder: Path) -> CInSpace:
+    """Write and compile."""
+    folder.mkdir(parents=True, exist_ok=True)
+    facts = describe(networks, networks.mission)
+    write_c(networks, facts, folder, rules_for(networks.mission))
+    compile_libraries(folder, folder, BUILDS.values())
+    return CInSpace(networks, facts, folder)
