@@ -96,6 +96,7 @@ def content_of(mission: Mission) -> dict[str, Any]:
         "optics": {name: dict(zip(OPTICS_COEFFICIENTS, OPTICS[name].force, strict=True)) for name in SAILS},
         "units": {"days": TU / DAY, "kilometres": AU / 1e3, "kilometres_per_second": AU_PER_TU / 1e3},
         "orbits": {"departure": mission.transfer.departure_radius, "target": mission.transfer.target_radius},
+        "target": dict(zip("ruv", mission.problem.target_state, strict=True)),
         "bound": mission.sail.max_cone_angle,
         "tolerance": mission.flight.arrival_tolerance,
         "periods": PERIODS,

@@ -83,7 +83,7 @@
   }
 
   function tell({ sail, ending, columns, statuses }, own, flown) {
-    const errors = ["r", "u", "v"].map((name, i) => Math.abs(sail.state[name] - rules.target[i]));
+    const errors = ["r", "u", "v"].map((name) => Math.abs(sail.state[name] - content.target[name]));
     const arrived = ending === "STOPPED" && errors.every((error) => error <= content.tolerance) && sail.max_cone_angle <= rules.bound;
     const words = { STOPPED: "Stopped off the target", LOST: "Lost", TOO_LONG: "Not there in time" };
     const outside = columns.status.filter((status) => statuses[status] === "OUTSIDE_DOMAIN").length;
