@@ -101,6 +101,8 @@ OPTIMUM = ("optimal_time", *COSTATES, "optimal_slew", "optimal_reversals", OWN)
 """Columns of ``FLIGHTS`` that the expert fills."""
 
 _TRIPLES = {"starts": "start", "ends": "end", "terminal_error": "error"}
+_IN_PLANE = [item.name for item in fields(History) if item.name not in ("clock_angle", "attitude_clock")]
+"""Attributes of a history that campaigns keep: they are flown in the plane."""
 _STATE = {"states": ("r", "theta", "u", "v"), "seen": ("seen_r", "seen_u", "seen_v")}
 
 
@@ -133,7 +135,8 @@ def flights_from(columns: Mapping[str, NDArray[Any]]) -> Flights:
 def record_columns(history: History) -> dict[str, NDArray[Any]]:
     """Columns of ``RECORDS``."""
     columns: dict[str, NDArray[Any]] = {}
-    for name, values in vars(history).items():
+    for name in _IN_PLANE:
+        values = getattr(history, name)
         columns |= dict(zip(_STATE[name], values.T, strict=True)) if name in _STATE else {name: values}
     return columns
 
@@ -142,7 +145,7 @@ def history_from(columns: Mapping[str, NDArray[Any]]) -> History:
     """What :func:`record_columns` was given."""
     values: dict[str, Any] = {
         name: np.column_stack([columns[part] for part in _STATE[name]]) if name in _STATE else columns[name]
-        for name in (item.name for item in fields(History))
+        for name in _IN_PLANE
     }
     values["status"] = values["status"].astype(np.int32)
     return History(**values)

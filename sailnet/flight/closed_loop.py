@@ -19,11 +19,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from sailnet.errors import SailnetError
 from sailnet.flight.drawn_optics import optics_errors
-from sailnet.flight.plant import STATE, SideBySide, rules, step_quantile
+from sailnet.flight.plant import (
+    SHOWN,
+    STATE,
+    STATE_IN_SPACE,
+    SideBySide,
+    components_of,
+    rules,
+    step_quantile,
+)
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import lengths_of, target_of
 
 BLOCK = 256
 """Guidance periods flown in one call of the plant; between calls an interruption is noticed."""
@@ -32,8 +41,10 @@ BLOCK = 256
 FAST = 0.99
 """Share of the steps of a command that ``Flights.command_rate`` bounds."""
 
-AS_RECORDED = ("time", "seen", "cone_angle", "attitude", "beta", "beta_estimate", "status")
+AS_RECORDED = ("time", "cone_angle", "attitude", "beta", "beta_estimate", "status")
 """Attributes of a ``History`` that are members of ``plant_record``."""
+
+AS_RECORDED_IN_SPACE = (*AS_RECORDED, "clock_angle", "attitude_clock")
 
 
 class Ending(IntEnum):
@@ -54,11 +65,12 @@ class Flights:
     Other tolerances than the mission's can be applied to ``stopped`` and ``terminal_error`` afterwards.
 
     Attributes:
-        starts: (n, 3) r, u, v at departure.
-        ends: (n, 3) the same at the end.
+        starts: (n, 3) r, u, v at departure; (n, 5) r, latitude, u, v, w in three dimensions.
+        ends: (n, 3) or (n, 5) the same at the end.
         time_of_flight: duration [TU].
         ending: values of ``Ending``.
-        terminal_error: (n, 3) size of the deviation from the target state, Section 5.1.
+        terminal_error: (n, 3) size of the deviation from the target state, Section 5.1; (n, 5) with r_f times
+            the latitude's.
         max_cone_angle: largest size of the command [rad].
         max_attitude: largest size of the cone angle flown, misalignment and all [rad].
         beta_error: constant relative error of beta, bias and spread.
@@ -66,7 +78,8 @@ class Flights:
         nearest_error: smallest largest component of the deviation at the end of any period: what a stop
             rule that knew the truth would have got.
         nearest_time: when that was [TU].
-        command_slew: sum of the sizes of all steps of the command, from one period to the next [rad].
+        command_slew: sum of the sizes of all steps of the command, from one period to the next [rad]: in the
+            plane of the cone angle, in space between the sail's normals, as the next two and ``reversals``.
         attitude_slew: by how much the actuator turned the sail in all [rad].
         command_rate: 99 % of the steps of the command are at most this, over the guidance period [rad/TU];
             too large by at most 1/16 (:func:`sailnet.flight.plant.step_quantile`).
@@ -129,8 +142,8 @@ class History:
 
     Attributes:
         time: (k,) at the start of each period [TU].
-        states: (k, 4) r, theta, u, v then.
-        seen: (k, 3) r, u, v as navigation showed them; NaN in an outage.
+        states: (k, 4) r, theta, u, v then; (k, 6) r, theta, latitude, u, v, w in three dimensions.
+        seen: (k, 3) r, u, v as navigation showed them, or (k, 5) r, latitude, u, v, w; NaN in an outage.
         cone_angle: (k,) commanded [rad]; without a state too, by the guidance's own rule.
         attitude: (k,) the cone angle flown at the end of the period [rad].
         beta: (k,) the sail's real beta in the period.
@@ -138,6 +151,8 @@ class History:
         predicted_time_of_flight: (k,) by the guidance [TU]: in an outage, from where the sail must be; the
             longest that it was trained on where it does not know that either.
         status: (k,) values of ``GuidanceStatus``.
+        clock_angle: (k,) commanded [rad]; None in the plane, where the cone angle has a sign.
+        attitude_clock: (k,) the clock angle flown at the end of the period [rad]; None likewise.
     """
 
     time: Array
@@ -149,11 +164,19 @@ class History:
     beta_estimate: Array
     predicted_time_of_flight: Array
     status: NDArray[np.int32]
+    clock_angle: Array | None = None
+    attitude_clock: Array | None = None
 
     @property
     def ruv(self) -> Array:
-        """(k, 3) r, u, v at the start of each period: what guidance and navigation deal with."""
-        return self.states[:, [0, 2, 3]]
+        """(k, 3) r, u, v at the start of each period: what guidance and navigation deal with in the plane."""
+        names = STATE if self.states.shape[1] == len(STATE) else STATE_IN_SPACE
+        return self.states[:, [names.index(name) for name in "ruv"]]
+
+    @property
+    def shown(self) -> Array:
+        """(k, 3) or (k, 5) what navigation shows where it makes no error, at the start of each period."""
+        return np.delete(self.states, 1, axis=1)
 
 
 def fly(
@@ -170,13 +193,15 @@ def fly(
     Args:
         mission: the plant's beta, the target, and the rules of flight.
         guidance: a back end of :mod:`sailnet.guidance.interface`.
-        starts: (n, 3) rows r [AU], u, v [AU/TU].
+        starts: (n, 3) rows r [AU], u, v [AU/TU]; of a mission with an inclination (n, 5) rows r [AU],
+            latitude [rad], u, v, w [AU/TU].
         disturbance: of sail, navigation and actuator; the mission's by default.
         period: guidance period [TU]; the mission's by default.
         first: number of the first flight, for the random streams.
 
     Raises:
-        SailnetError: a start is not finite or not at a positive distance; a period that is not positive.
+        SailnetError: a start of the other kind, not finite, not at a positive distance or not between the
+            poles; a period that is not positive; a disturbance that the mission's dimensions do not have.
     """
     start, under_way = _departing(mission, guidance, starts, disturbance, period, first)
     while under_way.flying:
@@ -199,7 +224,8 @@ def fly_recorded(
     while under_way.flying:
         blocks.append(under_way.fly_recorded(BLOCK))
     whole = np.concatenate(blocks)
-    histories = [_history(whole[: sail["periods"], i]) for i, sail in enumerate(under_way.sails)]
+    kept = [whole[: sail["periods"], i] for i, sail in enumerate(under_way.sails)]
+    histories = [_history(mission, records) for records in kept]
     return _flights(mission, start, under_way), histories
 
 
@@ -212,8 +238,7 @@ def _departing(
     first: int,
 ) -> tuple[Array, SideBySide]:
     start = np.atleast_2d(np.asarray(starts, float))
-    if start.shape[1:] != (3,) or not np.isfinite(start).all() or not np.all(start[:, 0] > 0.0):
-        raise SailnetError(f"a start needs three finite numbers (r, u, v) with r > 0, not {start.tolist()}")
+    _refuse_impossible(mission, start)
     held = mission.flight.period if period is None else period
     wanted = mission.disturbance if disturbance is None else disturbance
     given = rules(mission, wanted, held, guidance.beta_range)
@@ -221,12 +246,25 @@ def _departing(
     return start, SideBySide(given, start, first, guidance.steering(len(start)), errors)
 
 
+def _refuse_impossible(mission: Mission, start: Array) -> None:
+    names = components_of(mission)
+    possible = start.shape[1] == len(names) and np.isfinite(start).all() and np.all(start[:, 0] > 0.0)
+    says = f"{'five' if mission.inclined else 'three'} finite numbers ({', '.join(names)}) with r > 0"
+    if mission.inclined:
+        says += " and the latitude between -pi/2 and pi/2"
+        possible = possible and np.all(np.abs(start[:, names.index("latitude")]) < np.pi / 2)
+    if not possible:
+        raise SailnetError(f"a start of mission {mission.name!r} needs {says}, not {start.tolist()}")
+
+
 def _flights(mission: Mission, start: Array, flown: SideBySide) -> Flights:
     sails = flown.sails
-    ends = np.column_stack([sails["state"][component] for component in "ruv"])
-    terminal_error = np.abs(ends - np.array(mission.problem.target_state))
+    names, problem = components_of(mission), mission.problem
+    ends = np.column_stack([sails["state"][component] for component in names])
+    target = target_of(problem, len(names))
+    terminal_error = np.abs(ends - target) * lengths_of(target)
     inside = np.all(terminal_error <= mission.flight.arrival_tolerance, axis=1)
-    bounded = sails["max_cone_angle"] <= mission.problem.phi_max
+    bounded = sails["max_cone_angle"] <= problem.phi_max
     named = {field.name for field in fields(Flights)} & set(sails.dtype.names or ())
     return Flights(
         starts=start,
@@ -240,9 +278,11 @@ def _flights(mission: Mission, start: Array, flown: SideBySide) -> Flights:
     )
 
 
-def _history(records: NDArray[np.void]) -> History:
+def _history(mission: Mission, records: NDArray[np.void]) -> History:
+    state, recorded = (STATE_IN_SPACE, AS_RECORDED_IN_SPACE) if mission.inclined else (STATE, AS_RECORDED)
     return History(
-        states=np.column_stack([records[name] for name in STATE]),
+        states=np.column_stack([records[name] for name in state]),
+        seen=records["seen"][:, [SHOWN.index(name) for name in components_of(mission)]],
         predicted_time_of_flight=records["time_of_flight"].copy(),
-        **{name: records[name].copy() for name in AS_RECORDED},
+        **{name: records[name].copy() for name in recorded},
     )

@@ -18,9 +18,10 @@ from sailnet.flight.plant_library import STEER, plant
 from sailnet.guidance.exported_files import SUFFIXES
 from sailnet.guidance.interface import NativeSteering, Steering
 from sailnet.guidance.rules import refuse_long_period
-from sailnet.mission.disturbances import Disturbance
+from sailnet.mission.disturbances import NAVIGATION, OFF_PLANE, Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import target_of
 
 RADII = (0.05, 20.0)
 """A sail outside these distances from the Sun [AU] is lost."""
@@ -38,7 +39,18 @@ OPTICS_COEFFICIENTS = ("normal_square", "normal_linear", "tangential")
 """Names of ``Optics.force``, in its order."""
 
 STATE = ("r", "theta", "u", "v")
-"""Names of a polar state, in the order of its rows or columns."""
+"""Names of a state in the plane, in the order of its rows or columns."""
+
+STATE_IN_SPACE = ("r", "theta", "latitude", "u", "v", "w")
+"""The same in three dimensions."""
+
+SHOWN = ("r", "latitude", "u", "v", "w")
+"""Names of what navigation shows, as the plant keeps them; in the plane latitude and w are 0."""
+
+
+def components_of(mission: Mission) -> tuple[str, ...]:
+    """Names of what navigation shows of a sail of this mission, in order."""
+    return SHOWN if mission.inclined else ("r", "u", "v")
 
 
 def rules(
@@ -54,7 +66,8 @@ def rules(
 
     Raises:
         SailnetError: a period that is not positive, too long for steering or too short for the mission's
-            longest flight; a time of an outage below it.
+            longest flight; a time of an outage below it; disturbances of latitude and w in the plane, or
+            measured attitudes in space.
     """
     longest, degradation = mission.flight.longest, mission.degradation_flown(disturbance)
     if not (math.isfinite(period) and period > 0.0):
@@ -66,14 +79,12 @@ def rules(
         raise SailnetError(f"outage_duration must be at least the guidance period, {period:g} TU")
     if disturbance.delay > longest:
         raise SailnetError(f"delay must be at most the longest flight, {longest:g} TU")
+    _refuse_other_dimensions(mission, disturbance)
     drawn_here = {f"{name}_spread" for name in COEFFICIENTS}
-    values = {
-        name: value
-        for name, value in vars(disturbance).items()
-        if name[:2] not in ("r_", "u_", "v_") and name not in drawn_here
-    }
-    for kind in ("bias", "noise", "wander"):
-        values[f"navigation_{kind}"] = [getattr(disturbance, f"{component}_{kind}") for component in "ruv"]
+    navigated = {f"{component}_{kind}" for component in SHOWN for kind in NAVIGATION}
+    values = {name: value for name, value in vars(disturbance).items() if name not in navigated | drawn_here}
+    for kind in NAVIGATION:
+        values[f"navigation_{kind}"] = [getattr(disturbance, f"{component}_{kind}") for component in SHOWN]
     return plant().filled(
         "plant_rules",
         values
@@ -83,7 +94,8 @@ def rules(
             "least_radius": RADII[0],
             "largest_radius": RADII[1],
             "tolerance": TOLERANCE,
-            "target": mission.problem.target_state,
+            "components": len(components_of(mission)),
+            "target": target_of(mission.problem, len(SHOWN)),
             "bound": mission.problem.phi_max,
             "reversal": REVERSAL,
             "beta_range": beta_range,
@@ -93,6 +105,18 @@ def rules(
             "degradation_dose": degradation.dose,
         },
     )
+
+
+def _refuse_other_dimensions(mission: Mission, disturbance: Disturbance) -> None:
+    if not mission.inclined and (given := [name for name in OFF_PLANE if getattr(disturbance, name)]):
+        raise SailnetError(
+            f"{', '.join(given)}: mission {mission.name!r} is of coplanar orbits, without latitude and w"
+        )
+    if mission.inclined and (disturbance.attitude_measured or disturbance.attitude_noise):
+        raise SailnetError(
+            f"attitude_measured, attitude_noise: mission {mission.name!r} has three dimensions, in which no "
+            "attitudes are measured yet"
+        )
 
 
 def optics_of(force: tuple[float, float, float]) -> NDArray[np.void]:
@@ -132,7 +156,7 @@ class SideBySide:
 
     Args:
         rules: what is the same for all, from :func:`rules`.
-        starts: (n, 3) r, u, v at departure.
+        starts: (n, 3) r, u, v at departure, or (n, 5) with latitude and w, ``components_of`` the mission.
         first: number of the first flight.
         steering: of n sails that start; called by the plant directly if it can be.
         optics_errors: (n, 3) by how much the force of each sail differs from that of the rules.
@@ -153,7 +177,8 @@ class SideBySide:
         self._fly, self._rules = loaded.functions.plant_fly, rules
         self._record = loaded.structures["plant_record"]
         self.sails = np.zeros(count, loaded.structures["plant_sail"])
-        for component, column in zip("ruv", starts.T, strict=True):
+        space = starts.shape[1] == len(SHOWN)
+        for component, column in zip(SHOWN if space else "ruv", starts.T, strict=True):
             self.sails["state"][component] = column
         for name, column in zip(OPTICS_COEFFICIENTS, optics_errors.T, strict=True):
             self.sails["optics_error"][name] = column
@@ -161,16 +186,17 @@ class SideBySide:
         native = steering.native() if isinstance(steering, NativeSteering) else None
         address, memories, precision = native or (0, 0, "float64")
         suffix = SUFFIXES[precision]
+        kind = f"plant_command_in_space_{suffix}" if space else f"plant_command_{suffix}"
         slots = loaded.functions.plant_queue_slots(rules.ctypes.data)
         # All these live as long as the C points to them, the steering for its memories.
         self._steered_by = steering
         self._places: dict[str, NDArray[Any]] = {
             "sails": self.sails,
             "rows": np.arange(count, dtype=np.uint64),
-            "queue": np.zeros((count, slots)),
-            "states": np.empty((count, 3), precision),
+            "queue": np.zeros((count, slots), loaded.structures["plant_attitude"]),
+            "states": np.empty(starts.shape, precision),
             "attitudes": np.empty(count, precision),
-            "commands": np.empty(count, loaded.structures[f"plant_command_{suffix}"]),
+            "commands": np.empty(count, loaded.structures[kind]),
             "statuses": np.empty(count, np.int32),
         }
         addresses = {name: place.ctypes.data for name, place in self._places.items()}

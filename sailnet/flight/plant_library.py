@@ -18,7 +18,7 @@ from sailnet.artefacts.checksums import verify_checksum
 from sailnet.artefacts.shared_objects import refuse_unloadable
 from sailnet.errors import GuidanceError
 
-API_VERSION = 6
+API_VERSION = 7
 
 LIBRARY = Path(__file__).parent / "native" / "plant.so"
 
@@ -59,7 +59,12 @@ class Plant:
             functions.plant_queue_slots.argtypes = [_POINTER]
             functions.plant_fly.restype = number
             functions.plant_fly.argtypes = [_POINTER, _POINTER, _POINTER, number, _POINTER]
-            functions.plant_hold.argtypes = [_POINTER, _POINTER, *[ctypes.c_double] * 4, _POINTER, _POINTER]
+            real = ctypes.c_double
+            functions.plant_hold.argtypes = [_POINTER, _POINTER, real, _POINTER, real, _POINTER, _POINTER]
+            functions.plant_keep.restype, functions.plant_keep.argtypes = None, [_POINTER] * 2
+            functions.plant_turn_between.restype = functions.plant_angle_between.restype = real
+            functions.plant_turn_between.argtypes = [_POINTER] * 3
+            functions.plant_angle_between.argtypes = [_POINTER] * 2
             functions.plant_coefficient_draw.restype = ctypes.c_double
             functions.plant_coefficient_draw.argtypes = [number, number, word]
             functions.plant_depart.restype, functions.plant_depart.argtypes = None, [_POINTER] * 2

@@ -32,11 +32,24 @@ def _drawn_coefficient(name: str) -> Any:
     return _quantity("1", f"half-width of a constant error of the {of}, drawn uniformly for each flight")
 
 
-_SHOWN = {"r": "the distance from the Sun", "u": "the radial speed", "v": "the transverse speed"}
+_SHOWN = {
+    "r": "the distance from the Sun",
+    "u": "the radial speed",
+    "v": "the transverse speed",
+    "latitude": "the latitude",
+    "w": "the northward speed",
+}
+_UNITS = {"r": "AU", "latitude": "rad"}
 
 
-def _of(error: str, component: str) -> str:
-    return f"{error} of {_SHOWN[component]} that navigation shows"
+def _navigation(error: str, component: str) -> Any:
+    where = "" if component in "ruv" else ", in three dimensions"
+    meaning = f"{error} of {_SHOWN[component]} that navigation shows{where}"
+    return _quantity(_UNITS.get(component, "AU/TU"), meaning)
+
+
+_NOISE = "sigma of an error, drawn every period,"
+_WANDER = "sigma of a Gauss-Markov error"
 
 
 @dataclass(frozen=True)
@@ -57,10 +70,11 @@ class Disturbance:
 
     A wander is a first-order Gauss-Markov process, stationary from the start. A command is rounded to the
     resolution, takes effect after the delay, and is then approached no faster than the rate limit; the angle
-    flown is that plus the misalignment, and never beyond 90 degrees, where a sail is edge-on. A sail departs
-    with the attitude of its first command. In an outage navigation has nothing to show, and guidance is told
-    so: what it does then is its own rule. Each period outside one begins one by chance, and their durations
-    in periods are geometric with the mean given.
+    flown is that plus the misalignment, and never beyond 90 degrees, where a sail is edge-on. In three
+    dimensions both angles are rounded, the sail's normal turns along the great circle, and misalignment turns
+    it about the northward direction. A sail departs with the attitude of its first command. In an outage
+    navigation has nothing to show, and guidance is told so: what it does then is its own rule. Each period
+    outside one begins one by chance, and their durations in periods are geometric with the mean given.
 
     Raises:
         SailnetError: a value that cannot be, by name.
@@ -80,20 +94,26 @@ class Disturbance:
     degradation_dose: float = _quantity(
         "TU/AU^2", "dose of sunlight that takes half of degradation_loss", 2.0 * math.pi
     )
-    r_bias: float = _quantity("AU", _of("constant error", "r"))
-    u_bias: float = _quantity("AU/TU", _of("constant error", "u"))
-    v_bias: float = _quantity("AU/TU", _of("constant error", "v"))
-    r_noise: float = _quantity("AU", _of("sigma of an error, drawn every period,", "r"))
-    u_noise: float = _quantity("AU/TU", _of("sigma of an error, drawn every period,", "u"))
-    v_noise: float = _quantity("AU/TU", _of("sigma of an error, drawn every period,", "v"))
-    r_wander: float = _quantity("AU", _of("sigma of a Gauss-Markov error", "r"))
-    u_wander: float = _quantity("AU/TU", _of("sigma of a Gauss-Markov error", "u"))
-    v_wander: float = _quantity("AU/TU", _of("sigma of a Gauss-Markov error", "v"))
+    r_bias: float = _navigation("constant error", "r")
+    u_bias: float = _navigation("constant error", "u")
+    v_bias: float = _navigation("constant error", "v")
+    r_noise: float = _navigation(_NOISE, "r")
+    u_noise: float = _navigation(_NOISE, "u")
+    v_noise: float = _navigation(_NOISE, "v")
+    r_wander: float = _navigation(_WANDER, "r")
+    u_wander: float = _navigation(_WANDER, "u")
+    v_wander: float = _navigation(_WANDER, "v")
+    latitude_bias: float = _navigation("constant error", "latitude")
+    w_bias: float = _navigation("constant error", "w")
+    latitude_noise: float = _navigation(_NOISE, "latitude")
+    w_noise: float = _navigation(_NOISE, "w")
+    latitude_wander: float = _navigation(_WANDER, "latitude")
+    w_wander: float = _navigation(_WANDER, "w")
     navigation_wander_time: float = _quantity(
         "TU", "correlation time of navigation's Gauss-Markov errors", 1.0
     )
     rate_limit: float = _quantity(
-        "rad/TU", f"largest rate of the cone angle; 1 is {DEGREES_PER_DAY:.4f} deg/day; 0: none"
+        "rad/TU", f"largest rate of the sail's normal; 1 is {DEGREES_PER_DAY:.4f} deg/day; 0: none"
     )
     delay: float = _quantity("TU", "time from a command to its effect")
     resolution: float = _quantity("rad", "commands are rounded to multiples of this")
@@ -147,7 +167,13 @@ class Disturbance:
             left -= value
 
 
-_SIGNED = {"beta_bias", "beta_drift", "r_bias", "u_bias", "v_bias", "misalignment"}
+NAVIGATION = ("bias", "noise", "wander")
+"""Kinds of errors of navigation, of which each component of a state has its own."""
+
+OFF_PLANE = tuple(f"{component}_{kind}" for component in ("latitude", "w") for kind in NAVIGATION)
+"""Disturbances that flights in the plane do not have."""
+
+_SIGNED = {"beta_bias", "beta_drift", "misalignment"} | {f"{name}_bias" for name in _SHOWN}
 _TIMES = ("beta_wander_time", "degradation_dose", "navigation_wander_time", "outage_duration")
 _LIMITS = {
     "degradation_loss": (0.0, 1.0),

@@ -10,7 +10,7 @@ import math
 from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import (
     Field,
@@ -23,7 +23,7 @@ from pydantic import (
 
 from sailnet.errors import MissionError, SailnetError
 from sailnet.mission.derived import completed, derived_values, in_usual_units
-from sailnet.mission.disturbances import Disturbance, disturbance_from
+from sailnet.mission.disturbances import OFF_PLANE, Disturbance, disturbance_from
 from sailnet.mission.explanation import explain
 from sailnet.mission.recipes import Recipes, Training
 from sailnet.mission.sections import (
@@ -73,8 +73,14 @@ class Mission(Section):
 
     @model_serializer(mode="wrap")
     def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
-        """A sail that does not age is written as before there were others: artefacts stay valid."""
-        content: dict[str, object] = handler(self)
+        """A sail that does not age is written as before there were others: artefacts stay valid.
+
+        So is navigation that makes no errors off the plane.
+        """
+        content: dict[str, Any] = handler(self)
+        for name in OFF_PLANE:
+            if not getattr(self.disturbance, name):
+                content["disturbance"].pop(name, None)
         if self.degradation == NO_DEGRADATION:
             del content["degradation"]
         return content

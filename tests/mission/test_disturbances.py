@@ -21,6 +21,7 @@ from sailnet.guidance.interface import Guidance, GuidanceStatus, Steered, Steeri
 from sailnet.mission.disturbances import (
     DEGREES_PER_DAY,
     NAMES,
+    OFF_PLANE,
     Disturbance,
     catalogue,
     disturbance_from,
@@ -417,14 +418,14 @@ def test_each_disturbance_changes_a_flight() -> None:
         "outage_duration": {"outage_probability": 0.2},
         "attitude_noise": {"attitude_measured": 1.0},
     }
-    for name in NAMES:
+    for name in set(NAMES) - set(OFF_PLANE):
         without = companions.get(name, {})
         with_: dict[str, Any] = without | {name: 0.1}
         reference, changed = (
             flown(Disturbance(**given), Wobble(), longest=1.0)[1][0] for given in (without, with_)
         )
         pairs = zip(vars(changed).values(), vars(reference).values(), strict=True)
-        same = [np.array_equal(*pair, equal_nan=True) for pair in pairs]
+        same = [np.array_equal(*pair, equal_nan=True) for pair in pairs if pair[0] is not None]
         assert not all(same), name
 
 
@@ -440,7 +441,7 @@ def test_the_catalogue_describes_every_disturbance() -> None:
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, -2.0, "1", None, True])
 def test_values_that_cannot_be_are_refused_by_name(name: str, value: object) -> None:
-    if value == -2.0 and name in ("beta_drift", "r_bias", "u_bias", "v_bias"):
+    if value == -2.0 and name in ("beta_drift", "r_bias", "u_bias", "v_bias", "latitude_bias", "w_bias"):
         assert getattr(Disturbance(**{name: -2.0}), name) == -2.0  # type: ignore[arg-type]
     else:
         with pytest.raises(SailnetError, match=name):

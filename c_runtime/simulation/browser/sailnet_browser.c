@@ -25,7 +25,7 @@ static plant_record records[PERIODS];
 static sailnet_memory memory;
 static sailnet_command command;
 
-static double queue[SLOTS];
+static plant_attitude queue[SLOTS];
 static uint64_t row;
 static double seen[3];
 static double attitude;

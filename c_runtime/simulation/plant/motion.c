@@ -1,41 +1,64 @@
 /* Eq. (1) and its integration. The second copy of the equations of motion, held equal to the first by test. */
 #include <math.h>
 
+#include "parts.h"
 #include "sailnet_plant.h"
 
-#define COMPONENTS 5
 #define STAGES 7
 #define RIGHT_ANGLE 1.57079632679489661923
 
 /* A step below this share of the whole is a sail in the Sun. */
 #define SMALLEST_STEP 1e-9
 
+/* What is integrated: in the plane all but the last two. The dose steers nothing, and its error does not count. */
+enum { DOSE, R, THETA, U, V, LATITUDE, W, NUMBERS };
+#define FIRST_THAT_STEERS R
+#define IN_PLANE LATITUDE
+
 /* Of the sail on a unit of 1 / r^2: acceleration, and light that falls on it. */
 typedef struct {
-    double radial, transverse, light;
+    double radial, transverse, northward, light;
 } force;
 
-static force force_at(const plant_optics *optics, double beta, double angle)
+static force force_at(const plant_optics *optics, double beta, const plant_turn *turn, double angle)
 {
     const double cut = fmax(-RIGHT_ANGLE, fmin(RIGHT_ANGLE, angle));
-    const double c = cos(cut);
-    const double s = sin(cut);
+    const double along = cos(cut);
+    const double aside = sin(cut);
+    const double c = along * turn->first[0] + aside * turn->second[0];
+    const double t = along * turn->first[1] + aside * turn->second[1];
+    const double n = along * turn->first[2] + aside * turn->second[2];
     const double normal = beta * (optics->normal_square * c + optics->normal_linear) * c;
-    const double tangential = beta * optics->tangential * c * s;
-    const force result = {normal * c + tangential * s, normal * s - tangential * c, c};
+    const double tangential = beta * optics->tangential * c;
+    const force result = {
+        .radial = normal * c + (tangential * t * t + tangential * n * n),
+        .transverse = normal * t - tangential * t * c,
+        .northward = normal * n - tangential * n * c,
+        .light = c,
+    };
     return result;
 }
 
-static void derivative(const double y[COMPONENTS], const force *sail, double dy[COMPONENTS])
+/* The first `count` of the derivatives: in the plane latitude and northward speed are 0, and stay so. */
+static inline void derivative(const double y[NUMBERS], const force *sail, int count, double dy[NUMBERS])
 {
-    const double inverse = 1.0 / y[0];
+    const double inverse = 1.0 / y[R];
     const double square = inverse * inverse;
-    const double turn = y[3] * inverse;
-    dy[0] = y[2];
-    dy[1] = turn;
-    dy[2] = (sail->radial - 1.0) * square + y[3] * turn;
-    dy[3] = sail->transverse * square - y[2] * turn;
-    dy[4] = sail->light * square;
+    const double turn = y[V] * inverse;
+    dy[R] = y[U];
+    dy[THETA] = turn;
+    dy[U] = (sail->radial - 1.0) * square + y[V] * turn;
+    dy[V] = sail->transverse * square - y[U] * turn;
+    dy[DOSE] = sail->light * square;
+    if (count > IN_PLANE) {
+        const double climb = y[W] * inverse;
+        const double twist = turn * tan(y[LATITUDE]);
+        dy[THETA] /= cos(y[LATITUDE]);
+        dy[LATITUDE] = climb;
+        dy[U] += y[W] * climb;
+        dy[V] += y[W] * twist;
+        dy[W] = sail->northward * square - y[U] * climb - y[V] * twist;
+    }
 }
 
 /* J. R. Dormand and P. J. Prince, "A family of embedded Runge-Kutta formulae", 1980: order 5 with an
@@ -55,12 +78,12 @@ static const double ERROR[STAGES] = {
 };
 
 /* One step from `y`, whose slope is slopes[0]; returns its error in units of the tolerance. */
-static double step_from(const plant_rules *rules, const plant_optics *optics, double beta, double angle, double rate,
-                        const force *held, const double y[COMPONENTS], double step,
-                        double slopes[STAGES][COMPONENTS], double next[COMPONENTS])
+static inline double step_from(const plant_rules *rules, const plant_optics *optics, double beta, const plant_turn *turn,
+                        double angle, const force *held, int count, const double y[NUMBERS], double step,
+                        double slopes[STAGES][NUMBERS], double next[NUMBERS])
 {
     for (int stage = 1; stage < STAGES; stage++) {
-        for (int i = 0; i < COMPONENTS; i++) {
+        for (int i = 0; i < count; i++) {
             double sum = 0.0;
             for (int k = 0; k < stage; k++) {
                 sum += WEIGHTS[stage][k] * slopes[k][i];
@@ -68,13 +91,13 @@ static double step_from(const plant_rules *rules, const plant_optics *optics, do
             next[i] = y[i] + step * sum;
         }
         force now = *held;
-        if (rate != 0.0) {
-            now = force_at(optics, beta, angle + rate * NODES[stage] * step);
+        if (turn->rate != 0.0) {
+            now = force_at(optics, beta, turn, angle + turn->rate * NODES[stage] * step);
         }
-        derivative(next, &now, slopes[stage]);
+        derivative(next, &now, count, slopes[stage]);
     }
     double largest = 0.0;
-    for (int i = 0; i < COMPONENTS - 1; i++) { /* the dose steers nothing */
+    for (int i = FIRST_THAT_STEERS; i < count; i++) {
         double sum = 0.0;
         for (int k = 0; k < STAGES; k++) {
             sum += ERROR[k] * slopes[k][i];
@@ -87,29 +110,29 @@ static double step_from(const plant_rules *rules, const plant_optics *optics, do
     return largest / rules->tolerance;
 }
 
-int plant_hold(const plant_rules *rules, const plant_optics *optics, double beta, double angle, double rate,
-               double duration, plant_state *state, double *step)
+/* Integrate the first `count` of the numbers. */
+static inline int integrate(const plant_rules *rules, const plant_optics *optics, double beta, const plant_turn *turn,
+                     int count, double duration, double y[NUMBERS], double *step)
 {
-    double y[COMPONENTS] = {state->r, state->theta, state->u, state->v, state->dose};
-    double slopes[STAGES][COMPONENTS];
-    double next[COMPONENTS];
+    double slopes[STAGES][NUMBERS];
+    double next[NUMBERS];
     double left = duration;
     double trial = *step > 0.0 ? *step : duration;
     int inside = 1;
-    const force held = force_at(optics, beta, angle);
-    derivative(y, &held, slopes[0]);
+    const force held = force_at(optics, beta, turn, turn->angle);
+    derivative(y, &held, count, slopes[0]);
     while (inside && left > 0.0) {
         const int last = trial >= left;
         const double taken = last ? left : trial;
-        const double error =
-            step_from(rules, optics, beta, angle + rate * (duration - left), rate, &held, y, taken, slopes, next);
+        const double angle = turn->angle + turn->rate * (duration - left);
+        const double error = step_from(rules, optics, beta, turn, angle, &held, count, y, taken, slopes, next);
         if (error <= 1.0) {
-            for (int i = 0; i < COMPONENTS; i++) {
+            for (int i = 0; i < count; i++) {
                 y[i] = next[i];
                 slopes[0][i] = slopes[STAGES - 1][i];
             }
             left = last ? 0.0 : left - taken;
-            inside = y[0] > rules->least_radius && y[0] < rules->largest_radius;
+            inside = y[R] > rules->least_radius && y[R] < rules->largest_radius;
         }
         else {
             inside = taken > SMALLEST_STEP * duration;
@@ -124,10 +147,43 @@ int plant_hold(const plant_rules *rules, const plant_optics *optics, double beta
         }
     }
     *step = trial;
-    state->r = y[0];
-    state->theta = y[1];
-    state->u = y[2];
-    state->v = y[3];
-    state->dose = y[4];
+    return inside;
+}
+
+/* Over a pole and down the other side: there north and east are the other way. */
+static void fold(double y[NUMBERS])
+{
+    if (fabs(y[LATITUDE]) > RIGHT_ANGLE) {
+        y[LATITUDE] = copysign(2.0 * RIGHT_ANGLE, y[LATITUDE]) - y[LATITUDE];
+        y[THETA] += 2.0 * RIGHT_ANGLE;
+        y[V] = -y[V];
+        y[W] = -y[W];
+    }
+}
+
+int plant_hold(const plant_rules *rules, const plant_optics *optics, double beta, const plant_turn *turn,
+               double duration, plant_state *state, double *step)
+{
+    double y[NUMBERS] = {
+        [DOSE] = state->dose,
+        [R] = state->r,
+        [THETA] = state->theta,
+        [U] = state->u,
+        [V] = state->v,
+        [LATITUDE] = state->latitude,
+        [W] = state->w,
+    };
+    /* Two calls: so that a compiler may unroll the loops over the numbers of either. */
+    const int inside = plant_in_space(rules)
+                           ? integrate(rules, optics, beta, turn, NUMBERS, duration, y, step)
+                           : integrate(rules, optics, beta, turn, IN_PLANE, duration, y, step);
+    fold(y);
+    state->dose = y[DOSE];
+    state->r = y[R];
+    state->theta = y[THETA];
+    state->u = y[U];
+    state->v = y[V];
+    state->latitude = y[LATITUDE];
+    state->w = y[W];
     return inside;
 }

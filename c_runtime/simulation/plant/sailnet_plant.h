@@ -1,7 +1,8 @@
 /*
  * The plant: solar sails in closed loop with their guidance, for simulation on a host. Not flight software.
  *
- * Eq. (1), the disturbances and the rules of flight; the guidance comes in as a function. Nothing is
+ * Eq. (1) in three dimensions, the disturbances and the rules of flight; the guidance comes in as a function.
+ * The plane is the same with latitude, northward speed and clock angle 0, and a cone angle with a sign. Nothing is
  * allocated and nothing static is written: the caller owns all memory, and calls may run side by side.
  * Units: AU, TU (the Sun's gravitational parameter is 1), rad.
  */
@@ -15,7 +16,7 @@ extern "C" {
 #endif
 
 /* Raised whenever a function of this header changes, or what a member of a structure means. */
-#define PLANT_API_VERSION 6
+#define PLANT_API_VERSION 7
 
 /*
  * A structure is a list of its members, MEMBER(type, name, extent). From the same lines come the structure in C
@@ -25,11 +26,14 @@ extern "C" {
 #define PLANT_MEMBER(type, name, extent) type name extent;
 #define PLANT_VALUE(name, number) PLANT_##name = (number),
 
+/* Spherical, about the axis of the target orbit. */
 #define PLANT_STATE(MEMBER)                                                                               \
-    MEMBER(double, r, )     /* distance from the Sun [AU] */                                              \
-    MEMBER(double, theta, ) /* polar angle [rad] */                                                       \
-    MEMBER(double, u, )     /* radial speed [AU/TU] */                                                    \
-    MEMBER(double, v, )     /* transverse speed [AU/TU] */                                                \
+    MEMBER(double, r, )        /* distance from the Sun [AU] */                                           \
+    MEMBER(double, theta, )    /* longitude [rad] */                                                      \
+    MEMBER(double, latitude, ) /* to the north of the target orbit's plane [rad] */                       \
+    MEMBER(double, u, )        /* radial speed [AU/TU] */                                                 \
+    MEMBER(double, v, )        /* transverse speed [AU/TU] */                                             \
+    MEMBER(double, w, )        /* northward speed [AU/TU] */                                              \
     MEMBER(double, dose, )  /* of sunlight that fell on the sail: integral of cos(angle) / r^2 [TU/AU^2] */
 
 typedef struct {
@@ -42,7 +46,8 @@ typedef struct {
  *     normal_square cos^2 + normal_linear cos   along the normal   (cos, sin),
  *     tangential cos sin                        along the tangent  (sin, -cos),
  *
- * where cos and sin are of the cone angle and the first component is the radial one. Ideal: 1, 0, 0.
+ * where cos and sin are of the cone angle, the first component is the radial one and the second that in the
+ * direction across the Sun line in which the normal is tilted. Ideal: 1, 0, 0.
  */
 #define PLANT_OPTICS(MEMBER)           \
     MEMBER(double, normal_square, )    \
@@ -53,6 +58,36 @@ typedef struct {
     PLANT_OPTICS(PLANT_MEMBER)
 } plant_optics;
 
+/*
+ * Where a sail points: its normal is (cos cone, sin cone cos clock, sin cone sin clock), radial, transverse and
+ * northward. In the plane the clock angle is 0. What is no number is edge-on.
+ */
+#define PLANT_ATTITUDE(MEMBER)      \
+    MEMBER(double, cone_angle, )    \
+    MEMBER(double, clock_angle, )
+
+typedef struct {
+    PLANT_ATTITUDE(PLANT_MEMBER)
+} plant_attitude;
+
+/*
+ * A steady turn along a great circle: the normal is cos(angle) first + sin(angle) second. `first` is that point of the
+ * circle which is nearest to the radial direction, and `second` at right angles to both: light falls on the sail while
+ * the angle is within +-pi/2. In the plane they are radial and transverse, and the angle is the signed cone angle.
+ */
+#define PLANT_TURN(MEMBER)                                      \
+    MEMBER(double, first, [3])  /* radial, transverse, north */ \
+    MEMBER(double, second, [3]) /* likewise */                  \
+    MEMBER(double, angle, )     /* at the start [rad] */        \
+    MEMBER(double, rate, )      /* [rad/TU] */
+
+typedef struct {
+    PLANT_TURN(PLANT_MEMBER)
+} plant_turn;
+
+/* Of a state, as navigation shows it in space: r, latitude, u, v, w. */
+#define PLANT_COMPONENTS 5
+
 /* What is the same for all flights. A disturbance is off at 0; sailnet/disturbances.py says what each is. */
 #define PLANT_RULES(MEMBER)                                                                        \
     MEMBER(double, period, )         /* guidance period [TU] */                                    \
@@ -60,7 +95,8 @@ typedef struct {
     MEMBER(double, least_radius, )   /* a sail nearer to the Sun is lost [AU] */                   \
     MEMBER(double, largest_radius, ) /* and one farther away [AU] */                               \
     MEMBER(double, tolerance, )      /* of one integration step, relative to 1 + |state| */        \
-    MEMBER(double, target, [3])      /* r, u, v [AU, AU/TU, AU/TU] */                              \
+    MEMBER(uint32_t, components, )   /* that the steering is shown: 3, r, u, v; 5, in space */     \
+    MEMBER(double, target, [PLANT_COMPONENTS]) /* [AU, rad, AU/TU]; in the plane 0 for the others */  \
     MEMBER(double, bound, )          /* on the size of the cone angle [rad] */                     \
     MEMBER(double, reversal, )       /* a larger step of the command reverses the sail [rad] */    \
     MEMBER(double, beta_range, [2])  /* that the guidance's estimate of beta never leaves */       \
@@ -74,9 +110,9 @@ typedef struct {
     MEMBER(double, beta_wander_time, )                                                             \
     MEMBER(double, degradation_loss, )                                                             \
     MEMBER(double, degradation_dose, )                                                             \
-    MEMBER(double, navigation_bias, [3]) /* of r, u, v, as the next two */                         \
-    MEMBER(double, navigation_noise, [3])                                                          \
-    MEMBER(double, navigation_wander, [3])                                                         \
+    MEMBER(double, navigation_bias, [PLANT_COMPONENTS]) /* as the target, and the next two */      \
+    MEMBER(double, navigation_noise, [PLANT_COMPONENTS])                                           \
+    MEMBER(double, navigation_wander, [PLANT_COMPONENTS])                                          \
     MEMBER(double, navigation_wander_time, )                                                       \
     MEMBER(double, rate_limit, )                                                                   \
     MEMBER(double, delay, )                                                                        \
@@ -85,7 +121,7 @@ typedef struct {
     MEMBER(double, misalignment_spread, )                                                          \
     MEMBER(double, outage_probability, )                                                           \
     MEMBER(double, outage_duration, )                                                              \
-    MEMBER(double, attitude_measured, )                                                            \
+    MEMBER(double, attitude_measured, ) /* in the plane */                                                      \
     MEMBER(double, attitude_noise, )                                                               \
     MEMBER(uint64_t, seed, )
 
@@ -104,25 +140,25 @@ typedef enum { PLANT_ENDING(PLANT_VALUE) } plant_ending;
 /* Of how many sizes the steps of a command are told apart; plant_step_edge has their bounds. */
 #define PLANT_STEP_SIZES 256
 
-/* One flight. The caller sets the state's r, u, v, the number and the error of the optics; the rest starts as 0. */
+/* One flight. The caller sets the state's components, the number and the error of the optics; the rest starts as 0. */
 #define PLANT_SAIL(MEMBER)                                                                                \
     MEMBER(plant_state, state, )                                                                          \
     MEMBER(double, time, )           /* flown so far [TU] */                                              \
-    MEMBER(double, attitude, )       /* where the actuator has turned the sail, no misalignment [rad] */  \
+    MEMBER(plant_attitude, attitude, ) /* where the actuator has turned the sail, no misalignment */      \
     MEMBER(double, misalignment, )   /* of this sail [rad] */                                             \
-    MEMBER(double, mean_attitude, )  /* of the angle flown, over the last period [rad] */                 \
+    MEMBER(double, mean_attitude, )  /* of the angle flown, over the last period, in the plane [rad] */   \
     MEMBER(double, beta_error, )     /* constant relative error of this sail's beta */                    \
     MEMBER(plant_optics, optics_error, ) /* by how much its optics differ from the rules'; the caller's */  \
     MEMBER(double, beta_wander, )    /* the Gauss-Markov errors now, in units of their sigma */           \
-    MEMBER(double, navigation_wander, [3])                                                                \
+    MEMBER(double, navigation_wander, [PLANT_COMPONENTS])                                                 \
     MEMBER(double, step, )           /* what the integrator tries next [TU] */                            \
     MEMBER(double, beta_estimate, )  /* the guidance's last */                                            \
-    MEMBER(double, max_cone_angle, ) /* largest size of a command [rad] */                                \
-    MEMBER(double, max_attitude, )   /* largest size of the angle flown [rad] */                          \
+    MEMBER(double, max_cone_angle, ) /* largest size of a command's [rad] */                              \
+    MEMBER(double, max_attitude, )   /* largest size of the cone angle flown [rad] */                     \
     MEMBER(double, command_slew, )   /* sum of the sizes of all steps of the command [rad] */             \
     MEMBER(double, attitude_slew, )  /* by how much the actuator has turned the sail in all [rad] */      \
-    MEMBER(double, nearest_error, )  /* smallest largest component of the deviation from the target, */   \
-    MEMBER(double, nearest_time, )   /* at the end of a period, and when that was [TU] */                 \
+    MEMBER(double, nearest_error, )  /* smallest largest component of the deviation from the target, the */ \
+    MEMBER(double, nearest_time, )   /* latitude's times its r, at the end of a period, and when [TU] */  \
     MEMBER(uint64_t, number, )       /* of the flight, for the random numbers */                          \
     MEMBER(uint32_t, periods, )                                                                           \
     MEMBER(uint32_t, outside, )      /* periods in which the guidance reported a state it does not know */\
@@ -142,13 +178,17 @@ typedef struct {
 /* One period of one flight. */
 #define PLANT_RECORD(MEMBER)                                                                  \
     MEMBER(double, time, )           /* at its start [TU] */                                  \
-    MEMBER(double, r, )              /* then, as the next three [AU, rad, AU/TU, AU/TU] */    \
+    MEMBER(double, r, )              /* then, as the next five [AU, rad, AU/TU] */            \
     MEMBER(double, theta, )                                                                   \
+    MEMBER(double, latitude, )                                                                \
     MEMBER(double, u, )                                                                       \
     MEMBER(double, v, )                                                                       \
-    MEMBER(double, seen, [3])        /* r, u, v as navigation had them; NaN in an outage */   \
-    MEMBER(double, cone_angle, )     /* commanded [rad] */                                    \
-    MEMBER(double, attitude, )       /* the angle flown at its end [rad] */                   \
+    MEMBER(double, w, )                                                                       \
+    MEMBER(double, seen, [PLANT_COMPONENTS]) /* as navigation had them; NaN in an outage */   \
+    MEMBER(double, cone_angle, )     /* commanded, as the next [rad] */                       \
+    MEMBER(double, clock_angle, )                                                             \
+    MEMBER(double, attitude, )       /* the cone angle flown at its end [rad] */              \
+    MEMBER(double, attitude_clock, ) /* and the clock angle [rad] */                          \
     MEMBER(double, beta, )           /* real */                                               \
     MEMBER(double, beta_estimate, )                                                           \
     MEMBER(double, time_of_flight, ) /* predicted [TU] */                                     \
@@ -160,7 +200,7 @@ typedef struct {
 
 /*
  * What a guidance gives: sailnet_command and sailnet_status of an exported sailnet_guidance.h, in either
- * precision. guidance/same_interface.c, compiled with every exported guidance, holds them to that.
+ * precision, in the plane or in space. guidance/same_interface.c, compiled with every exported guidance, holds them to that.
  */
 #define PLANT_COMMAND(MEMBER, real)                                     \
     MEMBER(real, cone_angle, )     /* [rad] */                          \
@@ -168,8 +208,18 @@ typedef struct {
     MEMBER(real, beta, )           /* the estimate */                   \
     MEMBER(real, hold, )           /* for how long to hold it [TU] */     \
     MEMBER(real, lambda_v, )       /* as in sailnet_guidance.h */
+#define PLANT_COMMAND_IN_SPACE(MEMBER, real)                                    \
+    MEMBER(real, cone_angle, )     /* [rad] */                                  \
+    MEMBER(real, clock_angle, )    /* from the transverse direction to the north [rad] */ \
+    MEMBER(real, time_of_flight, ) /* predicted [TU] */                         \
+    MEMBER(real, beta, )           /* the estimate */                           \
+    MEMBER(real, hold, )           /* for how long to hold it [TU] */           \
+    MEMBER(real, lambda_v, )       /* as in sailnet_guidance.h */               \
+    MEMBER(real, lambda_w, )       /* likewise */
 #define PLANT_COMMAND_F32(MEMBER) PLANT_COMMAND(MEMBER, float)
 #define PLANT_COMMAND_F64(MEMBER) PLANT_COMMAND(MEMBER, double)
+#define PLANT_COMMAND_IN_SPACE_F32(MEMBER) PLANT_COMMAND_IN_SPACE(MEMBER, float)
+#define PLANT_COMMAND_IN_SPACE_F64(MEMBER) PLANT_COMMAND_IN_SPACE(MEMBER, double)
 
 typedef struct {
     PLANT_COMMAND_F32(PLANT_MEMBER)
@@ -178,6 +228,14 @@ typedef struct {
 typedef struct {
     PLANT_COMMAND_F64(PLANT_MEMBER)
 } plant_command_f64;
+
+typedef struct {
+    PLANT_COMMAND_IN_SPACE_F32(PLANT_MEMBER)
+} plant_command_in_space_f32;
+
+typedef struct {
+    PLANT_COMMAND_IN_SPACE_F64(PLANT_MEMBER)
+} plant_command_in_space_f64;
 
 #define PLANT_STATUS(VALUE)   \
     VALUE(OK, 0)              \
@@ -189,14 +247,27 @@ typedef struct {
 
 typedef enum { PLANT_STATUS(PLANT_VALUE) } plant_status;
 
+/* What a guidance is shown, one number after the other: its sailnet_state. */
+#define PLANT_SHOWN(MEMBER, real) \
+    MEMBER(real, r, )             \
+    MEMBER(real, u, )             \
+    MEMBER(real, v, )
+#define PLANT_SHOWN_IN_SPACE(MEMBER, real) \
+    MEMBER(real, r, )                      \
+    MEMBER(real, latitude, )               \
+    MEMBER(real, u, )                      \
+    MEMBER(real, v, )                      \
+    MEMBER(real, w, )
+
 /*
  * sailnet_steer_batch of a flight library: entry i is of the sail numbered sails[i], whose memory it uses;
- * `states` holds r, u, v of one sail after the other; `attitudes` is null, or has a mean cone angle [rad] each, or NaN.
+ * `states` holds r, u, v of one sail after the other, in space r, latitude, u, v, w, and `commands` has room for a
+ * command of that kind and this precision each; `attitudes` is null, or has a mean cone angle [rad] each, or NaN.
  */
 typedef void plant_steer_f32(uint64_t count, void *memories, const uint64_t *sails, const float *states,
-                             const float *attitudes, float period, plant_command_f32 *commands, int32_t *statuses);
+                             const float *attitudes, float period, void *commands, int32_t *statuses);
 typedef void plant_steer_f64(uint64_t count, void *memories, const uint64_t *sails, const double *states,
-                             const double *attitudes, double period, plant_command_f64 *commands, int32_t *statuses);
+                             const double *attitudes, double period, void *commands, int32_t *statuses);
 
 /* Exactly one of the two functions is set. */
 #define PLANT_STEERING(MEMBER)        \
@@ -214,10 +285,10 @@ typedef struct {
     MEMBER(uint64_t, flying, )     /* how many still fly */                                             \
     MEMBER(plant_sail *, sails, )  /* count */                                                          \
     MEMBER(uint64_t *, rows, )     /* count; the first `flying` are the rows of those that fly */       \
-    MEMBER(double *, queue, )      /* count * plant_queue_slots(): commands that may still take effect */\
-    MEMBER(void *, states, )       /* 3 * count numbers of the steering's precision */                  \
+    MEMBER(plant_attitude *, queue, ) /* count * plant_queue_slots(): commands that may still take effect */\
+    MEMBER(void *, states, )       /* components * count numbers of the steering's precision */         \
     MEMBER(void *, attitudes, )    /* count of the same */                                              \
-    MEMBER(void *, commands, )     /* count plant_command_f32 or plant_command_f64 */                   \
+    MEMBER(void *, commands, )     /* count commands of its precision, of the plane or in space */      \
     MEMBER(int32_t *, statuses, )  /* count */                                                          \
     MEMBER(int32_t, interrupted, ) /* the steering may set it: the flights stop where they are */
 
@@ -225,7 +296,7 @@ typedef struct {
     PLANT_FLIGHTS(PLANT_MEMBER)
 } plant_flights;
 
-/* Numbers per sail in plant_flights.queue. */
+/* Attitudes per sail in plant_flights.queue. */
 uint64_t plant_queue_slots(const plant_rules *rules);
 
 /*
@@ -251,12 +322,34 @@ double plant_step_edge(uint32_t size);
 void plant_count_step(const plant_rules *rules, double step, plant_sail *sail);
 
 /*
- * Fly one sail of these optics for `duration` while its angle turns from `angle` at `rate`; the angle that counts is cut to
+ * Fly one sail of these optics for `duration` while it turns; no light falls on it where the angle of the turn is beyond
  * +-pi/2, where a flat sail is edge-on. *step is the integrator's first trial, 0 for all at once, and on
  * return what it would try next. Returns 0, with the state where it got to, if the sail left the allowed distances.
  */
-int plant_hold(const plant_rules *rules, const plant_optics *optics, double beta, double angle, double rate,
+int plant_hold(const plant_rules *rules, const plant_optics *optics, double beta, const plant_turn *turn,
                double duration, plant_state *state, double *step);
+
+/* The unit normal of a sail. */
+void plant_normal_of(const plant_attitude *attitude, double normal[3]);
+
+/* Between the normals of two attitudes [rad]; NaN if one is no number. */
+double plant_angle_between(const plant_attitude *one, const plant_attitude *other);
+
+/* No turn: the rate is 0, and the angle the cone angle. */
+void plant_keep(const plant_attitude *attitude, plant_turn *turn);
+
+/*
+ * The turn from one attitude to another along the shorter great circle, at 1 rad/TU; returns the angle that it takes
+ * [rad]. Between opposite normals it passes the radial direction, and between the two radial ones the transverse. None,
+ * of angle 0, leads from or to what is no number.
+ */
+double plant_turn_between(const plant_attitude *from, const plant_attitude *to, plant_turn *turn);
+
+/* Where a turn is at an angle. */
+plant_attitude plant_attitude_at(const plant_turn *turn, double angle);
+
+/* The largest cone angle on the way of a turn of positive rate by this angle, but for its ends; 0 if there. */
+double plant_widest_between(const plant_turn *turn, double angle);
 
 /*
  * The random numbers are a function of the seed, the flight, what they are for and the period, so that no

@@ -4,7 +4,8 @@
 #include "sailnet_plant.h"
 
 #define SIZES_PER_OCTAVE 16
-/* Octave 0 begins at 2^-14 rad, 0.0035 degrees; the last ends at 4 rad, and no step within +-pi/2 is larger. */
+/* Octave 0 begins at 2^-14 rad, 0.0035 degrees; the last ends at 4 rad, and no step within +-pi/2, and no
+   angle between normals, is larger. */
 #define FIRST_OCTAVE (-14)
 
 static uint32_t size_of(double step)

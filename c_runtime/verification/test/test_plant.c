@@ -1,6 +1,6 @@
 /*
- * The plant under whatever guidance: everything switched on, commands that are no numbers, sails thrown at
- * the Sun. What it computes is tested in Python; this is for the sanitizers.
+ * The plant under whatever guidance, in the plane and in space: everything switched on, commands that are no
+ * numbers, sails thrown at the Sun and over the poles. What it computes is tested in Python; this is for the sanitizers.
  */
 #include <assert.h>
 #include <math.h>
@@ -19,14 +19,16 @@
 
 #define HELD_FOR_NOTHING(row) ((row) % 5u == 1u || (row) % 5u == 2u)
 
-static plant_command_f64 command_of(uint64_t row, double seen)
+static plant_command_in_space_f64 command_of(uint64_t row, double seen)
 {
-    const plant_command_f64 command = {
+    const plant_command_in_space_f64 command = {
         .cone_angle = isnan(seen) ? UNSEEN : row % 7u == 1u ? NAN : row % 7u == 2u ? INFINITY : sin(9.0 * seen),
         .time_of_flight = 1.0,
         .beta = 0.17,
         .hold = row % 5u == 1u ? NAN : row % 5u == 2u ? -1.0 : row % 5u == 3u ? INFINITY : 0.01,
         .lambda_v = row % 3u == 1u ? NAN : -0.1,
+        .clock_angle = row % 13u == 1u ? NAN : row % 13u == 2u ? INFINITY : isnan(seen) ? -0.4 : 40.0 * seen,
+        .lambda_w = row % 3u == 2u ? NAN : 0.1,
     };
     return command;
 }
@@ -50,30 +52,54 @@ static void count_measured(uint64_t count, int given, double first)
     measured += given && !isnan(first);
 }
 
+/* Of the flights under way. */
+static uint64_t components;
+
+#define GIVE(real, to, command)                         \
+    (to)->cone_angle = (real)(command).cone_angle;         \
+    (to)->time_of_flight = (real)(command).time_of_flight; \
+    (to)->beta = (real)(command).beta;                     \
+    (to)->hold = (real)(command).hold;                     \
+    (to)->lambda_v = (real)(command).lambda_v;
+
 static void steer_f64(uint64_t count, void *memories, const uint64_t *sails, const double *states,
-                      const double *attitudes, double period, plant_command_f64 *commands, int32_t *statuses)
+                      const double *attitudes, double period, void *commands, int32_t *statuses)
 {
     assert(memories == NULL && period > 0.0);
     count_measured(count, attitudes != NULL, attitudes != NULL ? attitudes[0] : 0.0);
     for (uint64_t i = 0; i < count; i++) {
-        commands[i] = command_of(sails[i], states[3 * i]);
-        statuses[i] = status_of(sails[i], states[3 * i]);
+        const double seen = states[components * i];
+        const plant_command_in_space_f64 command = command_of(sails[i], seen);
+        if (components == PLANT_COMPONENTS) {
+            ((plant_command_in_space_f64 *)commands)[i] = command;
+        }
+        else {
+            plant_command_f64 *const planar = &((plant_command_f64 *)commands)[i];
+            GIVE(double, planar, command)
+        }
+        statuses[i] = status_of(sails[i], seen);
     }
 }
 
 static void steer_f32(uint64_t count, void *memories, const uint64_t *sails, const float *states,
-                      const float *attitudes, float period, plant_command_f32 *commands, int32_t *statuses)
+                      const float *attitudes, float period, void *commands, int32_t *statuses)
 {
     assert(memories == NULL && period > 0.0f);
     count_measured(count, attitudes != NULL, attitudes != NULL ? (double)attitudes[0] : 0.0);
     for (uint64_t i = 0; i < count; i++) {
-        const plant_command_f64 command = command_of(sails[i], (double)states[3 * i]);
-        commands[i].cone_angle = (float)command.cone_angle;
-        commands[i].time_of_flight = (float)command.time_of_flight;
-        commands[i].beta = (float)command.beta;
-        commands[i].hold = (float)command.hold;
-        commands[i].lambda_v = (float)command.lambda_v;
-        statuses[i] = status_of(sails[i], (double)states[3 * i]);
+        const double seen = (double)states[components * i];
+        const plant_command_in_space_f64 command = command_of(sails[i], seen);
+        if (components == PLANT_COMPONENTS) {
+            plant_command_in_space_f32 *const own = &((plant_command_in_space_f32 *)commands)[i];
+            GIVE(float, own, command)
+            own->clock_angle = (float)command.clock_angle;
+            own->lambda_w = (float)command.lambda_w;
+        }
+        else {
+            plant_command_f32 *const planar = &((plant_command_f32 *)commands)[i];
+            GIVE(float, planar, command)
+        }
+        statuses[i] = status_of(sails[i], seen);
     }
 }
 
@@ -84,7 +110,7 @@ static void check_outages(const plant_sail *sails, const plant_record *records)
     uint64_t ended = 0;
     for (uint64_t k = 0; k < (uint64_t)COUNT * PERIODS; k++) {
         if (isnan(records[k].seen[0])) {
-            assert(records[k].cone_angle == UNSEEN);
+            assert(isnan(records[k].seen[PLANT_COMPONENTS - 1]) && records[k].cone_angle == UNSEEN);
             assert(records[k].attitude == UNSEEN || HELD_FOR_NOTHING(k % COUNT));
             unseen++;
         }
@@ -103,11 +129,11 @@ static void fly(const plant_rules *rules, const plant_steering *steering)
     const uint64_t slots = plant_queue_slots(rules);
     plant_sail sails[COUNT];
     uint64_t rows[COUNT];
-    double states[3u * COUNT];
+    double states[PLANT_COMPONENTS * COUNT];
     double attitudes[COUNT];
-    plant_command_f64 commands[COUNT];
+    plant_command_in_space_f64 commands[COUNT];
     int32_t statuses[COUNT];
-    double *queue = calloc(COUNT * slots, sizeof *queue);
+    plant_attitude *queue = calloc(COUNT * slots, sizeof *queue);
     plant_record *records = calloc((size_t)COUNT * PERIODS, sizeof *records);
     plant_flights flights = {
         .count = COUNT,
@@ -128,7 +154,12 @@ static void fly(const plant_rules *rules, const plant_steering *steering)
         sails[i].state.r = i == 5u ? 1e-300 : i == 6u ? 1e300 : 0.06 + 0.05 * (double)i;
         sails[i].state.u = i % 4u == 3u ? -20.0 : 0.0;
         sails[i].state.v = i % 4u == 3u ? 0.0 : 1.0 / sqrt(sails[i].state.r);
+        if (rules->components == PLANT_COMPONENTS && i % 3u == 0u) {
+            sails[i].state.latitude = i % 6u == 0u ? 1.57 : -0.1;
+            sails[i].state.w = i % 9u == 0u ? sails[i].state.v : -0.1;
+        }
     }
+    components = rules->components;
     with_attitudes = 0;
     measured = 0;
     uint64_t left = plant_fly(rules, steering, &flights, PERIODS, records);
@@ -149,7 +180,8 @@ static void fly(const plant_rules *rules, const plant_steering *steering)
     free(records);
 }
 
-int main(void)
+/* With nothing that differs, with outages, and with everything that there is. */
+static void fly_all(uint32_t shown)
 {
     plant_rules rules;
     const plant_steering f32 = {.f32 = steer_f32};
@@ -160,6 +192,7 @@ int main(void)
     rules.least_radius = 0.05;
     rules.largest_radius = 20.0;
     rules.tolerance = 1e-13;
+    rules.components = shown;
     rules.target[0] = 1.524;
     rules.beta = 0.17;
     rules.optics.normal_square = 1.0;
@@ -177,7 +210,7 @@ int main(void)
         rules.beta_wander_time = 0.1;
         rules.degradation_loss = 1.0;
         rules.degradation_dose = 1e-3;
-        for (int i = 0; i < 3; i++) {
+        for (uint32_t i = 0; i < PLANT_COMPONENTS; i++) {
             rules.navigation_noise[i] = 0.01;
             rules.navigation_wander[i] = 0.01;
         }
@@ -188,6 +221,12 @@ int main(void)
         rules.misalignment_spread = 1.5;
         rules.seed = UINT64_MAX;
     }
+}
+
+int main(void)
+{
+    fly_all(3u);
+    fly_all(PLANT_COMPONENTS);
     puts("the plant stands it");
     return 0;
 }
