@@ -94,7 +94,7 @@ def rules(
             "least_radius": RADII[0],
             "largest_radius": RADII[1],
             "tolerance": TOLERANCE,
-            "components": len(components_of(mission)),
+            "components": mission.components,
             "target": target_of(mission.problem, len(SHOWN)),
             "bound": mission.problem.phi_max,
             "reversal": REVERSAL,
