@@ -1,6 +1,6 @@
 """``python -m benchmarks.flights_in_space``: networks of three dimensions, flown from random starts.
 
-Flown are the acceptance's random series, in the plant, by the steering that the plane flies by. Every flight
+Flown are the acceptance's random series, in the plant, by the flight file that was exported. Every flight
 is compared with the expert's optimum of the very sail that flew. What was measured goes into ``IN_SPACE.md``.
 """
 
@@ -24,7 +24,7 @@ from sailnet.expert.optima import Optima
 from sailnet.flight.closed_loop import Flights, fly
 from sailnet.flight.drawn_optics import optics_of_flights
 from sailnet.flight.starts import random_starts
-from sailnet.guidance.by_networks import NetworksInSpace
+from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_in_space import load_guidance_networks_in_space
@@ -87,9 +87,13 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks.flights_in_space",
         description=__doc__,
-        epilog="example: python -m benchmarks.flights_in_space build/earth_mars_3d/networks --flights 1000",
+        epilog="example: python -m benchmarks.flights_in_space NETWORKS EXPORTED --flights 1000",
     )
     parser.add_argument("networks", type=Path, help="folder of the four networks")
+    parser.add_argument("exported", type=Path, help="folder of what sailnet export made of them")
+    parser.add_argument(
+        "--precision", choices=("float64", "float32"), default="float64", help="of the C (%(default)s)"
+    )
     parser.add_argument("--flights", type=int, default=1_000, help="of each series (%(default)s)")
     parser.add_argument("--seed", type=int, default=2, help="of every random number (%(default)s)")
     parser.add_argument("--json", action="store_true", help="print only")
@@ -97,7 +101,10 @@ def main() -> int:
     options = parser.parse_args()
     try:
         networks = load_guidance_networks_in_space(options.networks)
-        guidance, mission = NetworksInSpace(networks), networks.mission
+        mission = networks.mission
+        guidance = load_guidance(mission, "c", options.precision, options.exported)
+        if guidance.networks_digest != networks.digest:
+            raise SailnetError(f"{options.exported} was not made of {options.networks}")
         assumed = assumed_optima(mission, random_starts(mission, options.flights, options.seed))
         plan = load_plan("acceptance").changed(options.flights, options.seed).flown_by(mission)
         measured = {
@@ -114,11 +121,11 @@ def main() -> int:
             f"Written by `python -m benchmarks.flights_in_space` on {origin['machine']}, {origin['date']}, "
             f"revision {origin['revision']}: networks of `{mission.name}` (data of {recipe.levels} "
             f"sails, {recipe.starts} starts each; {networks.tau.provenance['epochs']} epochs), seed "
-            f"{options.seed}.",
+            f"{options.seed}, {options.precision}.",
             "",
             *Table("", ["quantity", *measured], cells).markdown(),
         ]
-        fill_block(options.output, "flights", "\n".join(lines))
+        fill_block(options.output, f"flights-{options.precision}", "\n".join(lines))
     except SailnetError as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

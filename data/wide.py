@@ -98,7 +98,8 @@ def around_target(problem: Transfer, count: int, seed: int, components: int = 3)
     direction = rng.normal(size=(count, components))
     direction /= np.linalg.norm(direction, axis=1)[:, None]
     if components == 5:
-        direction[:, [1, 4]] *= np.exp(rng.uniform(*np.log(ASIDE), (count, 1)))
+        least, most = np.log(ASIDE)
+        direction[:, [1, 4]] *= np.exp(rng.uniform(least, most, (count, 1)))
     nearest, farthest = np.log(AROUND)
     distance = np.exp(rng.uniform(nearest, farthest, count))[:, None]
     speed = size**-0.5

@@ -261,7 +261,7 @@ def _flights(mission: Mission, start: Array, flown: SideBySide) -> Flights:
     sails = flown.sails
     names, problem = components_of(mission), mission.problem
     ends = np.column_stack([sails["state"][component] for component in names])
-    target = target_of(problem, mission.components)
+    target = target_of(problem, len(names))
     terminal_error = np.abs(ends - target) * lengths_of(target)
     inside = np.all(terminal_error <= mission.flight.arrival_tolerance, axis=1)
     bounded = sails["max_cone_angle"] <= problem.phi_max

@@ -224,8 +224,8 @@ def in_the_plane(mission: Mission) -> Mission:
     if mission.inclined:
         raise MissionError(
             f"mission {mission.name!r} has an inclination of {mission.transfer.inclination:g} degrees: three "
-            "dimensions: so far there are its optima, data and networks (`sailnet solve`, `data`, `train`); "
-            "what is exported and flown is of coplanar orbits"
+            "dimensions: so far there are its optima, data, networks and flight file (`sailnet solve`, "
+            "`data`, `train`, `export`); campaigns, pages and pipelines are of coplanar orbits"
         )
     return mission
 

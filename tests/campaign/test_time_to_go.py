@@ -58,8 +58,8 @@ def test_no_extremal_is_sooner_there_in_space(tau: float, too_much: float, bound
 
 def test_in_the_plane_it_is_the_plane_s() -> None:
     states = np.array(TRANSFER.target_state) + 1e-3 * np.random.default_rng(2).normal(size=(50, 3))
-    both = (least_time(TRANSFER, of, TRANSFER.beta) for of in (states, in_space(states)))
-    np.testing.assert_allclose(*both, rtol=1e-12)
+    flat, lifted = (least_time(TRANSFER, of, TRANSFER.beta) for of in (states, in_space(states)))
+    np.testing.assert_allclose(lifted, flat, rtol=1e-12)
 
 
 def test_off_the_plane_it_is_a_double_integrator_of_the_thrust_across() -> None:
