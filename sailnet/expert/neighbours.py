@@ -8,7 +8,6 @@ in its neighbours too: the costates say how the time of flight changes from one 
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from sailnet.expert.optima import Optima, nothing_found, optima_of, put
 from sailnet.expert.shooting import shoot
@@ -83,6 +82,9 @@ def _nearest(transfer: Transfer, places: Array, states: Array, count: int) -> ND
     size = transfer.target_radius
     angle = [size] if states.shape[1] == 5 else []
     unit = np.array([1.0, *angle, *(states.shape[1] - 1 - len(angle)) * [size**1.5]])  # up to a factor
+    # It takes long to load, and who comes second to a folder is told at once.
+    from scipy.spatial import cKDTree
+
     return np.asarray(cKDTree(places * unit).query(states * unit, range(1, min(count, len(places)) + 1))[1])
 
 

@@ -112,7 +112,7 @@ SPOILT: dict[str, tuple[Spoil, str]] = {
     "no metadata": (described("null"), "it holds None, not a table"),
     "another fact": (fact("phi_max", "wide"), "phi_max is 'wide'"),
     "a fact that is no number": (fact("beta", 10**400), "beta is 1000"),
-    "a state of two": (fact("target_state", [1.0, 2.0]), "not three finite numbers"),
+    "a state of two": (fact("target_state", [1.0, 2.0]), "not 3 finite numbers"),
 }
 
 

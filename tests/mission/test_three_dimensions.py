@@ -87,7 +87,6 @@ def test_what_cannot_be_is_refused_by_its_key(
         ["evaluate"],
         ["evaluate", "--campaign", "law"],
         ["accept", "exported", "--output", "none"],
-        ["export", "none", "exported"],
         ["optics"],
     ],
 )
@@ -96,7 +95,10 @@ def test_whatever_knows_the_plane_alone_refuses_it_by_name(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert main([*command, "--mission", "earth_mars_3d"]) != 0
-    assert "three dimensions: so far there are its optima, data and networks" in capsys.readouterr().err
+    assert (
+        "three dimensions: so far there are its optima, data, networks and flight file"
+        in capsys.readouterr().err
+    )
     assert list(tmp_path.iterdir()) == []
 
 
