@@ -32,10 +32,19 @@ class FlightComputer:
         program: compiled for it.
         precision: its.
         plugin: that counts instructions; None to count none.
+        components: of a state: 3 in the plane, 5 in space.
     """
 
-    def __init__(self, target: Target, program: Path, precision: Precision, plugin: Path | None) -> None:
+    def __init__(
+        self,
+        target: Target,
+        program: Path,
+        precision: Precision,
+        plugin: Path | None,
+        components: int = 3,
+    ) -> None:
         self._name, self._precision = target.name, precision
+        self._answers = len(COMMAND_FIELDS[components])
         self._counted = program.with_name(COUNTED)
         self._counts = plugin is not None
         command = [*target.emulator, str(program)]
@@ -75,7 +84,7 @@ class FlightComputer:
         answer = self._await(b"steering ").split()
         try:
             told = np.array([int(word, 16) for word in answer[2:]], unsigned)
-            (status, _) = int(answer[1]), told.reshape(len(COMMAND_FIELDS[3]))
+            (status, _) = int(answer[1]), told.reshape(self._answers)
         except (ValueError, IndexError) as error:
             raise TargetError(f"{self._name} answered {answer!r}") from error
         self.bits.append([status, *told.tolist()])
@@ -155,7 +164,8 @@ class ByConsole:
         self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None
     ) -> Steered:
         """See :class:`sailnet.guidance.interface.Steering`; attitudes are not told."""
-        (state,) = as_states(states, "float64")
+        components = self.mission.components
+        (state,) = as_states(states, "float64", components)
         status, told = self._computer.steer(state.tolist(), period)
-        named = dict(zip(COMMAND_FIELDS[3], told[:, None], strict=True))
+        named = dict(zip(COMMAND_FIELDS[components], told[:, None], strict=True))
         return Steered(**named, status=np.array([status], np.int32))

@@ -16,7 +16,7 @@ from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 
 BOUNDS = {"float32": 2e-4, "float64": 1e-12}
-"""On the difference from the host's end, in r [AU], u and v [AU/TU], where products and sums are fused.
+"""On the difference from the host's end, in r [AU], latitude [rad] and speeds [AU/TU], with sums fused.
 
 Rounding alone: commands that differ by it are held for a period, and guidance steers against what comes of
 them. The plant is the same, in float64. In float32 r is known to 6e-8 AU, and what is left of that when a
@@ -29,22 +29,30 @@ class Sail:
     """Which flight it is.
 
     Attributes:
-        start: r [AU], u, v [AU/TU]; the mission's departure if None.
+        start: r [AU], u, v [AU/TU], in space r, latitude [rad], u, v, w; the mission's departure if None.
         disturbance: on top of the mission's.
     """
 
-    start: tuple[float, float, float] | None
+    start: tuple[float, ...] | None
     disturbance: Disturbance
 
 
 @dataclass(frozen=True)
 class Steered:
-    """A flight, and every answer of the computer by its bits."""
+    """A flight, and every answer of the computer by its bits.
+
+    Attributes:
+        flights: the one.
+        bits: of each period the status and the numbers of the command.
+        most, mean: instructions of a command; None where nothing counts.
+        stack: bytes that ``sailnet_steer`` needs, by the compiler's account; None if nothing was compiled.
+    """
 
     flights: Flights
     bits: list[list[int]] = field(repr=False)
     most: int | None
     mean: float | None
+    stack: int | None = None
 
 
 @dataclass(frozen=True)
@@ -66,7 +74,7 @@ class Flown:
 
     @property
     def end_difference(self) -> float:
-        """Largest difference from the host's end in r [AU], u and v [AU/TU]."""
+        """Largest difference from the host's end, in r [AU], latitude [rad] and speeds [AU/TU]."""
         return float(np.abs(self.flown.flights.ends - self.host.flights.ends).max())
 
     @property
@@ -104,21 +112,23 @@ class Flown:
             "time_unlike_host": float(flights.time_of_flight[0] - self.host.flights.time_of_flight[0]),
             "same_bits": self.same_bits,
             "instructions": {"most": self.flown.most, "mean": self.flown.mean},
+            "stack": self.flown.stack,
             "wrong": self.wrong,
         }
 
 
 class Range:
-    """Where missions are flown: their shipped flight files, and a place for programs.
+    """Where missions are flown: their flight files, and a place for programs.
 
     Args:
         sail: that flies.
         folder: for what is built.
         plugin: that counts instructions.
+        exported: folder of the one mission's exported files; None for those that ship.
     """
 
-    def __init__(self, sail: Sail, folder: Path, plugin: Path) -> None:
-        self._sail, self._folder, self._plugin = sail, folder, plugin
+    def __init__(self, sail: Sail, folder: Path, plugin: Path, exported: Path | None = None) -> None:
+        self._sail, self._folder, self._plugin, self._exported = sail, folder, plugin, exported
         self._host: dict[tuple[str, Precision], Steered] = {}
 
     def fly(self, mission: Mission, target: Target, precision: Precision, contract: bool) -> Flown:
@@ -138,16 +148,18 @@ class Range:
         chosen = Build(precision, "flight")
         name = f"{target.name}-{precision}-{'fused' if contract else 'exact'}"
         flags = flight_flags(target, chosen, contract)
-        exported = exported_folder(mission)
+        exported = exported_folder(mission, self._exported)
         program = build(target, exported, chosen, FLY, flags, self._folder / mission.name / name)
         plugin = self._plugin if target.emulator else None
-        start = mission.departure_state if self._sail.start is None else self._sail.start
-        with FlightComputer(target, program.path, precision, plugin) as computer:
-            guidance = ByConsole(load_guidance(mission, precision=precision), computer)
+        departure = mission.departure_state_in_space if mission.inclined else mission.departure_state
+        start = departure if self._sail.start is None else self._sail.start
+        with FlightComputer(target, program.path, precision, plugin, mission.components) as computer:
+            same = load_guidance(mission, precision=precision, folder=exported)
+            guidance = ByConsole(same, computer)
             flights, _ = fly_recorded(mission, guidance, [start], disturbance=self._sail.disturbance)
             computer.end()
             counts = computer.counts()
         if counts is not None and len(counts) != len(computer.bits):
             raise TargetError(f"{len(computer.bits)} commands, but {len(counts)} were counted")
         most, mean = (None, None) if counts is None else (int(counts.max()), float(counts.mean()))
-        return Steered(flights, computer.bits, most, mean)
+        return Steered(flights, computer.bits, most, mean, program.stack[1])

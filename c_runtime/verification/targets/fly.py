@@ -35,6 +35,7 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     if options.reported and options.table is None:
         parser.error("--reported writes a table: name its text with --table")
+    _refuse_unknown(parser, options)
     wanted = [target for target in TARGETS if target.name in (options.target or _names())]
     left_out = left_out_of(wanted)
     present = [target for target in wanted if target.name not in left_out]
@@ -44,12 +45,12 @@ def main(arguments: list[str]) -> int:
         if options.reported:
             fill_block(options.table, BLOCK, table(json.loads((options.build / STORED).read_text("utf-8"))))
             return 0
-        missions = [load_mission(name) for name in options.mission or missions_with_networks()]
+        missions = [load_mission(name, in_space=True) for name in options.mission or missions_with_networks()]
         sail = Sail(
             options.start, disturbance_from({"beta_bias": options.beta_bias}, missions[0].disturbance)
         )
         options.build.mkdir(parents=True, exist_ok=True)
-        flown, failed = _fly_all(options.build, sail, missions, present) if present else ([], False)
+        flown, failed = _fly_all(options, sail, missions, present) if present else ([], False)
         told = {
             **software(),
             "start": options.start,
@@ -88,10 +89,23 @@ def _parser() -> argparse.ArgumentParser:
         help=f"{targets}; may be repeated (all)",
     )
     parser.add_argument(
-        "--mission", action="append", choices=missions_with_networks(), help="may be repeated (all that ship)"
+        "--mission",
+        action="append",
+        metavar="NAME",
+        help=f"{', '.join(missions_with_networks())}; may be repeated (all that ship)",
     )
     parser.add_argument(
-        "--start", nargs=3, type=float, metavar=("R", "U", "V"), help="[AU, AU/TU] (the departure orbit)"
+        "--exported",
+        type=Path,
+        metavar="DIR",
+        help="written by python -m export, of the one mission that is named; that may be a file (what ships)",
+    )
+    parser.add_argument(
+        "--start",
+        nargs="+",
+        type=float,
+        metavar="X",
+        help="R U V [AU, AU/TU], in space R LATITUDE U V W [AU, rad, AU/TU] (the departure orbit)",
     )
     parser.add_argument("--beta-bias", type=float, default=BETA_BIAS, metavar="X", help="(%(default)g)")
     parser.add_argument(
@@ -110,12 +124,27 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _refuse_unknown(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    """End with a message if there is no flight file of a mission that is named."""
+    named = options.mission or []
+    if options.exported is None:
+        shipped = missions_with_networks()
+        for name in set(named) - set(shipped):
+            parser.error(f"--mission {name}: none of {', '.join(shipped)}; name its files with --exported")
+    elif len(named) != 1:
+        parser.error("--exported is of one mission: name it with --mission")
+    elif options.table is not None:
+        parser.error("--table is of missions that ship, and --exported of another")
+
+
 def _fly_all(
-    folder: Path, sail: Sail, missions: Sequence[Mission], targets: Sequence[Target]
+    options: argparse.Namespace, sail: Sail, missions: Sequence[Mission], targets: Sequence[Target]
 ) -> tuple[list[Flown], bool]:
     """Every build of every target on every mission, and whether any of them failed."""
     flown, failed = [], False
-    at = Range(sail, folder.resolve(), compile_plugin(folder.resolve()))
+    folder = options.build.resolve()
+    exported = None if options.exported is None else options.exported.resolve()
+    at = Range(sail, folder, compile_plugin(folder), exported)
     for target, mission in ((target, mission) for target in targets for mission in missions):
         for precision in target.precisions:
             for contract in (False, True) if target.fuses else (False,):
@@ -140,4 +169,5 @@ def _summary(one: Flown) -> str:
     flights = one.flown.flights
     end = "bit for bit the host's" if one.same_bits else f"ends {one.end_difference:.1e} from the host's"
     most = "not counted" if one.flown.most is None else f"at most {one.flown.most:,} instructions a command"
-    return f"{flights.periods[0]:,} periods, {flights.time_of_flight[0]:.6f} TU; {most}; {end}"
+    stack = f"{one.flown.stack} bytes of stack reserved"
+    return f"{flights.periods[0]:,} periods, {flights.time_of_flight[0]:.6f} TU; {most}, {stack}; {end}"

@@ -2,10 +2,12 @@
  * Steers one flight over the console. The other side writes a line a guidance period,
  *
  *   fly R U V PERIOD                                        numbers as the hexadecimals of their bits
+ *   fly R LATITUDE U V W PERIOD                             in space
  *
  * and is answered
  *
  *   steering STATUS CONE_ANGLE TIME_OF_FLIGHT BETA HOLD LAMBDA_V
+ *   steering STATUS CONE_ANGLE CLOCK_ANGLE TIME_OF_FLIGHT BETA HOLD LAMBDA_V LAMBDA_W
  *
  * until it writes `end`. Instructions are counted from outside, as of golden vectors: the first call counted is
  * of a function that does nothing.
@@ -50,11 +52,40 @@ static sailnet_real read_number(void)
     return number(bits);
 }
 
+static void read_state(sailnet_state *state)
+{
+    state->r = read_number();
+#if SAILNET_IN_SPACE
+    state->latitude = read_number();
+#endif
+    state->u = read_number();
+    state->v = read_number();
+#if SAILNET_IN_SPACE
+    state->w = read_number();
+#endif
+}
+
+static void print_command(const sailnet_command *command)
+{
+    print_bits(command->cone_angle);
+#if SAILNET_IN_SPACE
+    print_bits(command->clock_angle);
+#endif
+    print_bits(command->time_of_flight);
+    print_bits(command->beta);
+    print_bits(command->hold);
+    print_bits(command->lambda_v);
+#if SAILNET_IN_SPACE
+    print_bits(command->lambda_w);
+#endif
+}
+
 int main(void)
 {
     sailnet_memory memory;
-    sailnet_state state = {0, 0, 0};
+    sailnet_state state;
     sailnet_command command;
+    memset(&state, 0, sizeof state);
     sailnet_start(&memory);
     (void)counted(no_steering, &memory, &state, 0, &command);
     platform_print("ready\n");
@@ -62,18 +93,12 @@ int main(void)
         for (int32_t letters = 0; letters < 3; letters++) {
             (void)platform_read(); /* the rest of the word and the blank */
         }
-        state.r = read_number();
-        state.u = read_number();
-        state.v = read_number();
+        read_state(&state);
         const sailnet_real period = read_number();
         const sailnet_status status = counted(sailnet_steer, &memory, &state, period, &command);
-        const sailnet_real told[5] = {command.cone_angle, command.time_of_flight, command.beta, command.hold,
-                                      command.lambda_v};
         platform_print("steering ");
         print_number((uint32_t)status);
-        for (int32_t k = 0; k < 5; k++) {
-            print_bits(told[k]);
-        }
+        print_command(&command);
         platform_print("\n");
     }
     platform_print("done\n");
