@@ -16,7 +16,7 @@ from benchmarks.expert_in_space import RESULTS
 from sailnet.artefacts.files import fill_block
 from sailnet.artefacts.provenance import software
 from sailnet.campaign.excess import above_own_optimum, excess_of
-from sailnet.campaign.own_optima import assumed_optima, optimal_turns, own_optimal_times
+from sailnet.campaign.own_optima import Turns, assumed_optima, optimal_turns, own_optimal_times
 from sailnet.campaign.plan import Series, load_plan
 from sailnet.campaign.tables import Table
 from sailnet.errors import SailnetError
@@ -33,7 +33,9 @@ TOGETHER = 1000
 """Flights side by side."""
 
 
-def measure(guidance: Guidance, series: Series, flights: int, seed: int, assumed: Optima) -> dict[str, float]:
+def measure(
+    guidance: Guidance, series: Series, flights: int, seed: int, assumed: Optima, optimum: Turns
+) -> dict[str, float]:
     """Fly a series of random starts.
 
     Args:
@@ -42,6 +44,7 @@ def measure(guidance: Guidance, series: Series, flights: int, seed: int, assumed
         flights: how many.
         seed: of the disturbances.
         assumed: optima of the sail as assumed from the starts.
+        optimum: what those ask of the sail.
     """
     mission, disturbance = guidance.mission, series.disturbances(guidance.mission, seed)
     began = time.process_time()
@@ -52,16 +55,15 @@ def measure(guidance: Guidance, series: Series, flights: int, seed: int, assumed
     flown, seconds = Flights.join(parts), time.process_time() - began
     optics = optics_of_flights(mission, disturbance, range(flights))
     own = own_optimal_times(mission.problem, assumed, flown.beta_error, optics)
-    return scores(mission, flown, own, assumed) | {"processor time a flight [s]": seconds / flights}
+    return scores(mission, flown, own, optimum) | {"processor time a flight [s]": seconds / flights}
 
 
-def scores(mission: Mission, flown: Flights, own: np.ndarray, assumed: Optima) -> dict[str, float]:
+def scores(mission: Mission, flown: Flights, own: np.ndarray, optimum: Turns) -> dict[str, float]:
     """Of all flights whose optimum is known; one that did not come near counts as the longest flight."""
     excess = excess_of(mission, flown, own)
     if excess is None:
         raise SailnetError("the expert knows no optimum of these flights")
     share = 100.0 * above_own_optimum(mission, flown, own)[np.isfinite(own)]
-    optimum = optimal_turns(mission.problem, assumed, mission.flight.period)
     turns = flown.attitude_slew / np.where(optimum.slew > 0.0, optimum.slew, np.nan)
     error = flown.terminal_error.max(axis=1)
     return {
@@ -106,9 +108,10 @@ def main() -> int:
         if guidance.networks_digest != networks.digest:
             raise SailnetError(f"{options.exported} was not made of {options.networks}")
         assumed = assumed_optima(mission, random_starts(mission, options.flights, options.seed))
+        optimum = optimal_turns(mission.problem, assumed, mission.flight.period)
         plan = load_plan("acceptance").changed(options.flights, options.seed).flown_by(mission)
         measured = {
-            series.name: measure(guidance, series, options.flights, options.seed, assumed)
+            series.name: measure(guidance, series, options.flights, options.seed, assumed, optimum)
             for series in plan.whole
         }
         if options.json:

@@ -80,7 +80,7 @@ class Lockstep:
 
     def __init__(self, guidance: CGuidance, count: int) -> None:
         self._c = guidance.steering(count)
-        components = 5 if guidance.mission.inclined else 3
+        components = guidance.mission.components
         self._kind = memory_type(guidance.precision, guidance.mission.degradation.loss > 0.0, components)
         assert self._c.memories.shape == (count, self._kind.itemsize)
         self._precision = guidance.precision

@@ -50,7 +50,7 @@ class CGuidance:
     def __init__(self, mission: Mission, library: Path) -> None:
         # Before anything is loaded: a truncated library does not raise, it ends the process.
         content = verify_checksum(library, library.parent / "libraries.sha256")
-        self._components = 5 if mission.inclined else 3
+        self._components = mission.components
         given = len(LAW_FIELDS[self._components])
         integer, text, pointer = ctypes.c_uint32, ctypes.c_char_p, ctypes.c_void_p
         try:

@@ -37,7 +37,7 @@ class OnnxGuidance:
         options.intra_op_num_threads = options.inter_op_num_threads = 1
         options.log_severity_level = _SILENT
         try:
-            self.precision, found = _checked(content, 5 if mission.inclined else 3)
+            self.precision, found = _checked(content, mission.components)
             self._session = onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
         except Exception as error:  # onnxruntime's exceptions share no other base
             raise GuidanceError(f"cannot load {graph}: {error}; export it again") from error
