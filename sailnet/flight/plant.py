@@ -21,7 +21,7 @@ from sailnet.guidance.rules import refuse_long_period
 from sailnet.mission.disturbances import NAVIGATION, OFF_PLANE, Disturbance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
-from sailnet.physics.geometry import target_of
+from sailnet.physics.geometry import geometry_of, target_of
 
 RADII = (0.05, 20.0)
 """A sail outside these distances from the Sun [AU] is lost."""
@@ -50,7 +50,7 @@ SHOWN = ("r", "latitude", "u", "v", "w")
 
 def components_of(mission: Mission) -> tuple[str, ...]:
     """Names of what navigation shows of a sail of this mission, in order."""
-    return SHOWN if mission.inclined else ("r", "u", "v")
+    return tuple(geometry_of(mission.components).state_names)
 
 
 def rules(
