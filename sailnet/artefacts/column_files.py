@@ -6,9 +6,9 @@ of all columns, so that equal digests mean equal content.
 """
 
 import hashlib
-import json
+import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.artefacts.column_checks import faults, lacks
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.file_objects import Pinned
 from sailnet.artefacts.untrusted import table_of
 from sailnet.errors import SailnetError, reason
 
@@ -41,8 +41,7 @@ class Layout:
         integers: types of the columns that are not double precision, by name.
         chunks: rows of a chunk, by group.
         texts: root attributes that the digest covers, beside the schema.
-        small: whether it is compressed, and made in memory before it is written: where a disk is full, HDF5
-            itself ends the process instead of raising.
+        small: whether it is compressed.
         since: columns, as ``group/name``, that came later: a file without them is as good.
     """
 
@@ -70,68 +69,8 @@ class Layout:
         return replace(self, groups=groups)
 
 
-def write_columns(
-    path: Path,
-    layout: Layout,
-    parts: Iterable[Columns],
-    texts: Mapping[str, str],
-    provenance: Mapping[str, object],
-    scratch: Path | None = None,
-) -> None:
-    """Stream columns into a new file.
-
-    Args:
-        path: where to; an existing file is replaced once the new one is complete.
-        layout: of the file.
-        parts: values by ``group/name``, appended in their order; memory holds one part at a time.
-        texts: values of the layout's ``texts``.
-        provenance: whatever tells where the content comes from, as JSON.
-        scratch: folder of the same file system for the unfinished file; beside ``path`` by default.
-
-    Raises:
-        SailnetError: the layout's error: the file cannot be written (full disk, no permission).
-    """
-
-    def fill(file: Any) -> None:
-        columns = _create(file, layout)
-        digests = {key: hashlib.sha256() for key in columns}
-        for part in parts:
-            for key, values in part.items():
-                stored = np.ascontiguousarray(values, layout.type_of(key.partition("/")[2]))
-                start = len(columns[key])
-                columns[key].resize(start + len(stored), axis=0)
-                columns[key][start:] = stored
-                digests[key].update(stored.data)
-        for key, column in columns.items():
-            _put_text(column, sha256=digests[key].hexdigest())
-        for group, names in layout.groups.items():
-            file.attrs[group] = len(file[group][next(iter(names))])
-        origin = json.dumps(dict(provenance), sort_keys=True)
-        _put_text(file, schema=layout.schema, provenance=origin, **texts)
-        _put_text(file, sha256=content_digest(file, layout), provenance_sha256=_text_digest(origin))
-
-    # v110: only since this version of the format does every piece of metadata carry a checksum; without
-    # one HDF5 can crash or hang on a single flipped bit.
-    def stream(beside: Path) -> None:
-        # No chunk cache: rows go straight to the file, without another copy.
-        with h5py.File(beside, "w", libver="v110", rdcc_nbytes=0) as file:
-            fill(file)
-
-    try:
-        if layout.small:
-            with h5py.File(path.name, "w", libver="v110", driver="core", backing_store=False) as file:
-                fill(file)
-                file.flush()
-                image = file.id.get_file_image()
-            write_whole(path, lambda beside: beside.write_bytes(image), scratch, size=len(image))
-        else:
-            write_whole(path, stream, scratch)
-    except (OSError, RuntimeError) as error:  # h5py raises either when HDF5 cannot write
-        raise layout.error(f"cannot write {layout.kind} {path}: {error}") from error
-
-
 class ColumnFile:
-    """An open file of columns, whose header matches its checksum. Made by :func:`open_columns`.
+    """An open file of columns, whose header matches its checksum. Made by :func:`hold_columns`.
 
     Attributes:
         digest: equal means the same columns and texts, whenever and wherever they were made.
@@ -139,8 +78,8 @@ class ColumnFile:
         provenance: where they come from.
     """
 
-    def __init__(self, path: Path, file: Any, layouts: Sequence[Layout]) -> None:
-        self._path, self._file = path, file
+    def __init__(self, path: Path, pinned: Pinned, file: Any, layouts: Sequence[Layout]) -> None:
+        self._path, self._pinned, self._file = path, pinned, file
         schema, known = self.text("schema"), {layout.schema: layout for layout in layouts}
         self.layout = layout = known.get(schema, layouts[0])
         if schema not in known:
@@ -149,10 +88,10 @@ class ColumnFile:
                 f"{path} has schema {schema!r}, this version reads {readable}: {layout.remedy}"
             )
         self.layout = layout = layout.before({key for key in layout.since if lacks(file, key)})
-        for fault in faults(file, layout, path.stat().st_size):
+        for fault in faults(file, layout, pinned.size):
             raise layout.error(f"{path} is no sailnet {layout.kind}: {fault}; {layout.remedy}")
         self.digest: str = self.text("sha256")
-        header = (content_digest(file, layout), _text_digest(self.text("provenance")))
+        header = (content_digest(file, layout), text_digest(self.text("provenance")))
         if header != (self.digest, self.text("provenance_sha256")):
             raise layout.error(f"{path} is damaged: its header does not match its checksum; {layout.remedy}")
         try:
@@ -163,6 +102,11 @@ class ColumnFile:
             ) from error
         # Not the attributes of these names: the checksum covers the columns' lengths.
         self._rows = {group: len(file[group][next(iter(names))]) for group, names in layout.groups.items()}
+
+    def close(self) -> None:
+        """Give the file back."""
+        self._file.close()
+        self._pinned.close()
 
     def text(self, name: str) -> str:
         """A root attribute."""
@@ -180,8 +124,11 @@ class ColumnFile:
         """Columns between two rows; only :meth:`verify` checks the values.
 
         Raises:
-            SailnetError: the layout's error: the rows cannot be read.
+            SailnetError: the layout's error: the rows cannot be read, or are no longer those that were there
+                when the file was opened.
         """
+        if self._pinned.changed():
+            raise self.layout.error(f"{self._path} was written into while it was read: open it again")
         try:
             return {name: self._file[group][name][start:stop] for name in names}
         except (OSError, RuntimeError, ValueError, TypeError, AttributeError, MemoryError) as error:
@@ -216,9 +163,8 @@ class ColumnFile:
                     )
 
 
-@contextmanager
-def open_columns(path: Path, layout: Layout, *others: Layout) -> Iterator[ColumnFile]:
-    """Open a file for reading, whose schema is that of one of the layouts.
+def hold_columns(path: Path, layout: Layout, *others: Layout) -> ColumnFile:
+    """Open a file for reading, whose schema is that of one of the layouts, for as long as it is referred to.
 
     Raises:
         SailnetError: the layout's error: missing, truncated, damaged or of another schema.
@@ -226,17 +172,23 @@ def open_columns(path: Path, layout: Layout, *others: Layout) -> Iterator[Column
     try:
         if path.exists() and not path.is_file():  # a pipe would be waited for
             raise OSError("it is no file")
-        file = h5py.File(path, "r")
+        pinned = Pinned(os.open(path, os.O_RDONLY))
+        file = h5py.File(pinned, "r")
     except (OSError, ValueError, RuntimeError) as error:
         raise layout.error(f"cannot open {layout.kind} {path}: {reason(error)}") from error
-    with file:
-        try:
-            found = ColumnFile(path, file, [layout, *others])
-        except SailnetError:
-            raise
-        except Exception as error:  # a flipped bit in the metadata can surface as any of them
-            raise layout.error(f"{path} is damaged or no sailnet {layout.kind}: {error}") from error
-        yield found
+    try:
+        return ColumnFile(path, pinned, file, [layout, *others])
+    except SailnetError:
+        raise
+    except Exception as error:  # a flipped bit in the metadata can surface as any of them
+        raise layout.error(f"{path} is damaged or no sailnet {layout.kind}: {error}") from error
+
+
+@contextmanager
+def open_columns(path: Path, layout: Layout, *others: Layout) -> Iterator[ColumnFile]:
+    """The same for a block, after which the file is closed."""
+    with closing(hold_columns(path, layout, *others)) as file:
+        yield file
 
 
 def content_digest(file: Any, layout: Layout) -> str:
@@ -251,29 +203,10 @@ def content_digest(file: Any, layout: Layout) -> str:
     return content.hexdigest()
 
 
-def _create(file: Any, layout: Layout) -> dict[str, Any]:
-    """Empty columns by ``group/name``, with their unit and meaning."""
-    columns = {}
-    compression = {"shuffle": True, "compression": "gzip", "compression_opts": 1} if layout.small else {}
-    for group, names in layout.groups.items():
-        for name, (unit, meaning) in names.items():
-            key, chunk = f"{group}/{name}", (layout.chunks[group],)
-            columns[key] = file.create_dataset(
-                key, (0,), layout.type_of(name), maxshape=(None,), chunks=chunk, **compression
-            )
-            _put_text(columns[key], unit=unit, meaning=meaning)
-    return columns
-
-
-def _put_text(place: Any, **attributes: str) -> None:
-    # Of fixed length: HDF5 keeps other texts in a heap without a checksum. JSON escapes to ASCII.
-    for name, text in attributes.items():
-        place.attrs[name] = np.bytes_(text.encode("ascii"))
-
-
 def _get_text(place: Any, name: str) -> str:
     return bytes.decode(place.attrs[name], "ascii")
 
 
-def _text_digest(text: str) -> str:
+def text_digest(text: str) -> str:
+    """SHA-256 of a text, as the header has it."""
     return hashlib.sha256(text.encode()).hexdigest()

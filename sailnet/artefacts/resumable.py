@@ -64,14 +64,16 @@ class Parts:
         except (OSError, SafetensorError) as error:
             raise DatasetError(f"cannot write {self._path(number)}: {reason(error)}") from error
 
-    def ensure(self, number: int, make: Callable[[int], Columns]) -> None:
-        """Make and store one part, unless it is there: a worker may be lost before it can say so.
+    def made(self, number: int, make: Callable[[int], Columns]) -> Columns:
+        """Read one part; it is made and stored first where it is missing or damaged.
 
         Raises:
             DatasetError: it cannot be written.
         """
-        if self.load(number) is None:
-            self.store(number, make(number))
+        if (found := self.load(number)) is None:
+            found = make(number)
+            self.store(number, found)
+        return found
 
     def load(self, number: int) -> Columns | None:
         """Read one part; None if it is missing, damaged or of another run."""
@@ -150,15 +152,11 @@ def resumed(
     for number in numbers:
         if number not in finished and (columns := next(made)) is not None:
             parts.store(number, columns)
-        loaded = parts.load(number)
-        if loaded is None:  # damaged
-            loaded = make(number)
-            parts.store(number, loaded)
-        yield loaded
+        yield parts.made(number, make)
 
 
 def _ensure(make: Callable[[int], Columns], parts: Parts, number: int) -> None:
-    parts.ensure(number, make)
+    parts.made(number, make)  # it may be there: a worker may be lost before it can say so
 
 
 @contextmanager

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.artefacts.column_files import Columns, open_columns, write_columns
+from sailnet.artefacts.column_files import Columns, open_columns
+from sailnet.artefacts.column_writing import write_columns
 from sailnet.artefacts.untrusted import table_of
 from sailnet.campaign.batches import Batch, Job, own_column
 from sailnet.campaign.columns import FLIGHTS, LAYOUT, OPTIMUM, OWN, flights_from, history_from

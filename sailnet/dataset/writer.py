@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.artefacts.column_files import write_columns
+from sailnet.artefacts.column_writing import write_columns
 from sailnet.dataset.block import Block
 from sailnet.dataset.schema import ALONE, layout_of
 from sailnet.mission.mission import Mission

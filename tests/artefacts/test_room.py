@@ -1,18 +1,22 @@
 """Where a disk is full it is said of which file, how much of it there was to write, and how much is free."""
 
 import errno
+import io
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 from safetensors import SafetensorError
 
-from sailnet.artefacts import resumable
-from sailnet.artefacts.column_files import Layout, write_columns
+from sailnet.artefacts import column_writing, resumable
+from sailnet.artefacts.column_files import Layout
+from sailnet.artefacts.column_writing import write_columns
+from sailnet.artefacts.file_objects import Lenient
 from sailnet.artefacts.files import write_text, write_whole
 from sailnet.artefacts.room import NoRoomError, is_full, room_told, size
 from sailnet.errors import DatasetError, SailnetError, reason
@@ -76,25 +80,56 @@ def test_an_error_of_ours_is_passed_on(tmp_path: Path) -> None:
         write_whole(tmp_path / "whole", write)
 
 
+class SmallDisk(io.FileIO):
+    """A file on a disk that takes so many bytes; half of a write may get there."""
+
+    def __init__(self, file: io.FileIO, most: int) -> None:
+        super().__init__(file.fileno(), "r+b", closefd=False)
+        self.most, self.refused = most, 0
+
+    def write(self, data: Any, /) -> int:
+        room = self.most - self.tell()
+        if room <= 0:
+            self.refused += 1
+            full()
+        return super().write(memoryview(data)[:room])
+
+
+@pytest.mark.parametrize("share", [0.0, 0.01, 0.3, 0.7, 0.99, 1.0])
 @pytest.mark.parametrize("small", [True, False])
-def test_a_file_of_columns(small: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_file_of_columns(
+    small: bool, share: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """HDF5 goes on writing, until it has closed the file; once the disk is full nothing more gets there."""
     columns = {"group": {"x": ("1", "values")}}
     layout = Layout("test/1", "data set", "", DatasetError, columns, {}, {"group": 100}, (), small)
+    asked, path = [], tmp_path / "x.h5"
 
     def parts() -> Iterator[dict[str, NDArray[np.float64]]]:
-        yield {"group/x": np.random.default_rng(1).normal(size=5_000)}
-        if not small:
-            raise RuntimeError("file write failed: errno = 28, error message = 'No space left on device'")
+        for number in range(20):
+            asked.append(number)
+            yield {"group/x": np.random.default_rng(number).normal(size=530)}
 
-    if small:
-        monkeypatch.setattr(Path, "write_bytes", full)
-    more = "" if small else "more than "
-    with pytest.raises(
-        DatasetError,
-        match=f"cannot write data set .*x.h5: no space left on device: {more}[0-9.]+ kB needed, 4 kB",
-    ):
-        write_columns(tmp_path / "x.h5", layout, parts(), {}, {})
+    write_columns(path, layout, parts(), {}, {})
+    most, disks = int(share * path.stat().st_size), []
+
+    def on_a_small_disk(file: io.FileIO) -> Lenient:
+        disks.append(SmallDisk(file, most))
+        return Lenient(disks[0])
+
+    path.unlink()
+    asked.clear()
+    monkeypatch.setattr(column_writing, "Lenient", on_a_small_disk)
+    if share == 1.0:
+        write_columns(path, layout, parts(), {}, {})
+        return
+    needed = r"(more than [0-9.]+ [a-zB]+ needed, )?4 kB free"
+    said = rf"cannot write data set .*x\.h5: no space left on device: {needed}"
+    with pytest.raises(DatasetError, match=said):
+        write_columns(path, layout, parts(), {}, {})
+    assert disks[0].refused == 1
     assert list(tmp_path.iterdir()) == []
+    assert (len(asked) < 20) == (share < 0.9)
 
 
 def test_a_part_of_a_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

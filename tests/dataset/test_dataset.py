@@ -11,7 +11,7 @@ import h5py
 import numpy as np
 import pytest
 
-from sailnet.artefacts.column_files import write_columns
+from sailnet.artefacts.column_writing import write_columns
 from sailnet.dataset import (
     ALONE,
     INTEGER,
