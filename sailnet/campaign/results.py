@@ -2,106 +2,31 @@
 the flights that ``/kept`` lists.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.artefacts.column_files import Columns, open_columns
-from sailnet.artefacts.column_writing import write_columns
+from sailnet.artefacts.column_files import hold_columns
+from sailnet.artefacts.stored_columns import BLOCK, stored_columns
 from sailnet.artefacts.untrusted import table_of
-from sailnet.campaign.batches import Batch, Job, own_column
-from sailnet.campaign.columns import FLIGHTS, LAYOUT, OPTIMUM, OWN, flights_from, history_from
+from sailnet.campaign.columns import LAYOUT, OPTIMUM, flights_from, history_from
 from sailnet.campaign.plan import Plan, parse_plan
 from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import Flights, History
 from sailnet.mission.mission import Mission, parse_mission
 
 
-def write_results(
-    path: Path,
-    job: Job,
-    outcomes: Iterable[tuple[Batch, Columns]],
-    provenance: Mapping[str, object],
-    scratch: Path,
-    known: "Results | None" = None,
-) -> None:
-    """Write what the batches of a campaign gave, in their order, into a new file.
-
-    Args:
-        path: where to; an existing file is replaced once the new one is complete.
-        job: the campaign.
-        outcomes: every batch and what it gave.
-        provenance: whatever tells where the results come from.
-        scratch: folder of the same file system for the unfinished file.
-        known: of the same flights by another guidance: the optima are its.
-
-    Raises:
-        CampaignError: the file cannot be written (full disk, no permission).
-    """
-    texts = {
-        "mission": job.mission.to_json(),
-        "campaign": job.plan.to_json(),
-        "networks": job.guidance.networks_digest,
-    }
-    write_columns(path, LAYOUT, _assembled(job.plan, outcomes, known), texts, provenance, scratch)
-
-
-def _assembled(
-    plan: Plan, outcomes: Iterable[tuple[Batch, Columns]], known: "Results | None"
-) -> Iterator[Columns]:
-    """Trajectories as they come, up to the plan's limit; then the flights, once their optima are known."""
-    flown: list[tuple[Batch, Columns]] = []
-    failures: dict[tuple[int, float], int] = {}
-    total = 0
-    for batch, columns in outcomes:
-        if batch.kind == "optima":
-            _spread(plan, batch, columns, flown)
-            continue
-        flight, lengths = columns["kept/flight"], columns["kept/records"]
-        left = plan.failures - failures.get((batch.series, batch.period), 0)
-        sampled = flight + batch.first < batch.sampled
-        taken = sampled | (np.cumsum(~sampled) <= left)
-        failures[batch.series, batch.period] = plan.failures - left + int((taken & ~sampled).sum())
-        recorded = np.repeat(taken, lengths)
-        yield {
-            "kept/flight": total + flight[taken],
-            "kept/records": lengths[taken],
-            **{key: values[recorded] for key, values in columns.items() if key.startswith("records/")},
-        }
-        rows = {key: values for key, values in columns.items() if key.startswith("flights/")}
-        same = slice(total, total + batch.count)
-        for name in OPTIMUM:
-            rows[f"flights/{name}"] = (
-                np.full(batch.count, np.nan) if known is None else known.flights[name][same]
-            )
-        flown.append((batch, rows))
-        total += batch.count
-    for _, flights in flown:
-        yield flights
-
-
-def _spread(plan: Plan, batch: Batch, optima: Columns, flown: list[tuple[Batch, Columns]]) -> None:
-    """Write optima to every flight of every series and period from the same starts."""
-    whole = plan.whole
-    for flights, rows in flown:
-        series = whole[flights.series]
-        low = max(batch.first, flights.first)
-        high = min(batch.first + batch.count, flights.first + flights.count, series.known)
-        if series.source == whole[batch.series].source and low < high:
-            target = slice(low - flights.first, high - flights.first)
-            source = slice(low - batch.first, high - batch.first)
-            for name in OPTIMUM:
-                values = optima[own_column(flights.series) if name == OWN else name]
-                rows[f"flights/{name}"][target] = values[source]
-
-
 @dataclass(frozen=True)
 class Results:
     """What a campaign gave.
+
+    Its columns are read from the file whenever they are used, and only their rows in question; the file stays
+    the one that was opened, whatever replaces it.
 
     Attributes:
         mission: that was flown.
@@ -109,7 +34,7 @@ class Results:
         networks: digest of the networks that flew.
         provenance: where the results come from.
         digest: equal means the same results, to the last bit.
-        flights: columns of ``FLIGHTS``.
+        flights: columns of ``FLIGHTS``, :class:`sailnet.artefacts.stored_columns.StoredColumn` or arrays.
         kept: rows of ``flights`` whose trajectories there are, in order.
     """
 
@@ -118,77 +43,104 @@ class Results:
     networks: str
     provenance: Mapping[str, Any]
     digest: str
-    flights: dict[str, NDArray[Any]]
+    flights: dict[str, Any]
     kept: NDArray[np.int64]
     _bounds: NDArray[np.int64]
-    _records: Columns
+    _records: Mapping[str, Any]
 
     def rows(self, series: int, period: float) -> NDArray[np.intp]:
         """Rows of the flights of a series at a guidance period."""
-        chosen = (self.flights["series"] == series) & (self.flights["period"] == period)
-        return np.flatnonzero(chosen)
+        first, last, of_series, at_period = self._runs
+        chosen = np.flatnonzero((of_series == series) & (at_period == period))
+        runs = [np.arange(first[run], last[run]) for run in chosen]
+        return np.concatenate([np.empty(0, np.intp), *runs])
+
+    @cached_property
+    def _runs(self) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.int64], NDArray[np.float64]]:
+        """Rows in which flights of the same series and period begin and end, and which these are.
+
+        As campaigns are flown there are few: a table of all flights need not be searched for every score.
+        """
+        rows = len(self.flights["series"])
+        first, of_series, at_period = [np.empty(0, np.intp)], [np.empty(0, np.int64)], [np.empty(0)]
+        for start in range(0, rows, BLOCK):
+            series, period = (self.flights[name][start : start + BLOCK] for name in ("series", "period"))
+            changes = (np.diff(series) != 0) | (np.diff(period) != 0.0)
+            begins = np.append(0, np.flatnonzero(changes) + 1)
+            first.append(start + begins)
+            of_series.append(series[begins])
+            at_period.append(period[begins])
+        begin = np.concatenate(first)
+        return begin, np.append(begin[1:], rows), np.concatenate(of_series), np.concatenate(at_period)
 
     def as_flights(self, rows: NDArray[np.intp]) -> Flights:
         """Some flights, as they were flown."""
-        return flights_from({name: self.flights[name][rows] for name in FLIGHTS})
+        return flights_from({name: values[rows] for name, values in self.flights.items()})
 
     def history(self, place: int) -> History:
         """The trajectory of flight ``kept[place]``."""
-        rows = slice(self._bounds[place], self._bounds[place + 1])
+        rows = slice(int(self._bounds[place]), int(self._bounds[place + 1]))
         return history_from({name: values[rows] for name, values in self._records.items()})
 
 
 def open_results(path: Path) -> Results:
-    """Read the results of a campaign.
+    """Check the results of a campaign, all of them, and hold them open.
 
     Raises:
         CampaignError: missing, truncated, damaged or of another version.
         MissionError: the mission in it is of another version.
     """
-    read: dict[str, list[NDArray[Any]]] = {}
-    with open_columns(path, LAYOUT) as file:
-        file.verify(lambda key, _, values: read.setdefault(key, []).append(values))
-        try:
-            mission = parse_mission(table_of(file.text("mission")), str(path))
-            plan = parse_plan(table_of(file.text("campaign")), str(path))
-        except ValueError as error:
-            raise CampaignError(f"{path} is no sailnet results: {error}; {LAYOUT.remedy}") from error
-        networks, provenance, digest = file.text("networks"), file.provenance, file.digest
-    groups = {
-        group: {
-            name: np.concatenate(read.get(f"{group}/{name}", [np.empty(0, LAYOUT.type_of(name))]))
-            for name in names
-        }
-        for group, names in LAYOUT.groups.items()
-    }
-    for fault in _contradictions(groups, plan):
-        raise CampaignError(f"{path} is no sailnet results: {fault}; {LAYOUT.remedy}")
+    file = hold_columns(path, LAYOUT)
+    try:
+        mission = parse_mission(table_of(file.text("mission")), str(path))
+        plan = parse_plan(table_of(file.text("campaign")), str(path))
+    except ValueError as error:
+        raise CampaignError(f"{path} is no sailnet results: {error}; {LAYOUT.remedy}") from error
+    kept: dict[str, list[NDArray[np.int64]]] = {name: [] for name in LAYOUT.groups["kept"]}
+    faults: list[str] = []
+
+    def see(key: str, _start: int, values: NDArray[Any]) -> None:
+        group, _, name = key.partition("/")
+        if group == "kept":
+            kept[name].append(values)
+        if group == "flights" and not faults:
+            faults.extend(_faults_of_flights(name, values, plan))
+
+    file.verify(see)
+    flight, lengths = (np.concatenate([np.empty(0, np.int64), *parts]) for parts in kept.values())
+    faults.extend(_faults_of_kept(flight, lengths, file.rows("flights"), file.rows("records")))
+    if faults:
+        raise CampaignError(f"{path} is no sailnet results: {faults[0]}; {LAYOUT.remedy}")
     return Results(
         mission=mission,
         plan=plan,
-        networks=networks,
-        provenance=provenance,
-        digest=digest,
-        flights=groups["flights"],
-        kept=groups["kept"]["flight"],
-        _bounds=np.append(0, np.cumsum(groups["kept"]["records"])),
-        _records=groups["records"],
+        networks=file.text("networks"),
+        provenance=file.provenance,
+        digest=file.digest,
+        flights=dict(stored_columns(file, "flights")),
+        kept=flight,
+        _bounds=np.append(0, np.cumsum(lengths)),
+        _records=stored_columns(file, "records"),
     )
 
 
-def _contradictions(groups: Mapping[str, Mapping[str, NDArray[Any]]], plan: Plan) -> Iterator[str]:
-    """Where columns contradict each other, the campaign, or what a flight can be."""
-    flights, kept = groups["flights"], groups["kept"]
+def _faults_of_flights(name: str, values: NDArray[Any], plan: Plan) -> Iterator[str]:
+    """Where values of a column contradict the campaign, or what a flight can be."""
     limits = {"series": (0, len(plan.series) - 1), "ending": (1, 3), "arrived": (0, 1)}
-    for name, (least, most) in limits.items():
-        if not ((flights[name] >= least) & (flights[name] <= most)).all():
+    if name in limits:
+        least, most = limits[name]
+        if not ((values >= least) & (values <= most)).all():
             yield f"flights/{name} is not from {least} to {most}"
-    for name, values in flights.items():
-        may_be_unknown = name in OPTIMUM or name == "time_to_go"
-        if np.isinf(values).any() or (np.isnan(values).any() and not may_be_unknown):
-            yield f"flights/{name} is not finite"
-    if ((kept["flight"] < 0) | (kept["flight"] >= len(flights["series"]))).any():
+    may_be_unknown = name in OPTIMUM or name == "time_to_go"
+    if np.isinf(values).any() or (np.isnan(values).any() and not may_be_unknown):
+        yield f"flights/{name} is not finite"
+
+
+def _faults_of_kept(
+    flight: NDArray[np.int64], lengths: NDArray[np.int64], flights: int, records: int
+) -> Iterator[str]:
+    """Where the list of trajectories contradicts the tables of so many flights and records."""
+    if ((flight < 0) | (flight >= flights)).any():
         yield "kept/flight names flights that are not there"
-    length = len(groups["records"]["time"])
-    if ((kept["records"] < 0) | (kept["records"] > length)).any() or kept["records"].sum() != length:
-        yield f"kept/records does not share out the {length} rows of /records"
+    if ((lengths < 0) | (lengths > records)).any() or lengths.sum() != records:
+        yield f"kept/records does not share out the {records} rows of /records"

@@ -3,14 +3,16 @@
 import sys
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 
 from sailnet.artefacts.provenance import environment_of, software
 from sailnet.artefacts.resumable import Columns, Parts, claim, resumed
+from sailnet.campaign.assembly import write_results
 from sailnet.campaign.batches import Batch, Job
 from sailnet.campaign.budget import refuse_too_large
 from sailnet.campaign.plan import Plan
-from sailnet.campaign.results import Results, open_results, write_results
+from sailnet.campaign.results import Results, open_results
 from sailnet.errors import CampaignError, SailnetError
 from sailnet.flight.plant_library import sources_digest
 from sailnet.guidance.interface import Guidance
@@ -78,7 +80,8 @@ def fly_plan(
     with claim(output, run, restart, "results") as parts, _telling(parts):
         outcomes = resumed(job.carry_out, range(len(job.batches)), parts, workers)
         origin = {"run": run, **software()}
-        write_results(output, job, _watched(job, outcomes), origin, parts.folder, known)
+        stored = partial(parts.made, make=job.carry_out)
+        write_results(output, job, _watched(job, outcomes), stored, origin, parts.folder, known)
     return open_results(output)
 
 
