@@ -10,7 +10,8 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,7 @@ from sailnet.artefacts.files import fill_block
 from sailnet.artefacts.provenance import software
 from sailnet.campaign.plan import parse_plan
 from sailnet.campaign.run import fly_plan
+from sailnet.campaign.scores import scores_of
 from sailnet.dataset import SAMPLES, Block, open_dataset, write_dataset
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
@@ -34,8 +36,8 @@ TRAJECTORY, BLOCK = 351, 2000
 """Samples of a trajectory, and trajectories of a block, as of the paper's box."""
 
 
-def campaign(flights: int, folder: Path) -> None:
-    """Fly so many, each for some periods: its rows are what counts here."""
+def campaign(flights: int, folder: Path) -> Callable[[], object]:
+    """Fly so many, each for some periods: its rows are what counts here; then their scores are to be had."""
     mission = load_mission("earth_mars")
     brief = mission.flight.model_copy(update={"longest": 10 * mission.flight.period})
     assert brief.longest < MOST_PERIODS * brief.period
@@ -44,7 +46,8 @@ def campaign(flights: int, folder: Path) -> None:
     plan = parse_plan(content | {"series": series}, "long")
     short = mission.model_copy(update={"flight": brief})
     # Guidance of the mission itself: the rules of flight are not part of what networks are trained for.
-    fly_plan(short, load_guidance(mission, layout="host"), plan, folder / "long.h5")
+    results = fly_plan(short, load_guidance(mission, layout="host"), plan, folder / "long.h5")
+    return partial(scores_of, results)
 
 
 def samples(count: int, folder: Path) -> None:
@@ -71,16 +74,24 @@ def _blocks(count: int) -> Iterator[Block]:
         left -= rows
 
 
-KINDS = {"campaign, flights": campaign, "data set, samples": samples}
+KINDS: dict[str, Callable[[int, Path], Callable[[], object] | None]] = {
+    "campaign, flights": campaign,
+    "data set, samples": samples,
+}
 
 
 def measure(kind: str, count: int) -> dict[str, float]:
-    """In this process: its largest memory [GB] before and after, the size of the file [GB], and seconds."""
+    """In this process: its largest memory [GB] before and after, the size of the file [GB], and seconds;
+    and its largest memory with the scores of all flights, which are one series, if it has any."""
     before, started = _peak(), time.monotonic()
     with tempfile.TemporaryDirectory(dir=Path.cwd()) as name:
-        KINDS[kind](count, Path(name))
-        size = (Path(name) / "long.h5").stat().st_size / 1e9
-    return {"before": before, "after": _peak(), "file": size, "seconds": time.monotonic() - started}
+        scores = KINDS[kind](count, Path(name))
+        found = {"before": before, "after": _peak(), "seconds": time.monotonic() - started}
+        found["file"] = (Path(name) / "long.h5").stat().st_size / 1e9
+        if scores is not None:
+            scores()
+            found["scored"] = _peak()
+    return found
 
 
 def _peak() -> float:
@@ -95,11 +106,12 @@ def table(rows: list[tuple[str, int, dict[str, float]]], flights: int, samples: 
         f"{made['date']}, revision {made['revision']}. Flights end after ten periods; samples are invented; "
         f"a full run has {FLIGHTS:,} flights and {SAMPLES_WRITTEN:,} samples.",
         "",
-        "| what | how many | largest memory [GB] | of it before the work | file [GB] | seconds |",
-        "|---|---|---|---|---|---|",
+        "| what | how many | largest memory [GB] | before the work | with all scores | file [GB] | seconds |",
+        "|---|---|---|---|---|---|---|",
     ]
     for kind, count, found in rows:
-        cells = [f"{found['after']:.2f}", f"{found['before']:.2f}", f"{found['file']:.3f}"]
+        cells = [f"{found['after']:.2f}", f"{found['before']:.2f}"]
+        cells += [f"{found['scored']:.2f}" if "scored" in found else "–", f"{found['file']:.3f}"]
         lines.append(f"| {kind} | {count:,} | {' | '.join(cells)} | {found['seconds']:.0f} |")
     return lines
 

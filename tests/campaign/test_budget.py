@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from sailnet.campaign import budget
-from sailnet.campaign.budget import refuse_too_large
+from sailnet.campaign.budget import FLIGHT_BYTES, FLIGHT_ON_DISK, refuse_too_large
 from sailnet.errors import CampaignError
 from tests.campaign.small_plan import MISSION, plan_of
 
@@ -14,9 +14,9 @@ def test_more_flights_than_memory_or_disk_hold_are_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plan = plan_of(series=[{"name": "all", "flights": 10**9}])
-    monkeypatch.setattr(budget, "_memory", lambda: 10**12)
+    monkeypatch.setattr(budget, "_memory", lambda: 10**11)
     with pytest.raises(
-        CampaignError, match=r"1,000,000,000 flights, .* 1,200\.0 GB of memory; there are 1,000\.0"
+        CampaignError, match=r"1,000,000,000 flights, .* 500\.0 GB of memory at once; there are 100\.0"
     ):
         refuse_too_large(plan, MISSION, tmp_path / "x.h5")
     monkeypatch.setattr(budget, "_memory", lambda: 10**13)
@@ -26,14 +26,21 @@ def test_more_flights_than_memory_or_disk_hold_are_refused(
     refuse_too_large(plan_of(), MISSION, tmp_path / "x.h5")
 
 
-def test_every_period_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(budget, "_memory", lambda: 1_000_000)
+def test_memory_counts_what_is_scored_together_and_disk_everything(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     periods = [0.001 * number for number in range(1, 11)]
-    refuse_too_large(plan_of(series=[{"name": "a", "flights": 100}]), MISSION, tmp_path / "x.h5")
-    with pytest.raises(CampaignError, match="flies 1,000 flights"):
-        refuse_too_large(
-            plan_of(series=[{"name": "a", "flights": 100, "periods": periods}]), MISSION, tmp_path / "x.h5"
-        )
+    plan = plan_of(series=[{"name": "a", "flights": 100, "periods": periods}, {"name": "b", "flights": 200}])
+    monkeypatch.setattr(budget, "_memory", lambda: 200 * FLIGHT_BYTES)
+    monkeypatch.setattr(budget, "free_room", lambda _: 1200 * FLIGHT_ON_DISK)
+    refuse_too_large(plan, MISSION, tmp_path / "x.h5")
+    monkeypatch.setattr(budget, "_memory", lambda: 200 * FLIGHT_BYTES - 1)
+    with pytest.raises(CampaignError, match=r"flies 1,200 flights, .* 0\.100 MB of memory"):
+        refuse_too_large(plan, MISSION, tmp_path / "x.h5")
+    monkeypatch.setattr(budget, "_memory", lambda: 10**9)
+    monkeypatch.setattr(budget, "free_room", lambda _: 1200 * FLIGHT_ON_DISK - 1)
+    with pytest.raises(CampaignError, match=r"flies 1,200 flights, .* of disk"):
+        refuse_too_large(plan, MISSION, tmp_path / "x.h5")
 
 
 def test_a_flight_without_end_is_refused(tmp_path: Path) -> None:

@@ -67,7 +67,7 @@ def test_a_campaign_that_cannot_end_is_refused_before_its_batches_are_listed(
     monkeypatch.setattr(batches, "batches_of", lambda *_: pytest.fail("listed"))
     monkeypatch.setattr(budget, "_memory", lambda: 10**9)
     said = error_of(capsys, "--campaign", str(path), "--output", out)
-    assert "flies 1,000,000,000 flights, which take some 1,200.0 GB of memory; there are 1.0 GB" in said
+    assert "flies 1,000,000,000 flights, which take some 500.0 GB of memory at once; there are 1.0 GB" in said
 
 
 @pytest.mark.parametrize(
