@@ -2,7 +2,7 @@
 the flights that ``/kept`` lists.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,11 +13,14 @@ from numpy.typing import NDArray
 from sailnet.artefacts.column_files import Columns, open_columns, write_columns
 from sailnet.artefacts.untrusted import table_of
 from sailnet.campaign.batches import Batch, Job, own_column
-from sailnet.campaign.columns import FLIGHTS, LAYOUT, OPTIMUM, OWN, flights_from, history_from
+from sailnet.campaign.columns import LAYOUT, LAYOUT_IN_SPACE, OWN, layout_of, optimum_of
+from sailnet.campaign.flown_columns import flights_from, history_from, states_from
 from sailnet.campaign.plan import Plan, parse_plan
 from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import Flights, History
+from sailnet.flight.plant import components_of
 from sailnet.mission.mission import Mission, parse_mission
+from sailnet.physics.arrays import Array
 
 
 def write_results(
@@ -46,19 +49,20 @@ def write_results(
         "campaign": job.plan.to_json(),
         "networks": job.guidance.networks_digest,
     }
-    write_columns(path, LAYOUT, _assembled(job.plan, outcomes, known), texts, provenance, scratch)
+    write_columns(path, layout_of(job.mission), _assembled(job, outcomes, known), texts, provenance, scratch)
 
 
 def _assembled(
-    plan: Plan, outcomes: Iterable[tuple[Batch, Columns]], known: "Results | None"
+    job: Job, outcomes: Iterable[tuple[Batch, Columns]], known: "Results | None"
 ) -> Iterator[Columns]:
     """Trajectories as they come, up to the plan's limit; then the flights, once their optima are known."""
+    plan, asked = job.plan, optimum_of(components_of(job.mission))
     flown: list[tuple[Batch, Columns]] = []
     failures: dict[tuple[int, float], int] = {}
     total = 0
     for batch, columns in outcomes:
         if batch.kind == "optima":
-            _spread(plan, batch, columns, flown)
+            _spread(plan, batch, columns, flown, asked)
             continue
         flight, lengths = columns["kept/flight"], columns["kept/records"]
         left = plan.failures - failures.get((batch.series, batch.period), 0)
@@ -73,7 +77,7 @@ def _assembled(
         }
         rows = {key: values for key, values in columns.items() if key.startswith("flights/")}
         same = slice(total, total + batch.count)
-        for name in OPTIMUM:
+        for name in asked:
             rows[f"flights/{name}"] = (
                 np.full(batch.count, np.nan) if known is None else known.flights[name][same]
             )
@@ -83,8 +87,10 @@ def _assembled(
         yield flights
 
 
-def _spread(plan: Plan, batch: Batch, optima: Columns, flown: list[tuple[Batch, Columns]]) -> None:
-    """Write optima to every flight of every series and period from the same starts."""
+def _spread(
+    plan: Plan, batch: Batch, optima: Columns, flown: list[tuple[Batch, Columns]], asked: Sequence[str]
+) -> None:
+    """Write optima, columns so named, to every flight of every series and period from the same starts."""
     whole = plan.whole
     for flights, rows in flown:
         series = whole[flights.series]
@@ -93,7 +99,7 @@ def _spread(plan: Plan, batch: Batch, optima: Columns, flown: list[tuple[Batch, 
         if series.source == whole[batch.series].source and low < high:
             target = slice(low - flights.first, high - flights.first)
             source = slice(low - batch.first, high - batch.first)
-            for name in OPTIMUM:
+            for name in asked:
                 values = optima[own_column(flights.series) if name == OWN else name]
                 rows[f"flights/{name}"][target] = values[source]
 
@@ -108,7 +114,7 @@ class Results:
         networks: digest of the networks that flew.
         provenance: where the results come from.
         digest: equal means the same results, to the last bit.
-        flights: columns of ``FLIGHTS``.
+        flights: columns of ``/flights``.
         kept: rows of ``flights`` whose trajectories there are, in order.
     """
 
@@ -129,7 +135,11 @@ class Results:
 
     def as_flights(self, rows: NDArray[np.intp]) -> Flights:
         """Some flights, as they were flown."""
-        return flights_from({name: self.flights[name][rows] for name in FLIGHTS})
+        return flights_from({name: values[rows] for name, values in self.flights.items()})
+
+    def starts(self, rows: NDArray[np.intp]) -> Array:
+        """(n, k) the states at departure of some flights, of k components."""
+        return states_from(self.flights, "start", components_of(self.mission))[rows]
 
     def history(self, place: int) -> History:
         """The trajectory of flight ``kept[place]``."""
@@ -145,7 +155,7 @@ def open_results(path: Path) -> Results:
         MissionError: the mission in it is of another version.
     """
     read: dict[str, list[NDArray[Any]]] = {}
-    with open_columns(path, LAYOUT) as file:
+    with open_columns(path, LAYOUT, LAYOUT_IN_SPACE) as file:
         file.verify(lambda key, _, values: read.setdefault(key, []).append(values))
         try:
             mission = parse_mission(table_of(file.text("mission")), str(path))
@@ -153,14 +163,15 @@ def open_results(path: Path) -> Results:
         except ValueError as error:
             raise CampaignError(f"{path} is no sailnet results: {error}; {LAYOUT.remedy}") from error
         networks, provenance, digest = file.text("networks"), file.provenance, file.digest
+        layout = file.layout
     groups = {
         group: {
-            name: np.concatenate(read.get(f"{group}/{name}", [np.empty(0, LAYOUT.type_of(name))]))
+            name: np.concatenate(read.get(f"{group}/{name}", [np.empty(0, layout.type_of(name))]))
             for name in names
         }
-        for group, names in LAYOUT.groups.items()
+        for group, names in layout.groups.items()
     }
-    for fault in _contradictions(groups, plan):
+    for fault in _contradictions(groups, plan, mission):
         raise CampaignError(f"{path} is no sailnet results: {fault}; {LAYOUT.remedy}")
     return Results(
         mission=mission,
@@ -175,16 +186,21 @@ def open_results(path: Path) -> Results:
     )
 
 
-def _contradictions(groups: Mapping[str, Mapping[str, NDArray[Any]]], plan: Plan) -> Iterator[str]:
+def _contradictions(
+    groups: Mapping[str, Mapping[str, NDArray[Any]]], plan: Plan, mission: Mission
+) -> Iterator[str]:
     """Where columns contradict each other, the campaign, or what a flight can be."""
     flights, kept = groups["flights"], groups["kept"]
+    if flights.keys() != layout_of(mission).groups["flights"].keys():
+        yield f"mission {mission.name!r} has states of {mission.components} components, its flights not"
+        return
+    unknown = {*optimum_of(components_of(mission)), "time_to_go"}
     limits = {"series": (0, len(plan.series) - 1), "ending": (1, 3), "arrived": (0, 1)}
     for name, (least, most) in limits.items():
         if not ((flights[name] >= least) & (flights[name] <= most)).all():
             yield f"flights/{name} is not from {least} to {most}"
     for name, values in flights.items():
-        may_be_unknown = name in OPTIMUM or name == "time_to_go"
-        if np.isinf(values).any() or (np.isnan(values).any() and not may_be_unknown):
+        if np.isinf(values).any() or (np.isnan(values).any() and name not in unknown):
             yield f"flights/{name} is not finite"
     if ((kept["flight"] < 0) | (kept["flight"] >= len(flights["series"]))).any():
         yield "kept/flight names flights that are not there"

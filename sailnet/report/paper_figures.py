@@ -13,7 +13,8 @@ from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.jumps import preprocess
 from sailnet.report.charts import BAD, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve
-from sailnet.report.flight_charts import common_columns, flight_columns, flight_templates
+from sailnet.report.flight_charts import common_columns, flight_columns
+from sailnet.report.flight_templates import flight_templates
 from sailnet.report.reproduction import reproduction_charts
 from sailnet.report.section5 import Flown, Section5
 

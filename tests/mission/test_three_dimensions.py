@@ -119,7 +119,7 @@ def test_the_pipeline_and_python_refuse_it_too(
     assert main(["pipeline", "earth_mars_3d"]) != 0
     assert "so far there are its optima" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
-    mission = load_mission("earth_mars_3d", in_space=True)
+    mission = load_mission("earth_mars_3d")
     for given in (mission, "earth_mars_3d"):
         with pytest.raises(MissionError, match="so far there are its optima"):
             sailnet.fly(given, (1.0, 0.0, 1.0))
