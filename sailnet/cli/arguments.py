@@ -218,7 +218,7 @@ def state_of(options: argparse.Namespace, *, in_space: bool) -> tuple[float, ...
     """The state that R U V give, in three dimensions with latitude [rad] and northward speed.
 
     Raises:
-        SailnetError: it is no state of a sail, or one off the plane of whoever works in a plane.
+        SailnetError: R U V are of no sail, or what they complete is off the plane of a planar mission.
     """
     r, u, v = options.r, options.u, options.v
     if not all(math.isfinite(x) for x in (r, u, v)) or not r > 0.0:
@@ -229,10 +229,4 @@ def state_of(options: argparse.Namespace, *, in_space: bool) -> tuple[float, ...
                 "--latitude and --northward are for missions of three dimensions, such as earth_mars_3d"
             )
         return r, u, v
-    latitude, northward = options.latitude or 0.0, options.northward or 0.0
-    if not math.isfinite(northward) or not abs(latitude) < 90.0:
-        raise SailnetError(
-            "--latitude must be between -90 and 90 degrees and --northward finite, "
-            f"not {latitude:g} and {northward:g}"
-        )
-    return r, math.radians(latitude), u, v, northward
+    return r, math.radians(options.latitude or 0.0), u, v, options.northward or 0.0

@@ -105,7 +105,7 @@ def write_report(
     content = {
         "charts": [for_page(chart) for chart in [*charts, *law_charts, *figures]],
         "templates": [for_page(chart) for chart in flight_templates(results.mission)],
-        "common": page_columns(common_columns(results.mission)),
+        "common": page_columns(common_columns(results.mission, results.mission.inclined)),
         "flights": {"rows": [flight.row for flight in shown], "together": TOGETHER, "blocks": list(blocks)},
     }
     tables = score_tables(scores)

@@ -40,14 +40,14 @@ STATES = (PLANE.state_names, SPACE.state_names)
 Columns = dict[str, Array]
 
 
-def common_columns(mission: Mission) -> Columns:
-    """What is the same for all flights of a mission."""
+def common_columns(mission: Mission, in_space: bool) -> Columns:
+    """What is the same for all flights of a mission, drawn in the plane or in space."""
     angle = np.linspace(0.0, 2.0 * np.pi, 181)
     columns = {f"sun_{side}": np.zeros(1) for side in "xyz"}
     for name in ("departure", "target"):
         radius = getattr(mission.transfer, f"{name}_radius")
         columns |= {f"{name}_x": radius * np.cos(angle), f"{name}_y": radius * np.sin(angle)}
-    if mission.inclined:
+    if in_space:
         columns |= {"target_z": np.zeros(len(angle)), **_departure_orbit(mission, angle)}
     return columns
 
@@ -174,7 +174,7 @@ def _tilt(history: History, commanded: bool = False) -> Array:
 
 def flight_charts(mission: Mission, columns: Mapping[str, Array]) -> list[Chart]:
     """The charts of one flight with what they show."""
-    whole = {**common_columns(mission), **columns}
+    whole = {**common_columns(mission, mission.inclined), **columns}
     drawn = [template.with_columns(whole) for template in flight_templates(mission)]
     return [chart for chart in drawn if any(curve.label for curve in chart.curves)]
 

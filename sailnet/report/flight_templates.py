@@ -6,13 +6,13 @@ from sailnet.mission.mission import Mission
 from sailnet.report.charts import BAD, BASELINE, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve
 
 
-def path_chart(mission: Mission, said: str, flown: list[Curve]) -> Chart:
+def path_chart(in_space: bool, said: str, flown: list[Curve]) -> Chart:
     """The path of a flight or an optimum among the orbits and the Sun; in space it can be turned.
 
     Args:
-        mission: whose orbits they are.
+        in_space: whether there is more than a plane to see.
         said: of what is drawn, for the caption.
-        flown: curves of ``x`` and ``y``; where the mission is inclined each gets its ``z``.
+        flown: curves of ``x`` and ``y``; in space each gets its ``z``.
     """
     curves = [
         Curve("departure_x", "departure_y", "departure orbit", colour=GREY, dash=True, width=1.0),
@@ -21,7 +21,7 @@ def path_chart(mission: Mission, said: str, flown: list[Curve]) -> Chart:
         Curve("sun_x", "sun_y", "", "points", colour="#f2b705", width=11.0),
     ]
     orbits = f"Heliocentric; the circles are departure and target orbit, {said}."
-    if not mission.inclined:
+    if not in_space:
         return Chart("path", "Path", orbits, "X [AU]", "Y [AU]", curves, equal=True)
     lifted = [replace(curve, z=curve.y.removesuffix("y") + "z") for curve in curves]
     turned = " Z is drawn larger than it is; mouse or finger turn the picture."
@@ -39,7 +39,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
     first, second, third, fourth, fifth = (PALETTE[place] for place in (0, 3, 2, 4, 5))
     return [
         path_chart(
-            mission,
+            mission.inclined,
             "the optimum is the assumed sail's",
             [
                 optimal("optimum_x", "optimum_y", "optimum"),

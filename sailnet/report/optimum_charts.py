@@ -28,7 +28,7 @@ def optimum_charts(mission: Mission, extremal: Extremal) -> list[Chart]:
     angles = known.keys() & {"latitude", "cone_angle", "clock_angle"}
     degrees = {name: np.degrees(known[name]) for name in angles}
     columns: dict[str, Array] = {
-        **common_columns(mission), **path, **ends, **known, **degrees, "time": optimum.time,
+        **common_columns(mission, optimum.in_space), **path, **ends, **known, **degrees, "time": optimum.time,
         "span": optimum.time[[0, -1]], "bound_high": np.full(2, bound),
     }  # fmt: skip
     if not optimum.in_space:
@@ -46,7 +46,7 @@ def optimum_charts(mission: Mission, extremal: Extremal) -> list[Chart]:
         costates = "costates [TU/AU, TU/rad, TU²/AU]"
     templates = [
         path_chart(
-            mission,
+            optimum.in_space,
             "left at the departure, met at the arrival",
             [
                 Curve("x", "y", "optimum", colour=OPTIMUM),

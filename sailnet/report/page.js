@@ -108,7 +108,7 @@
       const side = (title) => ({ title: { text: title }, gridcolor: colour("--line"), zeroline: false, showspikes: false, nticks: 5 });
       // The box's sides as charts.IN_SPACE has them.
       layout.scene = { xaxis: side(chart.x), yaxis: side(chart.y), zaxis: side(chart.z), dragmode: "orbit",
-                       aspectmode: "manual", aspectratio: { x: 1, y: 1, z: 0.4 }, camera: { eye: { x: 0.9, y: -1.1, z: 0.8 } } };
+                       aspectmode: "manual", aspectratio: { x: 1, y: 1, z: 0.4 }, camera: { eye: { x: 1.1, y: -1.3, z: 0.9 } } };
       layout.margin = { l: 0, r: 0, t: 30, b: 30 };
     }
     if (chart.x_range) layout.xaxis.range = chart.x_range;
