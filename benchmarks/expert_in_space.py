@@ -83,7 +83,7 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=2, help="of every random number (%(default)s)")
     parser.add_argument("--output", type=Path, default=RESULTS, help="(%(default)s)")
     options = parser.parse_args()
-    mission = load_mission(options.mission, in_space=True)
+    mission = load_mission(options.mission)
     measured = measure(mission, options.states, options.lines, options.points, options.seed)
     origin = software()
     rows = [

@@ -125,7 +125,7 @@ def _make(options: argparse.Namespace, folder: Path, found: "Callable[[Parts], o
     from sailnet.artefacts.resumable import kept_parts
     from sailnet.mission.mission import load_mission
 
-    mission = sized(load_mission(options.mission, in_space=True), options.size)
+    mission = sized(load_mission(options.mission), options.size)
     made_of = {"mission": mission.digest("generalisation", "dataset"), "recipe": options.recipe}
     made_of |= environment_of("data.recipes")
     run = {**made_of, "trajectories": options.trajectories}

@@ -78,7 +78,7 @@ def _export(options: argparse.Namespace) -> list[Path]:
     from sailnet.guidance.rules import PLAIN, rules_for
     from sailnet.mission.mission import load_mission
 
-    mission = load_mission(options.mission, in_space=True)
+    mission = load_mission(options.mission)
     if options.degradation is not None:
         mission = mission.with_degradation(options.degradation)
     rules = PLAIN if options.plain_law else rules_for(mission)

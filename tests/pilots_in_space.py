@@ -11,7 +11,7 @@ from sailnet.mission.mission import Mission, load_mission, parse_mission
 from sailnet.physics.arrays import Array
 from tests.pilots import Pilot, SteeredBy
 
-SPACE = load_mission("earth_mars_3d", in_space=True)
+SPACE = load_mission("earth_mars_3d")
 
 START = SPACE.departure_state_in_space
 

@@ -84,7 +84,7 @@ def random_network_in_space(
     name: str, hidden: Sequence[int] = (20, 20, 20), seed: int = 0, mission: Mission | None = None
 ) -> Network:
     """A network of three dimensions whose outputs cover their range over its box of inputs."""
-    mission = mission or load_mission("earth_mars_3d", in_space=True)
+    mission = mission or load_mission("earth_mars_3d")
     smallest, largest = (share * mission.sail.beta for share in BETA_SHARES)
     low = (-0.5, -1.0, -1.0, 0.0, -1.0, 0.0, 0.0, smallest)
     high = (0.5, 1.0, 1.0, 0.5, 1.0, 1.0, 16.0, largest)

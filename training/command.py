@@ -63,7 +63,7 @@ def _recipe(options: argparse.Namespace) -> "tuple[Mission, str]":
     from sailnet.dataset import open_dataset
     from sailnet.mission.mission import load_mission
 
-    given = load_mission(options.mission, in_space=True) if options.mission else None
+    given = load_mission(options.mission) if options.mission else None
     with open_dataset(options.dataset) as data:
         mission = given or data.mission
         kind = data.kind

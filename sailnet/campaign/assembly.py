@@ -9,8 +9,9 @@ import numpy as np
 from sailnet.artefacts.column_files import Columns
 from sailnet.artefacts.column_writing import write_columns
 from sailnet.campaign.batches import OPTIMA_BATCH, Batch, Job, own_column
-from sailnet.campaign.columns import LAYOUT, OPTIMUM, OWN
+from sailnet.campaign.columns import OWN, layout_of, optimum_of
 from sailnet.campaign.results import Results
+from sailnet.flight.plant import components_of
 
 Stored = Callable[[int], Columns]
 """What the batch of a number gave, once more."""
@@ -45,14 +46,15 @@ def write_results(
         "campaign": job.plan.to_json(),
         "networks": job.guidance.networks_digest,
     }
-    write_columns(path, LAYOUT, _assembled(job, outcomes, stored, known), texts, provenance, scratch)
+    parts = _assembled(job, outcomes, stored, known)
+    write_columns(path, layout_of(job.mission), parts, texts, provenance, scratch)
 
 
 def _assembled(
     job: Job, outcomes: Iterable[tuple[Batch, Columns]], stored: Stored, known: Results | None
 ) -> Iterator[Columns]:
     yield from _trajectories(job, outcomes)
-    optima = _Optima(job, stored) if known is None else _Known(known)
+    optima = _Optima(job, stored) if known is None else _Known(job, known)
     total = 0
     for number, batch in enumerate(job.batches):
         if batch.kind == "flights":
@@ -86,19 +88,19 @@ def _trajectories(job: Job, outcomes: Iterable[tuple[Batch, Columns]]) -> Iterat
 class _Known:
     """The optima of flights from the results of another guidance."""
 
-    def __init__(self, results: Results) -> None:
-        self._flights = results.flights
+    def __init__(self, job: Job, results: Results) -> None:
+        self._names, self._flights = optimum_of(components_of(job.mission)), results.flights
 
     def of(self, batch: Batch, row: int) -> Columns:
         """Those of a batch, which begins at a row of the table of flights."""
-        return {name: self._flights[name][row : row + batch.count] for name in OPTIMUM}
+        return {name: self._flights[name][row : row + batch.count] for name in self._names}
 
 
 class _Optima:
     """The optima of flights from batches of their own, which all series from the same starts share."""
 
     def __init__(self, job: Job, stored: Stored) -> None:
-        self._whole = job.plan.whole
+        self._whole, self._names = job.plan.whole, optimum_of(components_of(job.mission))
         asked = [(number, batch) for number, batch in enumerate(job.batches) if batch.kind == "optima"]
         self._numbers = {(batch.series, batch.first // OPTIMA_BATCH): number for number, batch in asked}
         shown_by = {self._whole[batch.series].source: batch.series for _, batch in asked}
@@ -108,7 +110,7 @@ class _Optima:
 
     def of(self, batch: Batch, _: int) -> Columns:
         """Those of a batch; NaN where the expert was not asked."""
-        found = {name: np.full(batch.count, np.nan) for name in OPTIMUM}
+        found = {name: np.full(batch.count, np.nan) for name in self._names}
         last = min(batch.first + batch.count, self._whole[batch.series].known)
         for low, high in _pieces(batch.first, last):
             series = self._shown_by[batch.series]

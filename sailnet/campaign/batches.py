@@ -7,7 +7,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from sailnet.campaign.columns import COSTATES, KEPT, RECORDS, flight_columns, record_columns
+from sailnet.campaign.columns import KEPT, costates_of, layout_of
+from sailnet.campaign.flown_columns import flight_columns, record_columns
 from sailnet.campaign.own_optima import (
     assumed_optima,
     optima_beside_flights,
@@ -20,7 +21,7 @@ from sailnet.campaign.time_to_go import time_to_go
 from sailnet.expert.optima import Optima
 from sailnet.flight.closed_loop import Flights, History, fly, fly_recorded
 from sailnet.flight.drawn_optics import optics_of_flights
-from sailnet.flight.plant import constant_errors, rules
+from sailnet.flight.plant import components_of, constant_errors, rules
 from sailnet.guidance.by_expert.pilot import ExpertGuidance
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.mission import Mission
@@ -107,7 +108,7 @@ class Job:
         return [batch for batch in whole if self.asks or batch.kind == "flights"]
 
     def carry_out(self, number: int) -> Columns:
-        """One batch: columns of ``FLIGHTS`` (``flights/...``), ``KEPT`` and ``RECORDS``, or optima."""
+        """One batch: columns of ``flights/...``, ``kept/...`` and ``records/...``, or optima."""
         batch = self.batches[number]
         return self._optima(batch) if batch.kind == "optima" else self._fly(batch)
 
@@ -151,7 +152,7 @@ class Job:
             for number, history in zip(numbers[kept].tolist(), histories[: len(kept)], strict=True)
         ]
         columns["kept/records"] = np.array([len(record["time"]) for record in records], np.int64)
-        for name in RECORDS:
+        for name in layout_of(self.mission).groups["records"]:
             parts = [record[name] for record in records]
             columns[f"records/{name}"] = np.concatenate(parts) if parts else np.empty(0)
         assert {f"kept/{name}" for name in KEPT} <= columns.keys()
@@ -171,7 +172,7 @@ class Job:
         columns = {"optimal_time": optima.time_of_flight}
         turns = optimal_turns(self.mission.problem, optima, self.mission.flight.period)
         columns |= {"optimal_slew": turns.slew, "optimal_reversals": turns.reversals}
-        columns |= zip(COSTATES, optima.arrival_costates.T, strict=True)
+        columns |= zip(costates_of(components_of(self.mission)), optima.arrival_costates.T, strict=True)
         for number in sharing:
             known = max(0, min(batch.count, whole[number].known - batch.first))
             own = np.full(batch.count, np.nan)

@@ -1,36 +1,41 @@
-"""Names, units and types of what the results of a campaign hold."""
+"""Names, units and types of what the results of a campaign hold, in the plane and in three dimensions."""
 
-from collections.abc import Mapping
-from dataclasses import fields
-from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
+from collections.abc import Mapping, Sequence
 
 from sailnet.artefacts.column_files import Layout
 from sailnet.errors import CampaignError
-from sailnet.flight.closed_loop import Flights, History
+from sailnet.flight.plant import STATE, STATE_IN_SPACE
+from sailnet.mission.mission import Mission
+from sailnet.physics.geometry import PLANE, SPACE
 
-SCHEMA = "sailnet-campaign/4"
+SCHEMA, SCHEMA_IN_SPACE = "sailnet-campaign/4", "sailnet-campaign/5"
 
-FLIGHTS: Mapping[str, tuple[str, str]] = {
+_STATE: Mapping[str, tuple[str, str]] = {
+    "r": ("AU", "distance from the Sun"),
+    "latitude": ("rad", "latitude over the plane of the target orbit"),
+    "u": ("AU/TU", "radial speed"),
+    "v": ("AU/TU", "transverse speed"),
+    "w": ("AU/TU", "northward speed"),
+}
+_DEVIATION = {"latitude": ("AU", "the target's radius times the size of the latitude at the end")}
+_COSTATES: Mapping[str, tuple[str, str]] = {
+    "r": ("TU/AU", "costate of r at the optimum's arrival; NaN likewise"),
+    "latitude": ("TU/rad", "costate of the latitude at the optimum's arrival"),
+    "u": ("TU^2/AU", "costate of u at the optimum's arrival"),
+    "v": ("TU^2/AU", "costate of v at the optimum's arrival"),
+    "w": ("TU^2/AU", "costate of w at the optimum's arrival"),
+}
+
+_FLOWN: Mapping[str, tuple[str, str]] = {
     "series": ("1", "number of the series in the campaign"),
     "number": ("1", "of the flight in its series, which its random numbers depend on"),
     "period": ("TU", "guidance period"),
-    "start_r": ("AU", "distance from the Sun at departure"),
-    "start_u": ("AU/TU", "radial speed at departure"),
-    "start_v": ("AU/TU", "transverse speed at departure"),
-    "end_r": ("AU", "distance from the Sun at the end"),
-    "end_u": ("AU/TU", "radial speed at the end"),
-    "end_v": ("AU/TU", "transverse speed at the end"),
-    "error_r": ("AU", "size of the deviation from the target at the end"),
-    "error_u": ("AU/TU", "size of the deviation from the target at the end"),
-    "error_v": ("AU/TU", "size of the deviation from the target at the end"),
+}
+_OPTIMAL_TIME: Mapping[str, tuple[str, str]] = {
     "time_of_flight": ("TU", "duration of the flight"),
     "optimal_time": ("TU", "shortest time for the sail as assumed; NaN where the expert was not asked"),
-    "optimal_lambda_r": ("TU/AU", "costate of r at the optimum's arrival; NaN likewise"),
-    "optimal_lambda_u": ("TU^2/AU", "costate of u at the optimum's arrival"),
-    "optimal_lambda_v": ("TU^2/AU", "costate of v at the optimum's arrival"),
+}
+_SUMMARY: Mapping[str, tuple[str, str]] = {
     "optimal_slew": ("rad", "sum of all changes of the cone angle along the optimum of the sail as assumed"),
     "optimal_reversals": ("1", "along it, steps of the cone angle of more than 40 degrees within a period"),
     "own_optimal_time": ("TU", "shortest time for the sail that flew, its constant beta and its optics"),
@@ -55,21 +60,28 @@ FLIGHTS: Mapping[str, tuple[str, str]] = {
     "beta_at_limit": ("1", "of these, with the estimate of beta, or what is planned with, at its limit"),
     "reversals": ("1", "steps of the command of more than 40 degrees from one period to the next"),
 }
+
+
+def _of_flights(names: Sequence[str]) -> Mapping[str, tuple[str, str]]:
+    """Columns of ``/flights`` of states with these components."""
+    columns = dict(_FLOWN)
+    for when, said in (("start", "departure"), ("end", "the end")):
+        columns |= {f"{when}_{name}": (_STATE[name][0], f"{_STATE[name][1]} at {said}") for name in names}
+    for name in names:
+        usual = (_STATE[name][0], "size of the deviation from the target at the end")
+        columns[f"error_{name}"] = _DEVIATION.get(name, usual)
+    columns |= _OPTIMAL_TIME
+    columns |= {f"optimal_lambda_{name}": _COSTATES[name] for name in names}
+    return columns | dict(_SUMMARY)
+
+
 KEPT: Mapping[str, tuple[str, str]] = {
     "flight": ("1", "row of /flights"),
     "records": ("1", "rows of /records, which follow those of the flight before"),
 }
-RECORDS: Mapping[str, tuple[str, str]] = {
-    "time": ("TU", "at the start of the period"),
-    "r": ("AU", "distance from the Sun"),
-    "theta": ("rad", "heliocentric angle from departure"),
-    "u": ("AU/TU", "radial speed"),
-    "v": ("AU/TU", "transverse speed"),
-    "seen_r": ("AU", "as navigation shows it; NaN in an outage"),
-    "seen_u": ("AU/TU", "as navigation shows it"),
-    "seen_v": ("AU/TU", "as navigation shows it"),
-    "cone_angle": ("rad", "commanded"),
-    "attitude": ("rad", "cone angle flown at the end of the period"),
+_THETA = {"theta": ("rad", "heliocentric angle from departure")}
+_SEEN = "as navigation shows it"
+_AFTER: Mapping[str, tuple[str, str]] = {
     "beta": ("1", "the sail's real one"),
     "beta_estimate": ("1", "by the guidance"),
     "predicted_time_of_flight": ("TU", "by the guidance; in an outage from where the sail must be"),
@@ -78,74 +90,67 @@ RECORDS: Mapping[str, tuple[str, str]] = {
         "of the guidance: 0 fine, 1 arrived, 2 outside the domain, 3 no state, 4 by reckoning, 5 at limit",
     ),
 }
+_CONE = {"cone_angle": ("rad", "commanded"), "attitude": ("rad", "cone angle flown at the end of the period")}
+_CLOCK = {
+    "clock_angle": ("rad", "commanded"),
+    "attitude_clock": ("rad", "clock angle flown at the end of the period"),
+}
+
+
+def _of_records(names: Sequence[str]) -> Mapping[str, tuple[str, str]]:
+    """Columns of ``/records`` of states with these components."""
+    columns: dict[str, tuple[str, str]] = {"time": ("TU", "at the start of the period")}
+    columns |= {name: {**_STATE, **_THETA}[name] for name in with_theta(names)}
+    columns |= {f"seen_{name}": (_STATE[name][0], _SEEN) for name in names}
+    columns["seen_r"] = ("AU", f"{_SEEN}; NaN in an outage")
+    return columns | _CONE | (_CLOCK if "latitude" in names else {}) | dict(_AFTER)
+
+
+def with_theta(names: Sequence[str]) -> Sequence[str]:
+    """Names of a whole state of these components, in the order of a history's columns."""
+    return STATE_IN_SPACE if "latitude" in names else STATE
+
+
 INTEGER = {
     **dict.fromkeys(("series", "number", "flight", "records"), "<i8"),
     **dict.fromkeys(("periods", "outside", "outages", "reckoned"), "<u4"),
     **dict.fromkeys(("beyond_bound", "beta_at_limit", "reversals"), "<u4"),
     **dict.fromkeys(("ending", "arrived", "status"), "<u1"),
 }
-LAYOUT = Layout(
-    schema=SCHEMA,
-    kind="results",
-    remedy="fly the campaign again",
-    error=CampaignError,
-    groups={"flights": FLIGHTS, "kept": KEPT, "records": RECORDS},
-    integers=INTEGER,
-    chunks={"flights": 8192, "kept": 8192, "records": 8192},
-    texts=("mission", "campaign", "networks"),
-    small=True,
-)
+
+
+def _layout(schema: str, names: Sequence[str]) -> Layout:
+    return Layout(
+        schema=schema,
+        kind="results",
+        remedy="fly the campaign again",
+        error=CampaignError,
+        groups={"flights": _of_flights(names), "kept": KEPT, "records": _of_records(names)},
+        integers=INTEGER,
+        chunks={"flights": 8192, "kept": 8192, "records": 8192},
+        texts=("mission", "campaign", "networks"),
+        small=True,
+    )
+
+
+LAYOUT = _layout(SCHEMA, PLANE.state_names)
+LAYOUT_IN_SPACE = _layout(SCHEMA_IN_SPACE, SPACE.state_names)
+"""Of missions with an inclination; all other results are laid out as before there were such."""
+
+
+def layout_of(mission: Mission) -> Layout:
+    """What the results of a mission's campaigns hold."""
+    return LAYOUT_IN_SPACE if mission.inclined else LAYOUT
+
+
 OWN = "own_optimal_time"
-COSTATES = ("optimal_lambda_r", "optimal_lambda_u", "optimal_lambda_v")
-OPTIMUM = ("optimal_time", *COSTATES, "optimal_slew", "optimal_reversals", OWN)
-"""Columns of ``FLIGHTS`` that the expert fills."""
-
-_TRIPLES = {"starts": "start", "ends": "end", "terminal_error": "error"}
-_IN_PLANE = [item.name for item in fields(History) if item.name not in ("clock_angle", "attitude_clock")]
-"""Attributes of a history that campaigns keep: they are flown in the plane."""
-_STATE = {"states": ("r", "theta", "u", "v"), "seen": ("seen_r", "seen_u", "seen_v")}
 
 
-def flight_columns(flights: Flights) -> dict[str, NDArray[Any]]:
-    """Columns of ``FLIGHTS`` that come from the flights themselves."""
-    columns: dict[str, NDArray[Any]] = {}
-    for item in fields(Flights):
-        values = getattr(flights, item.name)
-        if item.name in _TRIPLES:
-            triple = zip("ruv", values.T, strict=True)
-            columns |= {f"{_TRIPLES[item.name]}_{component}": column for component, column in triple}
-        else:
-            columns[item.name] = values
-    return columns
+def costates_of(names: Sequence[str]) -> tuple[str, ...]:
+    """Columns of the flights with the optimum's costates at arrival, of states with these components."""
+    return tuple(f"optimal_lambda_{name}" for name in names)
 
 
-def flights_from(columns: Mapping[str, NDArray[Any]]) -> Flights:
-    """What :func:`flight_columns` was given."""
-    values: dict[str, Any] = {}
-    for item in fields(Flights):
-        if item.name in _TRIPLES:
-            triple = [columns[f"{_TRIPLES[item.name]}_{component}"] for component in "ruv"]
-            values[item.name] = np.column_stack(triple)
-        else:
-            values[item.name] = columns[item.name]
-    values["arrived"] = values["arrived"].astype(bool)
-    return Flights(**values)
-
-
-def record_columns(history: History) -> dict[str, NDArray[Any]]:
-    """Columns of ``RECORDS``."""
-    columns: dict[str, NDArray[Any]] = {}
-    for name in _IN_PLANE:
-        values = getattr(history, name)
-        columns |= dict(zip(_STATE[name], values.T, strict=True)) if name in _STATE else {name: values}
-    return columns
-
-
-def history_from(columns: Mapping[str, NDArray[Any]]) -> History:
-    """What :func:`record_columns` was given."""
-    values: dict[str, Any] = {
-        name: np.column_stack([columns[part] for part in _STATE[name]]) if name in _STATE else columns[name]
-        for name in _IN_PLANE
-    }
-    values["status"] = values["status"].astype(np.int32)
-    return History(**values)
+def optimum_of(names: Sequence[str]) -> tuple[str, ...]:
+    """Columns of the flights that the expert fills, of states with these components."""
+    return ("optimal_time", *costates_of(names), "optimal_slew", "optimal_reversals", OWN)

@@ -18,7 +18,9 @@ from sailnet.mission.sections import Count, Positive, Section, Seed
 from sailnet.mission.toml_files import read_table, shipped_names
 from sailnet.physics.arrays import Array
 
-State = Annotated[tuple[Positive, float, float], Field(strict=False)]
+InPlane = Annotated[tuple[Positive, float, float], Field(strict=False)]
+InSpace = Annotated[tuple[Positive, float, float, float, float], Field(strict=False)]
+State = InPlane | InSpace
 UpTo = Annotated[int, Field(ge=0, le=10**9)]
 
 Random = Literal["generalisation", "departure", "optima", "domain"]
@@ -67,7 +69,7 @@ class Series(Section):
         starts: ``generalisation`` for random ones of the mission's generalisation set, ``departure`` for
             such of the departure orbit's neighbourhood, ``domain`` for such of all that the guidance says it
             knows, ``optima`` for such beside optimal flights (:mod:`sailnet.flight.starts`); or a list of
-            (r, u, v), flown in turn.
+            (r, u, v), in three dimensions of (r, latitude, u, v, w), flown in turn.
         off: of starts beside optimal flights, how far off they are, as a share of what is left to the target.
         periods: guidance periods [TU], each of which flies all the flights; the mission's by default.
         disturbance: table of disturbances by name, on top of the mission's.
@@ -102,7 +104,7 @@ class Series(Section):
         return len(self.starts)
 
     def states(self, mission: Mission, guidance: Guidance, seed: int, first: int, count: int) -> Array:
-        """(count, 3) starts r, u, v of flights number ``first`` and on.
+        """(count, 3) or (count, 5) starts of flights number ``first`` and on.
 
         Raises:
             GuidanceError: starts are to be of the guidance's domain, and it has hardly any.
@@ -194,11 +196,17 @@ class Plan(Section):
         """Without the series of other missions.
 
         Raises:
-            CampaignError: none is left.
+            CampaignError: none is left, or one lists states that are none of this mission's.
         """
         mine = tuple(series for series in self.series if series.mission in (None, mission.name))
         if not mine:
             raise CampaignError(f"no series of campaign {self.name!r} is for mission {mission.name!r}")
+        for series in self.model_copy(update={"series": mine}).whole:
+            if isinstance(series.starts, tuple) and {*map(len, series.starts)} != {mission.components}:
+                raise CampaignError(
+                    f"starts of {series.name!r} in campaign {self.name!r} are not all of "
+                    f"{mission.components} components, as states of mission {mission.name!r} are"
+                )
         return self.model_copy(update={"series": mine})
 
     def changed(self, flights: int | None, seed: int | None) -> "Plan":

@@ -1,5 +1,7 @@
 """A flight of a campaign once more, to the last bit: from its number and the seed."""
 
+import numpy as np
+
 from sailnet.campaign.results import Results
 from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import History, fly_recorded
@@ -26,7 +28,7 @@ def replay(results: Results, guidance: Guidance, row: int) -> History:
     _, (history,) = fly_recorded(
         results.mission,
         guidance,
-        [[flights[f"start_{name}"][row] for name in "ruv"]],
+        results.starts(np.array([row])),
         disturbance=series.disturbances(results.mission, results.plan.seed),
         period=float(flights["period"][row]),
         first=int(flights["number"][row]),

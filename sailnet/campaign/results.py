@@ -2,7 +2,7 @@
 the flights that ``/kept`` lists.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -14,11 +14,14 @@ from numpy.typing import NDArray
 from sailnet.artefacts.column_files import hold_columns
 from sailnet.artefacts.stored_columns import BLOCK, stored_columns
 from sailnet.artefacts.untrusted import table_of
-from sailnet.campaign.columns import LAYOUT, OPTIMUM, flights_from, history_from
+from sailnet.campaign.columns import LAYOUT, LAYOUT_IN_SPACE, layout_of, optimum_of
+from sailnet.campaign.flown_columns import flights_from, history_from, states_from
 from sailnet.campaign.plan import Plan, parse_plan
 from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import Flights, History
+from sailnet.flight.plant import components_of
 from sailnet.mission.mission import Mission, parse_mission
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)
@@ -34,7 +37,7 @@ class Results:
         networks: digest of the networks that flew.
         provenance: where the results come from.
         digest: equal means the same results, to the last bit.
-        flights: columns of ``FLIGHTS``, :class:`sailnet.artefacts.stored_columns.StoredColumn` or arrays.
+        flights: columns of ``/flights``, :class:`sailnet.artefacts.stored_columns.StoredColumn` or arrays.
         kept: rows of ``flights`` whose trajectories there are, in order.
     """
 
@@ -77,6 +80,10 @@ class Results:
         """Some flights, as they were flown."""
         return flights_from({name: values[rows] for name, values in self.flights.items()})
 
+    def starts(self, rows: NDArray[np.intp]) -> Array:
+        """(n, k) the states at departure of some flights, of k components."""
+        return states_from(self.flights, "start", components_of(self.mission), rows)
+
     def history(self, place: int) -> History:
         """The trajectory of flight ``kept[place]``."""
         rows = slice(int(self._bounds[place]), int(self._bounds[place + 1]))
@@ -90,12 +97,18 @@ def open_results(path: Path) -> Results:
         CampaignError: missing, truncated, damaged or of another version.
         MissionError: the mission in it is of another version.
     """
-    file = hold_columns(path, LAYOUT)
+    file = hold_columns(path, LAYOUT, LAYOUT_IN_SPACE)
     try:
         mission = parse_mission(table_of(file.text("mission")), str(path))
         plan = parse_plan(table_of(file.text("campaign")), str(path))
     except ValueError as error:
         raise CampaignError(f"{path} is no sailnet results: {error}; {LAYOUT.remedy}") from error
+    if file.layout.schema != layout_of(mission).schema:
+        raise CampaignError(
+            f"{path} is no sailnet results: mission {mission.name!r} has states of {mission.components} "
+            f"components, its flights not; {LAYOUT.remedy}"
+        )
+    unknown = {*optimum_of(components_of(mission)), "time_to_go"}
     kept: dict[str, list[NDArray[np.int64]]] = {name: [] for name in LAYOUT.groups["kept"]}
     faults: list[str] = []
 
@@ -104,7 +117,7 @@ def open_results(path: Path) -> Results:
         if group == "kept":
             kept[name].append(values)
         if group == "flights" and not faults:
-            faults.extend(_faults_of_flights(name, values, plan))
+            faults.extend(_faults_of_flights(name, values, plan, unknown))
 
     file.verify(see)
     flight, lengths = (np.concatenate([np.empty(0, np.int64), *parts]) for parts in kept.values())
@@ -124,15 +137,14 @@ def open_results(path: Path) -> Results:
     )
 
 
-def _faults_of_flights(name: str, values: NDArray[Any], plan: Plan) -> Iterator[str]:
-    """Where values of a column contradict the campaign, or what a flight can be."""
+def _faults_of_flights(name: str, values: NDArray[Any], plan: Plan, unknown: Set[str]) -> Iterator[str]:
+    """Where values of a column contradict the campaign, or what a flight can be: not all has to be known."""
     limits = {"series": (0, len(plan.series) - 1), "ending": (1, 3), "arrived": (0, 1)}
     if name in limits:
         least, most = limits[name]
         if not ((values >= least) & (values <= most)).all():
             yield f"flights/{name} is not from {least} to {most}"
-    may_be_unknown = name in OPTIMUM or name == "time_to_go"
-    if np.isinf(values).any() or (np.isnan(values).any() and not may_be_unknown):
+    if np.isinf(values).any() or (np.isnan(values).any() and name not in unknown):
         yield f"flights/{name} is not finite"
 
 

@@ -1,6 +1,6 @@
 """What the flights of a campaign amount to, for each series and guidance period."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,11 +18,11 @@ from sailnet.physics.units import AU, AU_PER_TU
 
 QUANTILES = (0.5, 0.9, 0.99, 1.0)
 
-REQUIRED = (1e7 / AU, 1.0 / AU_PER_TU, 1.0 / AU_PER_TU)
-"""What a mission would ask of r, u, v [AU, AU/TU, AU/TU]: 10,000 km and 1 m/s."""
+REQUIRED = (1e7 / AU, 1.0 / AU_PER_TU)
+"""What a mission would ask of each distance [AU] and speed [AU/TU] of an error: 10,000 km and 1 m/s."""
 
-SI = (AU / 1e3, AU_PER_TU, AU_PER_TU)
-"""Of r, u, v in [km, m/s, m/s]."""
+SI = (AU / 1e3, AU_PER_TU)
+"""Of distances in [km], of speeds in [m/s]."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Score:
         nearest: flights that came within the mission's tolerance at some moment: what a stop rule that knew
             the truth would have got.
         error_quantiles: of the largest component of the terminal error, over all flights.
-        component_quantiles: of each component of it, r, u, v, over all flights.
+        component_quantiles: of each component of it, r, u, v or r, latitude, u, v, w, over all flights.
         gap_quantiles: of the time above the optimum, relative, over flights that arrived and whose optimum
             is known, nothing added; empty without any.
         gaps: how many these are.
@@ -82,7 +82,7 @@ def largest_error(flights: Flights) -> Array:
 
 
 def component_quantiles(flights: Flights, levels: Iterable[float] = QUANTILES) -> dict[float, list[float]]:
-    """Quantiles of each component of the terminal error, r [AU], u, v [AU/TU], over all flights."""
+    """Quantiles of each component of the terminal error [AU, AU/TU], over all flights."""
     return {level: np.quantile(flights.terminal_error, level, axis=0).tolist() for level in levels}
 
 
@@ -180,7 +180,9 @@ def score_of(
             threshold: Share.where(sound & (error <= threshold))
             for threshold in sorted({*thresholds, tolerance})
         },
-        required=Share.where(sound & (flights.terminal_error <= REQUIRED).all(axis=1)),
+        required=Share.where(
+            sound & (flights.terminal_error <= of_each(REQUIRED, flights.terminal_error.shape[1])).all(axis=1)
+        ),
         nearest=Share.where(flights.nearest_error <= tolerance),
         error_quantiles={q: float(np.quantile(error, q)) for q in QUANTILES},
         component_quantiles=component_quantiles(flights),
@@ -193,9 +195,15 @@ def score_of(
     )
 
 
-def in_si(components: Iterable[float]) -> list[float]:
-    """Sizes of r [AU], u, v [AU/TU] in [km, m/s, m/s]."""
-    return [value * unit for value, unit in zip(components, SI, strict=True)]
+def in_si(components: Sequence[float]) -> list[float]:
+    """Sizes of r [AU], u, v [AU/TU] in [km, m/s, m/s]; or of r, r_f latitude, u, v, w likewise."""
+    return [value * unit for value, unit in zip(components, of_each(SI, len(components)), strict=True)]
+
+
+def of_each(values: tuple[float, float], components: int) -> list[float]:
+    """Of so many components of a state, a value for distances and one for speeds: what each has."""
+    distances = components // 2
+    return [values[0]] * distances + [values[1]] * (components - distances)
 
 
 def score_record(score: Score) -> dict[str, object]:

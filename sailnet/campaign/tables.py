@@ -1,11 +1,12 @@
 """Scores as tables for people: what counts first, in the units of a mission beside those of the files."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from sailnet.campaign.excess import FIRST_APPROACH
 from sailnet.campaign.scores import Score, in_si
 from sailnet.campaign.shares import Share, Spread
+from sailnet.physics.geometry import geometry_of
 from sailnet.physics.units import DAY, HOUR, TU
 
 NOTHING = "–"
@@ -45,13 +46,14 @@ class Table:
         ]
 
 
-Column = tuple[str, Callable[[Score], str]]
-"""The head of a column, and the cell of a score."""
+Column = tuple[str | Callable[[Score], str], Callable[[Score], str]]
+"""The head of a column, or what it is by any of the scores, and the cell of a score."""
 
 
 def table_of(title: str, columns: Sequence[Column], scores: Sequence[Score]) -> Table:
-    """A row for each score."""
-    return Table(title, [head for head, _ in columns], [[cell(s) for _, cell in columns] for s in scores])
+    """A row for each score; there is one at least."""
+    heads = [head if isinstance(head, str) else head(scores[0]) for head, _ in columns]
+    return Table(title, heads, [[cell(s) for _, cell in columns] for s in scores])
 
 
 def score_tables(scores: Sequence[Score]) -> list[Table]:
@@ -144,10 +146,16 @@ def time_text(time: float) -> str:
     return f"{time:.4f} TU, {time * TU / DAY:.1f} days"
 
 
-def kilometres_and_speeds(components: Iterable[float]) -> str:
-    """Sizes of r [AU], u, v [AU/TU] in km and m/s."""
-    distance, *speeds = in_si(components)
-    return f"{plain(distance)} km; {', '.join(plain(speed, 2) for speed in speeds)} m/s"
+def kilometres_and_speeds(components: Sequence[float]) -> str:
+    """Sizes of r [AU], u, v [AU/TU], or of r, r_f latitude, u, v, w, in km and m/s."""
+    sizes, distances = in_si(components), len(components) // 2
+    far = ", ".join(plain(distance) for distance in sizes[:distances])
+    return f"{far} km; {', '.join(plain(speed, 2) for speed in sizes[distances:])} m/s"
+
+
+def _state(score: Score) -> str:
+    """What the components of its errors are called."""
+    return ", ".join(geometry_of(len(score.component_quantiles[0.5])).state_names)
 
 
 def _reversals(score: Score, spread: Spread) -> str:
@@ -179,7 +187,7 @@ def within_columns(scores: Sequence[Score]) -> list[Column]:
 
 
 def _within(threshold: float) -> Column:
-    distance, speed, _ = in_si((threshold,) * 3)
+    distance, speed, _ = in_si([threshold] * 3)
     head = f"within {threshold:g}: {plain(distance)} km, {plain(speed)} m/s"
     return head, lambda score: share_text(score.within[threshold])
 
@@ -254,7 +262,7 @@ RECKONED: Column = (
 )
 REQUIRED: Column = ("within 10,000 km and 1 m/s", lambda s: share_text(s.required))
 EVER: Column = ("ever within the tolerance", lambda s: f"{100 * s.nearest.share:.2f} %")
-MEDIAN: Column = ("median error (r, u, v)", lambda s: _si(s, 0.5))
-ERROR: Column = ("99 % error (r, u, v)", lambda s: _si(s, 0.99))
+MEDIAN: Column = (lambda s: f"median error ({_state(s)})", lambda s: _si(s, 0.5))
+ERROR: Column = (lambda s: f"99 % error ({_state(s)})", lambda s: _si(s, 0.99))
 WORST: Column = ("99 % error [AU, AU/TU]", lambda s: f"{s.error_quantiles[0.99]:.1e}")
-RAW_MEDIAN: Column = ("median error (r, u, v) [AU, AU/TU]", lambda s: _raw(s, 0.5))
+RAW_MEDIAN: Column = (lambda s: f"median error ({_state(s)}) [AU, AU/TU]", lambda s: _raw(s, 0.5))

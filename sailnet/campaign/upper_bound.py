@@ -68,6 +68,7 @@ def side_by_side(flown: dict[str, Results]) -> Table:
                 f"campaign {first.plan.name!r} was flown with another seed or mission by another guidance"
             )
     columns = [SERIES, PERIOD, FLIGHTS, MEAN, HOME, REVERSALS, LATE, ARRIVE]
+    heads: list[str] = []
     rows: list[list[str]] = []
     for series in first.plan.whole:
         places = [place for results in flown.values() for place in _places(results, series)]
@@ -80,13 +81,13 @@ def side_by_side(flown: dict[str, Results]) -> Table:
             common = min(map(len, chosen))
             for (guided, results), place, own in zip(flown.items(), places, chosen, strict=True):
                 score = score_of_rows(results, own[:common], place, period)
-                cells = table_of("", columns, [score]).cells[0]
+                one = table_of("", columns, [score])
+                heads, cells = one.heads, one.cells[0]
                 rows.append([cells[0], guided, *cells[1:]])
     if not rows:
         raise CampaignError(
             f"no series of campaign {first.plan.name!r} was flown by all of {', '.join(flown)}"
         )
-    heads = [head for head, _ in columns]
     return Table(f"{first.plan.title}: what guidance could get", [heads[0], "guided by", *heads[1:]], rows)
 
 

@@ -41,11 +41,14 @@ def add_command(
 
 
 def state_parser(nargs: Literal["?"] | None = None) -> argparse.ArgumentParser:
-    """R U V; with ``nargs`` "?" they may be left out."""
+    """R U V, and what is off the plane; with ``nargs`` "?" R U V may be left out."""
     parser = argparse.ArgumentParser(add_help=False)
     parser.add_argument("r", metavar="R", type=float, nargs=nargs, help="distance from the Sun [AU]")
     parser.add_argument("u", metavar="U", type=float, nargs=nargs, help="radial speed [AU/TU]")
     parser.add_argument("v", metavar="V", type=float, nargs=nargs, help="transverse speed [AU/TU]")
+    space = parser.add_argument_group("three dimensions")
+    space.add_argument("--latitude", type=float, metavar="DEG", help="above the target's plane (0)")
+    space.add_argument("--northward", type=float, metavar="W", help="northward speed [AU/TU] (0)")
     return parser
 
 
@@ -206,13 +209,24 @@ def disturbance_of(options: argparse.Namespace, mission: "Mission") -> Disturban
     )
 
 
-def state_of(options: argparse.Namespace) -> tuple[float, float, float]:
-    """The state that R U V give.
+def off_the_plane(options: argparse.Namespace) -> bool:
+    """Whether a latitude or a northward speed is given."""
+    return options.latitude is not None or options.northward is not None
+
+
+def state_of(options: argparse.Namespace, *, in_space: bool) -> tuple[float, ...]:
+    """The state that R U V give, in three dimensions with latitude [rad] and northward speed.
 
     Raises:
-        SailnetError: it is no state of a sail.
+        SailnetError: R U V are of no sail, or what they complete is off the plane of a planar mission.
     """
-    state = (options.r, options.u, options.v)
-    if not all(math.isfinite(x) for x in state) or not options.r > 0.0:
-        raise SailnetError(f"the state R U V must be three finite numbers with R > 0, not {state}")
-    return state
+    r, u, v = options.r, options.u, options.v
+    if not all(math.isfinite(x) for x in (r, u, v)) or not r > 0.0:
+        raise SailnetError(f"the state R U V must be three finite numbers with R > 0, not {(r, u, v)}")
+    if not in_space:
+        if off_the_plane(options):
+            raise SailnetError(
+                "--latitude and --northward are for missions of three dimensions, such as earth_mars_3d"
+            )
+        return r, u, v
+    return r, math.radians(options.latitude or 0.0), u, v, options.northward or 0.0

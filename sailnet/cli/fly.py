@@ -24,12 +24,13 @@ from sailnet.cli.output import (
     Result,
     angle,
     counted,
+    deviation,
+    deviation_in_si,
     in_unit,
     number,
     percent,
     readable,
     state,
-    state_in_si,
     table,
     time,
     yes_or_no,
@@ -47,9 +48,9 @@ LINES = {
     "arrived": Line("arrived", yes_or_no),
     "ending": Line("how it ended"),
     "time_of_flight": Line("time flown, to within the tolerance on arrival", time),
-    "terminal_error": Line("error at the end", state),
+    "terminal_error": Line("error at the end", deviation),
     "nearest_error": Line("smallest error at any time [AU, AU/TU]", number),
-    "terminal_error_km_mps": Line("error at the end, in SI", state_in_si),
+    "terminal_error_km_mps": Line("error at the end, in SI", deviation_in_si),
     "max_cone_angle": Line("largest cone angle commanded", angle),
     "max_attitude": Line("largest cone angle flown", angle),
     "reversals": Line("reversals of the command", number),
@@ -73,7 +74,8 @@ def add(commands: Commands) -> None:
         state_parser(),
         backend_parser(),
         loop_parser(),
-        example="sailnet fly 1.1 0.18 0.93 --beta-noise 0.15 --seed 3 --plot flight.html",
+        example="sailnet fly 1.1 0.18 0.93 --beta-noise 0.15 --seed 3 --plot flight.html; "
+        "sailnet fly 1 0 1 --latitude 1.5 --northward -0.01 --mission earth_mars_3d",
     )
     fly.set_defaults(lines=LINES)
     fly.add_argument("--plot", type=Path, metavar="FILE", help="show the flight: FILE.png or FILE.html")
@@ -81,14 +83,14 @@ def add(commands: Commands) -> None:
 
 def run(options: argparse.Namespace) -> Result:
     """Fly; how it ended by name, and in how many periods the guidance said what."""
-    from sailnet.expert.fastest import solve
+    from sailnet.expert.any_dimension import solve
     from sailnet.expert.real_sails import own_optima
     from sailnet.flight.closed_loop import fly_recorded
     from sailnet.flight.drawn_optics import optics_of_flights
     from sailnet.report import need_pictures, report
 
     mission = load_mission(options.mission)
-    start = state_of(options)
+    start = state_of(options, in_space=mission.inclined)
     if options.plot is not None and options.plot.suffix not in (".png", ".html"):
         raise SailnetError(f"--plot writes FILE.png or FILE.html, not {options.plot}")
     if options.plot is not None:
@@ -115,7 +117,7 @@ def run(options: argparse.Namespace) -> Result:
             within = mission.flight.arrival_tolerance
             print(
                 "note: the flight is shorter than the shortest, which ends on the target and not within "
-                f"{within:g} of it in each of r [AU], u, v [AU/TU]",
+                f"{within:g} of it in each component [AU, AU/TU]",
                 file=sys.stderr,
             )
     result: Result = {

@@ -6,7 +6,7 @@ from pathlib import Path
 from sailnet.cli.arguments import Commands, add_command, existing_folder
 from sailnet.cli.output import Line, Result
 from sailnet.errors import SailnetError
-from sailnet.mission.mission import load_mission
+from sailnet.mission.mission import in_the_plane, load_mission
 
 LINES = {
     "file": Line("written"),
@@ -50,6 +50,6 @@ def run(options: argparse.Namespace) -> Result:
     if output.exists() and not options.overwrite:
         raise SailnetError(f"{output} is there: name another file, or say --overwrite to replace it")
     need("fmi")
-    mission = load_mission(options.mission)
+    mission = in_the_plane(load_mission(options.mission))
     load_guidance(mission, precision=options.precision, folder=options.networks)  # refuses another mission's
     return write_fmu(mission, exported_folder(mission, options.networks), options.precision, output)

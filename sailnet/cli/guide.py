@@ -10,6 +10,7 @@ from sailnet.mission.mission import derived_for, load_mission
 
 LINES = {
     "cone_angle": Line("cone angle", angle),
+    "clock_angle": Line("clock angle, from v to the north", angle),
     "time_of_flight": Line("time of flight still to go, as predicted", time),
     "status": Line("status"),
 }
@@ -27,7 +28,8 @@ def add(commands: Commands) -> None:
         "One guidance command from the networks.",
         state_parser(),
         backend_parser(),
-        example="sailnet guide 1.05 0.15 1.03 --beta 0.15 --json",
+        example="sailnet guide 1.05 0.15 1.03 --beta 0.15 --json; "
+        "sailnet guide 1 0 1 --latitude 1.5 --mission earth_mars_3d",
     )
     guide.set_defaults(lines=LINES)
     guide.add_argument("--beta", type=float, metavar="X", help="the sail's real one (default: the mission's)")
@@ -41,17 +43,22 @@ def run(options: argparse.Namespace) -> Result:
     """
     from sailnet.guidance.interface import GuidanceStatus
 
-    state = state_of(options)
+    mission = load_mission(options.mission)
+    state = state_of(options, in_space=mission.inclined)
     if derived := derived_for(options.mission):
         said = ", ".join(f"{key} = {derived[key]}" for key in derived if key.startswith(TOLD))
         print(f"note: derived, as `sailnet mission show {options.mission}` tells: {said}", file=sys.stderr)
-    guidance = guidance_of(options, load_mission(options.mission))
+    guidance = guidance_of(options, mission)
     low, high = guidance.beta_range
     if options.beta is not None and not low <= options.beta <= high:
         raise SailnetError(f"the networks know sails with beta from {low:g} to {high:g}, not {options.beta}")
     command = guidance.command([state], options.beta)
+    clock: Result = {}
+    if command.clock_angle is not None:
+        clock = {"clock_angle": float(command.clock_angle[0])}
     return {
         "cone_angle": float(command.cone_angle[0]),
+        **clock,
         "time_of_flight": float(command.time_of_flight[0]),
         "status": GuidanceStatus(command.status[0]).name.lower(),
     }

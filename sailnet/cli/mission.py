@@ -82,7 +82,7 @@ def _new(options: argparse.Namespace) -> int:
 
 
 def _show(options: argparse.Namespace) -> int:
-    print(whole_text(load_mission(options.mission, in_space=True)))
+    print(whole_text(load_mission(options.mission)))
     if derived := derived_for(options.mission):
         print(f"\n# derived: {', '.join(derived)}")
     return 0

@@ -98,9 +98,18 @@ def components(names: Iterable[str], units: Iterable[str | Told]) -> Told:
     )
 
 
-state = components("ruv", ("AU", "AU/TU", "AU/TU"))
-state_in_space = components(("r", "latitude", "u", "v", "w"), ("AU", angle, "AU/TU", "AU/TU", "AU/TU"))
-state_in_si = components("ruv", ("km", "m/s", "m/s"))
+def _of_state(angle_: str | Told, distance: str, speed: str) -> Told:
+    """Of a state's three components, or of five in space, where one is an angle."""
+    in_plane = components("ruv", (distance, speed, speed))
+    names = ("r", "latitude", "u", "v", "w")
+    in_space = components(names, (distance, angle_, speed, speed, speed))
+    return lambda values: (in_plane if len(values) == 3 else in_space)(values)
+
+
+state = _of_state(angle, "AU", "AU/TU")
+deviation = _of_state("AU", "AU", "AU/TU")
+"""Of an error at the end, whose latitude is that times the target's radius."""
+deviation_in_si = _of_state("km", "km", "m/s")
 
 
 def table(told: Told, name: Callable[[str], str] = str) -> Told:

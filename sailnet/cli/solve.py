@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sailnet.artefacts.files import writing
-from sailnet.cli.arguments import Commands, add_command, existing_folder, state_of, state_parser
+from sailnet.cli.arguments import (
+    Commands,
+    add_command,
+    existing_folder,
+    off_the_plane,
+    state_of,
+    state_parser,
+)
 from sailnet.cli.output import (
     Line,
     Result,
@@ -18,7 +25,6 @@ from sailnet.cli.output import (
     number,
     readable,
     state,
-    state_in_space,
     time,
     yes_or_no,
 )
@@ -32,8 +38,8 @@ if TYPE_CHECKING:
     from sailnet.expert.optima import Extremal
     from sailnet.mission.mission import Mission
 
-Start = tuple[float, float, float] | None
-"""R U V, if they are given."""
+Start = tuple[float, ...] | None
+"""The state, if it is given."""
 
 LINES = {
     "state": Line("state", state),
@@ -53,7 +59,6 @@ LINES = {
 }
 
 LINES_IN_SPACE = LINES | {
-    "state": Line("state", state_in_space),
     "clock_angle": Line("clock angle at the start, from v to the north", angle),
     "costates": Line(
         "costates",
@@ -84,9 +89,6 @@ def add(commands: Commands) -> None:
         "sailnet solve 1.05 0.15 1.03 --latitude 1.5 --northward -0.02",
     )
     solve.set_defaults(lines=LINES)
-    space = solve.add_argument_group("three dimensions", "Either makes the transfer one of three dimensions.")
-    space.add_argument("--latitude", type=float, metavar="DEG", help="above the target's plane (0)")
-    space.add_argument("--northward", type=float, metavar="W", help="northward speed [AU/TU] (0)")
     solve.add_argument("--plot", type=Path, metavar="FILE", help="show the optimum: FILE.png or FILE.html")
     solve.add_argument(
         "--output", type=Path, metavar="FILE.csv", help="write it: time, state, costates, cone angle"
@@ -116,7 +118,7 @@ def run(options: argparse.Namespace) -> Result:
     """Solve; the optimum by name."""
     from sailnet.report import need_pictures
 
-    given = load_mission(options.mission, in_space=True)
+    given = load_mission(options.mission)
     chosen = given if options.optics is None else given.with_optics(OPTICS[options.optics])
     mission = chosen.with_overrides(
         beta=options.beta,
@@ -124,12 +126,8 @@ def run(options: argparse.Namespace) -> Result:
         smoothing=options.smoothing,
         target_radius=options.target_radius,
     )
-    space = mission.inclined or options.latitude is not None or options.northward is not None
+    space = mission.inclined or off_the_plane(options)
     if options.plot is not None:
-        if space:
-            raise SailnetError(
-                "--plot draws flights in the plane; in three dimensions there is --output FILE.csv"
-            )
         if options.plot.suffix not in (".png", ".html"):
             raise SailnetError(f"--plot writes FILE.png or FILE.html, not {options.plot}")
         need_pictures()
@@ -141,10 +139,14 @@ def run(options: argparse.Namespace) -> Result:
     known = [x is not None for x in (options.r, options.u, options.v)]
     if any(known) and not all(known):
         raise SailnetError("give all of R U V, or none of them to start from the mission's departure orbit")
-    start = state_of(options) if all(known) else None
+    if off_the_plane(options) and not all(known):
+        raise SailnetError("--latitude and --northward complete a state: give R U V as well")
+    start = state_of(options, in_space=space) if all(known) else None
+    if space:
+        options.lines = LINES_IN_SPACE
     for remark in tested_range.beyond(mission.problem):
         print(f"note: {remark}", file=sys.stderr)
-    extremal, result = _solved_in_space(options, mission, start) if space else _solved(mission, start)
+    extremal, result = _solved_in_space(mission, start) if space else _solved(mission, start)
     if not extremal.complete:
         print(f"note: {_BEYOND[space]}: this may not be the fastest", file=sys.stderr)
     return _write(options, mission, extremal, result)
@@ -174,22 +176,11 @@ def _solved(mission: "Mission", start: Start) -> tuple["Extremal", Result]:
     }
 
 
-def _solved_in_space(
-    options: argparse.Namespace, mission: "Mission", start: Start
-) -> tuple["Extremal", Result]:
+def _solved_in_space(mission: "Mission", start: Start) -> tuple["Extremal", Result]:
     """The same in three dimensions."""
     from sailnet.expert.fastest_in_space import solve
 
-    options.lines = LINES_IN_SPACE
-    if start:
-        r, u, v = start
-        extremal = solve(
-            mission.problem, (r, math.radians(options.latitude or 0.0), u, v, options.northward or 0.0)
-        )
-    elif options.latitude is not None or options.northward is not None:
-        raise SailnetError("--latitude and --northward complete a state: give R U V as well")
-    else:
-        extremal = solve(mission.problem, mission.departure_state_in_space)
+    extremal = solve(mission.problem, start or mission.departure_state_in_space)
     return extremal, {"state": extremal.state.tolist(), **facts_of(extremal)}
 
 
@@ -216,7 +207,7 @@ def _write(options: argparse.Namespace, mission: "Mission", extremal: "Extremal"
     from sailnet.report.optimum import Optimum
 
     if options.plot is not None:
-        facts = readable({"state": extremal.state.tolist(), **result}, LINES)
+        facts = readable({"state": extremal.state.tolist(), **result}, options.lines)
         report("optimum_charts").plot_optimum(options.plot, mission, extremal, facts, options.command_line)
         result["plot"] = str(options.plot)
     if options.output is not None:

@@ -1,10 +1,24 @@
 """The expert, in the plane or in space by what states it is given."""
 
+import numpy as np
+from numpy.typing import ArrayLike
+
 from sailnet.expert import fastest, fastest_in_space
 from sailnet.expert.fastest import Region
-from sailnet.expert.optima import Optima
+from sailnet.expert.optima import Extremal, Optima
 from sailnet.physics.arrays import Array
 from sailnet.physics.transfer import Transfer
+
+
+def solve(transfer: Transfer, state: ArrayLike) -> Extremal:
+    """The fastest extremal from a state of 3 or 5 components: see the two functions of this name.
+
+    Raises:
+        SolveError: likewise.
+    """
+    if np.size(state) == 3:
+        return fastest.solve(transfer, state)
+    return fastest_in_space.solve(transfer, state)
 
 
 def solve_states(transfer: Transfer, states: Array, region: Region | None = None) -> Optima:

@@ -200,19 +200,16 @@ def shipped_missions() -> list[str]:
     return shipped_names(FOLDER)
 
 
-def load_mission(name_or_path: str | Path, *, in_space: bool = False) -> Mission:
+def load_mission(name_or_path: str | Path) -> Mission:
     """Load a mission by name (``earth_mars``) or from a TOML file.
 
     Args:
         name_or_path: of the mission.
-        in_space: whoever asks can do with three dimensions.
 
     Raises:
-        MissionError: no such mission, not TOML, an unknown or missing key, a value out of range; one of three
-            dimensions, unless asked for.
+        MissionError: no such mission, not TOML, an unknown or missing key, a value out of range.
     """
-    mission = parse_mission(read_table(name_or_path, "mission", FOLDER, MissionError), str(name_or_path))
-    return mission if in_space else in_the_plane(mission)
+    return parse_mission(read_table(name_or_path, "mission", FOLDER, MissionError), str(name_or_path))
 
 
 def in_the_plane(mission: Mission) -> Mission:
@@ -223,9 +220,8 @@ def in_the_plane(mission: Mission) -> Mission:
     """
     if mission.inclined:
         raise MissionError(
-            f"mission {mission.name!r} has an inclination of {mission.transfer.inclination:g} degrees: three "
-            "dimensions: so far there are its optima, data, networks and flight file (`sailnet solve`, "
-            "`data`, `train`, `export`); campaigns, pages and pipelines are of coplanar orbits"
+            f"mission {mission.name!r} has an inclination of {mission.transfer.inclination:g} degrees, and "
+            "this works for coplanar orbits only"
         )
     return mission
 
@@ -236,7 +232,7 @@ def derived_for(name_or_path: str | Path) -> dict[str, object]:
     Raises:
         MissionError: as :func:`load_mission`.
     """
-    load_mission(name_or_path, in_space=True)
+    load_mission(name_or_path)
     content = read_table(name_or_path, "mission", FOLDER, MissionError)
     with suppress(ValidationError):
         Mission.model_validate(in_usual_units(content))

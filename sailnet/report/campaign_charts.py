@@ -1,7 +1,6 @@
-"""A whole campaign as charts: how many arrive, how near, how fast, and where they fail."""
+"""A whole campaign as charts: how many arrive, how near, how fast."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, largest_error, time_above_optimum
@@ -15,14 +14,6 @@ POINTS = 300
 LEAST_GAP = 1e-3
 """Time above the optimum [%] below which flights are drawn together."""
 
-ARRIVED_SHOWN = 1500
-"""Starts of flights that arrived, as a background."""
-
-FAILED_SHOWN = 3000
-"""Starts of failures of a series at a period, those that can be opened first: a browser moves no more."""
-
-BINS = 12
-
 NONE = 0.5
 """Where a logarithmic axis shows flights without any."""
 
@@ -35,7 +26,7 @@ FEWEST = 50
 
 def without_curves(scores: list[Score]) -> list[str]:
     """Series and periods of which no distribution is drawn, since they have too few flights."""
-    return [_label(score, scores) for score in scores if score.arrived.of < FEWEST]
+    return [label(score, scores) for score in scores if score.arrived.of < FEWEST]
 
 
 def campaign_charts(results: Results, scores: list[Score]) -> list[Chart]:
@@ -49,18 +40,18 @@ def campaign_charts(results: Results, scores: list[Score]) -> list[Chart]:
             _gaps(results, many),
             _reversals(results, many),
             _detours(many),
-            *_where(results, many),
-            *_bins(results, many),
         ]
     return [chart for chart in charts if chart is not None]
 
 
-def _label(score: Score, scores: list[Score]) -> str:
+def label(score: Score, scores: list[Score]) -> str:
+    """What a series at a guidance period is called among those of a chart."""
     alone = sum(other.series == score.series for other in scores) == 1
     return score.name if alone else f"{score.name}, {score.period:g} TU"
 
 
-def _share_columns(shares: list[Share], suffix: str = "") -> dict[str, Array]:
+def share_columns(shares: list[Share], suffix: str = "") -> dict[str, Array]:
+    """Shares and the ends of their intervals [%], by name."""
     low, high = np.array([share.interval for share in shares]).T
     values = np.array([share.share for share in shares])
     named = {"share": values, "low": low, "high": high}
@@ -68,11 +59,11 @@ def _share_columns(shares: list[Share], suffix: str = "") -> dict[str, Array]:
 
 
 def _shares(scores: list[Score]) -> Chart:
-    words: dict[str, Array] = {"series": np.array([_label(score, scores) for score in scores])}
+    words: dict[str, Array] = {"series": np.array([label(score, scores) for score in scores])}
     thresholds = list(scores[0].within)
     curves = []
     for number, threshold in enumerate(thresholds):
-        words |= _share_columns([score.within[threshold] for score in scores], f"_{threshold:g}")
+        words |= share_columns([score.within[threshold] for score in scores], f"_{threshold:g}")
         curves.append(
             Curve(
                 "series", f"share_{threshold:g}", f"within {threshold:g}", "points",
@@ -82,7 +73,7 @@ def _shares(scores: list[Score]) -> Chart:
     return Chart(
         "shares",
         "Share of flights that arrive",
-        "Within a threshold in each of r, u, v where the guidance on board stopped; bars are 95 % Wilson "
+        "Within a threshold in each component where the guidance on board stopped; bars are 95 % Wilson "
         "intervals.",
         "",
         "flights that arrive [%]",
@@ -94,7 +85,7 @@ def _shares(scores: list[Score]) -> Chart:
 
 def _detours(scores: list[Score]) -> Chart | None:
     """Share of arrivals that were detours."""
-    shares = {_label(score, scores): score.detours for score in scores if score.detours is not None}
+    shares = {label(score, scores): score.detours for score in scores if score.detours is not None}
     known = {label: share for label, share in shares.items() if share is not None and share.of >= COUNTED}
     if not any(share.count for share in known.values()):
         return None
@@ -106,7 +97,7 @@ def _detours(scores: list[Score]) -> Chart | None:
         "",
         "of the flights that arrive [%]",
         [Curve("series", "share", "", "points", BAD, 7.0, low="low", high="high")],
-        {"series": np.array(list(known)), **_share_columns(list(known.values()))},
+        {"series": np.array(list(known)), **share_columns(list(known.values()))},
         rows=True,
     )
 
@@ -150,7 +141,7 @@ def _errors(results: Results, scores: list[Score]) -> Chart:
         flights = results.as_flights(results.rows(score.series, score.period))
         error, level = _distribution(np.maximum(largest_error(flights), 1e-9))
         columns |= {f"error_{number}": error, f"share_{number}": level}
-        curves.append(_curve(number, "error", _label(score, scores)))
+        curves.append(_curve(number, "error", label(score, scores)))
     tolerance = results.mission.flight.arrival_tolerance
     columns |= {"tolerance": np.full(2, tolerance), "all": np.array([0.0, 100.0])}
     curves.append(Curve("tolerance", "all", "", colour=GREY, dash=True, width=1.0))
@@ -172,7 +163,7 @@ def _reversals(results: Results, scores: list[Score]) -> Chart:
     for number, score in enumerate(scores):
         counts, level = _distribution(results.flights["reversals"][results.rows(score.series, score.period)])
         columns |= {f"reversals_{number}": np.maximum(counts, NONE), f"share_{number}": level}
-        curves.append(_curve(number, "reversals", _label(score, scores)))
+        curves.append(_curve(number, "reversals", label(score, scores)))
     optimal = [score.optimal_reversals.worst for score in scores if score.optimal_reversals is not None]
     of_optima = f"; optima of the sail as assumed have {max(optimal):.0f} at most" if optimal else ""
     return Chart(
@@ -199,11 +190,11 @@ def _gaps(results: Results, scores: list[Score]) -> Chart | None:
     for number, score in enumerate(scores):
         gap = time_above_optimum(results, results.rows(score.series, score.period))
         if len(gap) < FEWEST:
-            left_out.append(_label(score, scores))
+            left_out.append(label(score, scores))
             continue
         value, level = _distribution(np.maximum(100.0 * gap, LEAST_GAP))
         columns |= {f"gap_{number}": value, f"share_{number}": level}
-        curves.append(_curve(number, "gap", _label(score, scores)))
+        curves.append(_curve(number, "gap", label(score, scores)))
     if not curves:
         return None
     said = f" Not drawn, for fewer than {FEWEST} known optima: {', '.join(left_out)}." if left_out else ""
@@ -218,96 +209,3 @@ def _gaps(results: Results, scores: list[Score]) -> Chart | None:
         columns,
         logarithmic="x",
     )
-
-
-def _where(results: Results, scores: list[Score]) -> list[Chart]:
-    """Starts of flights, those that fail to be clicked."""
-    flights = results.flights
-    first = results.rows(scores[0].series, scores[0].period)
-    arrived = first[flights["arrived"][first] == 1][:ARRIVED_SHOWN]
-    kept = set(results.kept.tolist())
-    charts = []
-    for component, label in (("r", "r [AU]"), ("u", "u [AU/TU]")):
-        columns: dict[str, NDArray[np.generic]] = {
-            "x_arrived": flights[f"start_{component}"][arrived],
-            "v_arrived": flights["start_v"][arrived],
-        }
-        curves = [Curve("x_arrived", "v_arrived", "arrived", "points", "#c9d3da", 4.0)]
-        for number, score in enumerate(scores):
-            rows = results.rows(score.series, score.period)
-            failed = rows[flights["arrived"][rows] == 0]
-            if not len(failed):
-                continue
-            label_ = f"{_label(score, scores)}: {len(failed):,}"
-            failed = failed[np.argsort([row not in kept for row in failed.tolist()], kind="stable")]
-            failed = np.sort(failed[:FAILED_SHOWN])
-            columns |= {
-                f"x_{number}": flights[f"start_{component}"][failed],
-                f"v_{number}": flights["start_v"][failed],
-                f"flight_{number}": np.array([row if row in kept else -1 for row in failed.tolist()]),
-            }
-            colour = BAD if len(scores) == 1 else PALETTE[number % len(PALETTE)]
-            curves.append(
-                Curve(f"x_{number}", f"v_{number}", label_, "points", colour, 6.0, link=f"flight_{number}")
-            )
-        if len(curves) == 1:
-            return []
-        charts.append(
-            Chart(
-                f"where-{component}",
-                f"Where flights start that fail: {component} and v",
-                f"Grey: starts of up to {ARRIVED_SHOWN:,} flights of the first series that arrived. Colours: "
-                f"those that failed, and how many (up to {FAILED_SHOWN:,} of each are drawn); a click on one "
-                "opens it if it is listed below.",
-                f"start {label}",
-                "start v [AU/TU]",
-                curves,
-                columns,
-            )
-        )
-    return charts
-
-
-def _bins(results: Results, scores: list[Score]) -> list[Chart]:
-    """Share of failures along each component of the start."""
-    flights, charts = results.flights, []
-    if flights["arrived"].all():
-        return []
-    low, high = results.mission.generalisation.corners
-    for place, (component, unit) in enumerate((("r", "AU"), ("u", "AU/TU"), ("v", "AU/TU"))):
-        edges = np.linspace(low[place], high[place], BINS + 1)
-        middle, width = (edges[1:] + edges[:-1]) / 2.0, edges[1] - edges[0]
-        columns: dict[str, Array] = {}
-        curves = []
-        for number, score in enumerate(scores):
-            rows = results.rows(score.series, score.period)
-            start, missed = flights[f"start_{component}"][rows], flights["arrived"][rows] == 0
-            of, count = (np.histogram(start[chosen], edges)[0] for chosen in (slice(None), missed))
-            shares = [Share(int(a), int(b)) for a, b in zip(count, of, strict=True)]
-            if not missed.any() or not of.all():
-                continue
-            # Beside each other, or their intervals would hide each other.
-            columns |= {f"middle_{number}": middle + 0.6 * width * ((number + 0.5) / len(scores) - 0.5)}
-            columns |= _share_columns(shares, f"_{number}")
-            colour = PALETTE[number % len(PALETTE)]
-            label = _label(score, scores)
-            curves += [
-                Curve(f"middle_{number}", f"share_{number}", "", colour=colour, width=1.0),
-                Curve(
-                    f"middle_{number}", f"share_{number}", label, "points", colour, 6.0,
-                    low=f"low_{number}", high=f"high_{number}",
-                ),
-            ]  # fmt: skip
-        if curves:
-            charts.append(
-                Chart(
-                    f"bins-{component}",
-                    f"Failures along the start's {component}",
-                    "Share that does not arrive, with 95 % Wilson intervals.",
-                    f"start {component} [{unit}]",
-                    "flights that fail [%]",
-                    curves,
-                    columns,
-                )
-            )
-    return charts

@@ -12,7 +12,6 @@ import numpy as np
 from tqdm import tqdm
 
 from sailnet.artefacts.files import write_text, write_whole
-from sailnet.campaign.columns import FLIGHTS
 from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, score_record, scores_of
 from sailnet.campaign.tables import Table, percent, score_tables
@@ -24,8 +23,9 @@ from sailnet.report.campaign_charts import FEWEST, campaign_charts, without_curv
 from sailnet.report.charts import Chart, for_page, page_columns, write_csv, write_picture
 from sailnet.report.comparison import Row, flight_rows
 from sailnet.report.compressed_flights import TOGETHER, Flight, compress_flights
-from sailnet.report.flight_charts import SHOWN, common_columns, flight_templates
+from sailnet.report.flight_charts import SHOWN, common_columns
 from sailnet.report.flight_page import chart_page, write_flight_picture
+from sailnet.report.flight_templates import flight_templates
 from sailnet.report.paper_figures import paper_charts
 from sailnet.report.reach_charts import reach_charts
 from sailnet.report.reproduction import Reproduction, shipped_record
@@ -39,6 +39,7 @@ from sailnet.report.shown_flights import (
     flight_title,
     shown_groups,
 )
+from sailnet.report.start_charts import start_charts
 
 MOST_POINTS = 330_000
 """Of one curve over all flights of a page: where there are many, each has fewer points and coarser levels."""
@@ -78,7 +79,11 @@ def write_report(
         The rows of "paper | here", of the paper's campaign alone.
     """
     scores = scores_of(results)
-    charts = [*reach_charts(results, scores), *campaign_charts(results, scores)]
+    charts = [
+        *reach_charts(results, scores),
+        *campaign_charts(results, scores),
+        *start_charts(results, scores),
+    ]
     rows: list[Row] = []
     figures: list[Chart] = []
     section5: Section5 | None = None
@@ -100,7 +105,7 @@ def write_report(
     content = {
         "charts": [for_page(chart) for chart in [*charts, *law_charts, *figures]],
         "templates": [for_page(chart) for chart in flight_templates(results.mission)],
-        "common": page_columns(common_columns(results.mission)),
+        "common": page_columns(common_columns(results.mission, results.mission.inclined)),
         "flights": {"rows": [flight.row for flight in shown], "together": TOGETHER, "blocks": list(blocks)},
     }
     tables = score_tables(scores)
@@ -225,7 +230,7 @@ def _write_files(
         write_csv(folder / f"{chart.name}.csv", chart.columns)
     names = np.array([series.name for series in results.plan.series])
     series = {"series_name": names[results.flights["series"]]}
-    write_csv(folder / "flights.csv", {**series, **{name: results.flights[name] for name in FLIGHTS}})
+    write_csv(folder / "flights.csv", {**series, **results.flights})
 
     def table(beside: Path) -> None:
         with beside.open("w", encoding="utf-8", newline="") as file:

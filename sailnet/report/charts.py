@@ -22,6 +22,10 @@ PALETTE = ("#0b6e99", "#e07a1f", "#8a6bbf", "#2e8b57", "#c0392b", "#7f6a3a", "#d
 NETWORK, OPTIMUM, BASELINE, GREY, BAD = "#0b6e99", "#e07a1f", "#8a6bbf", "#8c8c8c", "#c0392b"
 """Of what the networks fly, the optimum, what they are compared with, the frame, and what went wrong."""
 
+IN_SPACE = (1.0, 1.0, 0.4)
+"""Sides of the box around a path in three dimensions, in pictures and in the page's script: what is off the
+plane is drawn larger than it is."""
+
 STYLE: Any = {
     "font.size": 10,
     "font.family": "sans-serif",
@@ -43,6 +47,7 @@ class Curve:
     Attributes:
         x: name of a column.
         y: name of a column.
+        z: name of a column, of a chart in three dimensions.
         label: in the legend; a curve without one is left out of it.
         kind: how it is drawn; ``steps`` hold a value until the next.
         colour: as in HTML.
@@ -63,6 +68,12 @@ class Curve:
     low: str = ""
     high: str = ""
     link: str = ""
+    z: str = ""
+
+    @property
+    def places(self) -> list[str]:
+        """Names of the columns without which it is not drawn."""
+        return [name for name in (self.x, self.y, self.z) if name]
 
 
 @dataclass(frozen=True)
@@ -82,6 +93,7 @@ class Chart:
         x_range, y_range: of the axes, if they are not chosen by the data.
         rows: whether x is words, each of which gets a row of its own with room for every curve, and y runs
             to the right.
+        z: label of the third axis; only charts in three dimensions have one.
     """
 
     name: str
@@ -96,11 +108,12 @@ class Chart:
     x_range: tuple[float, float] | None = None
     y_range: tuple[float, float] | None = None
     rows: bool = False
+    z: str = ""
 
     def with_columns(self, columns: Mapping[str, ArrayLike]) -> "Chart":
         """The same chart of other numbers; curves whose columns there are none of are left out."""
-        shown = [curve for curve in self.curves if curve.x in columns and curve.y in columns]
-        used = {name for curve in shown for name in (curve.x, curve.y, curve.low, curve.high) if name}
+        shown = [curve for curve in self.curves if all(name in columns for name in curve.places)]
+        used = {name for curve in shown for name in (*curve.places, curve.low, curve.high) if name}
         kept = {name: values for name, values in columns.items() if name in used}
         values = {**vars(self), "curves": shown, "columns": kept}
         return Chart(**values)
@@ -168,8 +181,25 @@ def row_offset(number: int, of: int) -> float:
     return 0.6 * ((number + 0.5) / of - 0.5)
 
 
+def _draw_in_space(axes: Any, chart: Chart) -> None:
+    for curve in chart.curves:
+        style = {"color": curve.colour, "label": curve.label or None}
+        places = [np.asarray(chart.columns[name], float) for name in curve.places]
+        if curve.kind == "points":
+            axes.plot(*places, "o", ms=curve.width / 1.6, mec="none", **style)
+        else:
+            axes.plot(*places, "--" if curve.dash else "-", lw=curve.width, **style)
+    axes.set(title=chart.title, xlabel=chart.x, ylabel=chart.y, zlabel=chart.z, box_aspect=IN_SPACE)
+    axes.locator_params(nbins=5)
+    if any(curve.label for curve in chart.curves):
+        _legend(axes, columns=2)
+
+
 def draw_chart(axes: Any, chart: Chart) -> None:
-    """Draw on matplotlib axes."""
+    """Draw on matplotlib axes, which are of three dimensions for a chart that is."""
+    if chart.z:
+        _draw_in_space(axes, chart)
+        return
     if chart.rows:
         _draw_rows(axes, chart)
         return
@@ -206,12 +236,8 @@ def draw_charts(figure: Any, charts: Sequence[Chart], columns: int = 1) -> None:
     rows = -(-len(charts) // columns)
     words = max((len(np.asarray(c.columns[c.curves[0].x])) for c in charts if c.rows), default=0)
     figure.set_size_inches(6.4 * columns, max(4.4, 0.42 * words + 1.4) * rows)
-    places = figure.subplots(rows, columns, squeeze=False).ravel()
-    for axes, chart in zip_longest(places, charts):
-        if chart is None:
-            axes.set_visible(False)
-        else:
-            draw_chart(axes, chart)
+    for place, chart in enumerate(charts, start=1):
+        draw_chart(figure.add_subplot(rows, columns, place, projection="3d" if chart.z else None), chart)
 
 
 def write_picture(path: Path, charts: Sequence[Chart], columns: int = 1) -> None:

@@ -18,6 +18,9 @@ from sailnet.report.page import FOLDER, render
 LIBRARY = FOLDER / "vendored" / "plotly-basic.min.js"
 """plotly.js 4.1.1, its basic bundle, MIT licence, as it comes from its makers."""
 
+LIBRARY_IN_SPACE = FOLDER / "vendored" / "plotly-gl3d.min.js"
+"""Its bundle with charts in three dimensions, of a half larger."""
+
 
 def chart_page(template: str, drawn: Mapping[str, Any], folder: Path = FOLDER, /, **content: object) -> str:
     """Fill a template whose charts are drawn by ``page.js``.
@@ -28,13 +31,15 @@ def chart_page(template: str, drawn: Mapping[str, Any], folder: Path = FOLDER, /
         folder: where the template is.
         content: for the template itself.
     """
+    shown = [*drawn.get("charts", ()), *drawn.get("templates", ())]
+    in_space = any(chart.get("z") for chart in shown)
     text = json.dumps(drawn, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
     return render(
         template,
         folder,
         content=text.replace("<", "\\u003c"),  # nothing in it ends the script element
         script=(FOLDER / "page.js").read_text(encoding="utf-8"),
-        library=LIBRARY.read_text(encoding="utf-8"),
+        library=(LIBRARY_IN_SPACE if in_space else LIBRARY).read_text(encoding="utf-8"),
         **content,
     )
 

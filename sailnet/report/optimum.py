@@ -27,7 +27,7 @@ COLUMNS_IN_SPACE = {
 
 @dataclass(frozen=True)
 class Optimum:
-    """An extremal from departure to arrival: time [TU] and the columns of ``expert.sample``."""
+    """An extremal from departure to arrival: time [TU], and ``COLUMNS``, or ``COLUMNS_IN_SPACE``."""
 
     time: Array
     columns: Array
@@ -35,20 +35,38 @@ class Optimum:
     @staticmethod
     def of(transfer: Transfer, extremal: Extremal, count: int = 501) -> "Optimum":
         """An extremal of the expert, sampled."""
-        time, columns = sample(transfer, extremal, count)
-        if len(extremal.state) == 5:
+        return Optimum.sampled(*sample(transfer, extremal, count))
+
+    @staticmethod
+    def sampled(time: Array, columns: Array) -> "Optimum":
+        """What ``expert.sample`` gives."""
+        if columns.shape[1] > len(COLUMNS):
             cone, clock = attitude(columns[:, 5:10], columns[:, 10])
             columns = np.column_stack([columns[:, :10], cone, clock])
         return Optimum(time, columns)
 
+    @property
+    def in_space(self) -> bool:
+        """Whether it is one of three dimensions."""
+        return bool(self.columns.shape[1] > len(COLUMNS))
+
+    @property
+    def by_name(self) -> dict[str, Array]:
+        """Its columns."""
+        names = COLUMNS_IN_SPACE if self.in_space else COLUMNS
+        return dict(zip(names, self.columns.T, strict=True))
+
     def named(self) -> NamedColumns:
         """Everything by name and with units, the time first."""
-        units = (COLUMNS if self.columns.shape[1] == len(COLUMNS) else COLUMNS_IN_SPACE).items()
-        named = {name: (unit, column) for (name, unit), column in zip(units, self.columns.T, strict=True)}
+        units = COLUMNS_IN_SPACE | COLUMNS
+        named = {name: (units[name], column) for name, column in self.by_name.items()}
         return NamedColumns({"time": ("TU", self.time), **named})
 
     @property
     def angle(self) -> Array:
         """Heliocentric angle from departure [rad]."""
-        rate = self.columns[:, 2] / self.columns[:, 0]
+        known = self.by_name
+        rate = known["v"] / known["r"]
+        if self.in_space:
+            rate = rate / np.cos(known["latitude"])
         return np.asarray(cumulative_simpson(rate, x=self.time, initial=0.0))

@@ -7,64 +7,82 @@ import numpy as np
 from sailnet.artefacts.files import writing
 from sailnet.expert.optima import Extremal
 from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
 from sailnet.report.charts import GREY, OPTIMUM, PALETTE, Chart, Curve, write_picture
-from sailnet.report.flight_charts import common_columns
+from sailnet.report.flight_charts import common_columns, path_of
 from sailnet.report.flight_page import write_charts_page
+from sailnet.report.flight_templates import path_chart
 from sailnet.report.optimum import Optimum
 
 
 def optimum_charts(mission: Mission, extremal: Extremal) -> list[Chart]:
     """The charts of one optimum, with what they show."""
     optimum = Optimum.of(mission.problem, extremal)
-    r, u, v, lambda_r, lambda_u, lambda_v, cone = optimum.columns.T
-    bound = mission.sail.max_cone_angle
-    x, y = r * np.cos(optimum.angle), r * np.sin(optimum.angle)
-    columns = {
-        **common_columns(mission), "time": optimum.time, "x": x, "y": y, "r": r, "u": u, "v": v,
-        "lambda_r": lambda_r, "lambda_u": lambda_u, "lambda_v": lambda_v, "cone": np.degrees(cone),
-        "start_x": x[:1], "start_y": y[:1], "end_x": x[-1:], "end_y": y[-1:], "span": optimum.time[[0, -1]],
-        "bound_high": np.full(2, bound), "bound_low": np.full(2, -bound),
+    known, bound = optimum.by_name, mission.sail.max_cone_angle
+    path = path_of(known["r"], optimum.angle, known.get("latitude"))
+    ends = {
+        f"{name}_{side}": column[rows]
+        for name, rows in (("start", slice(1)), ("end", slice(-1, None)))
+        for side, column in path.items()
+    }
+    angles = known.keys() & {"latitude", "cone_angle", "clock_angle"}
+    degrees = {name: np.degrees(known[name]) for name in angles}
+    columns: dict[str, Array] = {
+        **common_columns(mission, optimum.in_space), **path, **ends, **known, **degrees, "time": optimum.time,
+        "span": optimum.time[[0, -1]], "bound_high": np.full(2, bound),
     }  # fmt: skip
-    three = PALETTE[0], PALETTE[3], PALETTE[2]
+    if not optimum.in_space:
+        columns["bound_low"] = np.full(2, -bound)
 
-    def over_time(names: tuple[str, ...], labels: tuple[str, ...]) -> list[Curve]:
+    def over_time(*names: str) -> list[Curve]:
         return [
-            Curve("time", name, label, colour=colour)
-            for name, label, colour in zip(names, labels, three, strict=True)
+            Curve("time", name, name.replace("lambda_", "λ_"), colour=colour)
+            for name, colour in zip(names, (PALETTE[place] for place in (0, 3, 2, 4, 5)), strict=False)
         ]
 
+    speeds, signed = ("u, v, w", "") if optimum.in_space else ("u, v", "±")
+    costates = "λ_r [TU/AU], λ_u, λ_v [TU²/AU]"
+    if optimum.in_space:
+        costates = "costates [TU/AU, TU/rad, TU²/AU]"
     templates = [
-        Chart(
-            "path", "Path", "Heliocentric; the circles are departure and target orbit.", "X [AU]", "Y [AU]",
+        path_chart(
+            optimum.in_space,
+            "left at the departure, met at the arrival",
             [
-                Curve("departure_x", "departure_y", "departure orbit", colour=GREY, dash=True, width=1.0),
-                Curve("target_x", "target_y", "target orbit", colour=GREY, width=1.0),
                 Curve("x", "y", "optimum", colour=OPTIMUM),
                 Curve("start_x", "start_y", "departure", "points", colour=GREY, width=8.0),
                 Curve("end_x", "end_y", "arrival", "points", colour=OPTIMUM, width=8.0),
-                Curve("sun_x", "sun_y", "", "points", colour="#f2b705", width=11.0),
             ],
-            equal=True,
         ),
         Chart(
-            "cone", "Cone angle", f"Dashed: the bound of ±{bound:g}°.", "time [TU]", "cone angle [deg]",
+            "cone", "Cone angle", f"Dashed: the bound of {signed}{bound:g}°.",
+            "time [TU]", "cone angle [deg]",
             [
                 Curve("span", "bound_high", "", colour=GREY, dash=True, width=1.0),
                 Curve("span", "bound_low", "", colour=GREY, dash=True, width=1.0),
-                Curve("time", "cone", "optimum", colour=OPTIMUM),
+                Curve("time", "cone_angle", "optimum", colour=OPTIMUM),
             ],
         ),
         Chart(
-            "state", "State", "Distance from the Sun, radial and transverse speed.", "time [TU]",
-            "r [AU], u, v [AU/TU]", over_time(("r", "u", "v"), ("r", "u", "v")),
+            "clock", "Clock angle", "About the Sun line, from the transverse direction to the north.",
+            "time [TU]", "clock angle [deg]", [Curve("time", "clock_angle", "optimum", colour=OPTIMUM)],
         ),
         Chart(
-            "costates", "Costates", "How the time of flight changes with r, u and v along the way.",
-            "time [TU]", "λ_r [TU/AU], λ_u, λ_v [TU²/AU]",
-            over_time(("lambda_r", "lambda_u", "lambda_v"), ("λ_r", "λ_u", "λ_v")),
+            "state", "State", "Distance from the Sun and speeds.", "time [TU]", f"r [AU], {speeds} [AU/TU]",
+            over_time("r", "u", "v", "w"),
+        ),
+        Chart(
+            "latitude", "Latitude", "Over the plane of the target orbit.", "time [TU]", "latitude [deg]",
+            [Curve("time", "latitude", "optimum", colour=OPTIMUM)],
+        ),
+        Chart(
+            "costates", "Costates", "How the time of flight changes with the state along the way.",
+            "time [TU]", costates,
+            over_time("lambda_r", "lambda_u", "lambda_v", "lambda_w", "lambda_latitude"),
         ),
     ]  # fmt: skip
-    return [template.with_columns(columns) for template in templates]
+    drawn = [template.with_columns(columns) for template in templates]
+    return [chart for chart in drawn if any(curve.label for curve in chart.curves)]
 
 
 def plot_optimum(

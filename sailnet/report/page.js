@@ -5,7 +5,7 @@
 
   function trace(curve, columns) {
     const made = {
-      type: "scatter",
+      type: curve.z ? "scatter3d" : "scatter",
       x: columns[curve.x],
       y: columns[curve.y],
       name: curve.label,
@@ -13,8 +13,9 @@
       hoverinfo: curve.label === "" ? "skip" : "all",
       mode: curve.kind === "points" ? "markers" : "lines",
     };
+    if (curve.z) made.z = columns[curve.z];
     if (curve.kind === "points") {
-      made.marker = { color: curve.colour, size: curve.width };
+      made.marker = { color: curve.colour, size: curve.z ? 0.6 * curve.width : curve.width };
     } else {
       made.line = { color: curve.colour, width: curve.width, dash: curve.dash ? "dash" : "solid",
                     // Simplified, a plateau would slope towards the point after it.
@@ -29,11 +30,13 @@
     return made;
   }
 
+  const drawable = (curve, columns) => columns[curve.x] && columns[curve.y] && (!curve.z || columns[curve.z]);
+
   // Of the page's style, which knows whether it is light or dark.
   const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const dark = matchMedia("(prefers-color-scheme: dark)");
-  const inColours = () => ({ "font.color": colour("--ink"), paper_bgcolor: colour("--paper"), plot_bgcolor: colour("--paper"),
-                             "xaxis.gridcolor": colour("--line"), "yaxis.gridcolor": colour("--line") });
+  const inColours = (place) => ({ "font.color": colour("--ink"), paper_bgcolor: colour("--paper"), plot_bgcolor: colour("--paper"),
+                                  ...Object.fromEntries(place.dataset.axes.split(" ").map((side) => [`${side}.gridcolor`, colour("--line")])) });
 
   // A finger on a chart scrolls the page; what a mouse drags is zoomed.
   const finger = matchMedia("(pointer: coarse)").matches;
@@ -81,7 +84,7 @@
   }
 
   function draw(place, chart, columns) {
-    const curves = chart.curves.filter((curve) => columns[curve.x] && columns[curve.y]);
+    const curves = chart.curves.filter((curve) => drawable(curve, columns));
     const layout = {
       margin: { l: 56, r: 12, t: 30, b: 44 }, autosize: true, hovermode: "closest", dragmode: finger ? false : "zoom",
       font: { family: 'system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif', size: 12, color: colour("--ink") },
@@ -100,6 +103,13 @@
       layout.xaxis.automargin = "height";
       layout.yaxis.automargin = false;
       layout.margin.l = 64;
+    }
+    if (chart.z) {
+      const side = (title) => ({ title: { text: title }, gridcolor: colour("--line"), zeroline: false, showspikes: false, nticks: 5 });
+      // The box's sides as charts.IN_SPACE has them.
+      layout.scene = { xaxis: side(chart.x), yaxis: side(chart.y), zaxis: side(chart.z), dragmode: "orbit",
+                       aspectmode: "manual", aspectratio: { x: 1, y: 1, z: 0.4 }, camera: { eye: { x: 1.1, y: -1.3, z: 0.9 } } };
+      layout.margin = { l: 0, r: 0, t: 30, b: 30 };
     }
     if (chart.x_range) layout.xaxis.range = chart.x_range;
     if (chart.y_range) layout.yaxis.range = chart.y_range;
@@ -122,6 +132,7 @@
     };
     return Plotly.newPlot(place, traces, layout, config).then(() => {
       place.dataset.drawn = "yes";
+      place.dataset.axes = chart.z ? "scene.xaxis scene.yaxis scene.zaxis" : "xaxis yaxis";
       place.on("plotly_click", (event) => {
         const row = event.points[0].customdata;
         if (row !== undefined && flights.has(row)) location.hash = `flight-${row}`;
@@ -193,7 +204,7 @@
     charts.replaceChildren();
     const drawn = [];  // once all figures are in their places
     for (const chart of content.templates) {
-      const shown = chart.curves.filter((curve) => columns[curve.x] && columns[curve.y]);
+      const shown = chart.curves.filter((curve) => drawable(curve, columns));
       if (!shown.some((curve) => curve.label !== "")) continue;
       const figure = element("figure"), place = element("div");
       place.className = "chart";
@@ -240,7 +251,7 @@
     target.scrollIntoView();
   }
 
-  dark.addEventListener("change", () => document.querySelectorAll("[data-drawn]").forEach((place) => Plotly.relayout(place, inColours())));
+  dark.addEventListener("change", () => document.querySelectorAll("[data-drawn]").forEach((place) => Plotly.relayout(place, inColours(place))));
   document.querySelectorAll("details").forEach((part) => part.addEventListener("toggle", () => show(part)));
   window.addEventListener("hashchange", unfold);
   unfold();

@@ -13,7 +13,8 @@ from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.jumps import preprocess
 from sailnet.report.charts import BAD, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve
-from sailnet.report.flight_charts import common_columns, flight_columns, flight_templates
+from sailnet.report.flight_charts import common_columns, flight_columns
+from sailnet.report.flight_templates import flight_templates
 from sailnet.report.reproduction import reproduction_charts
 from sailnet.report.section5 import Flown, Section5
 
@@ -110,14 +111,17 @@ def _jump(case: Flown) -> list[Chart]:
 
 
 def _of_flight(mission: Mission, flown: Flown, template: str, name: str, title: str) -> Chart:
-    columns = {**common_columns(mission), **flight_columns(mission, flown.history, flown.optimum)}
+    columns = {
+        **common_columns(mission, mission.inclined),
+        **flight_columns(mission, flown.history, flown.optimum),
+    }
     (chart,) = (chart for chart in flight_templates(mission) if chart.name == template)
     return replace(chart.with_columns(columns), name=name, title=title)
 
 
 def _all_paths(mission: Mission, histories: list[History]) -> Chart:
     """Fig. 14."""
-    columns = common_columns(mission)
+    columns = common_columns(mission, mission.inclined)
     curves = [
         Curve("departure_x", "departure_y", "departure orbit", colour=GREY, dash=True, width=1.0),
         Curve("target_x", "target_y", "target orbit", colour=GREY, width=2.0),

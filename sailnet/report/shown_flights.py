@@ -8,11 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.campaign.behaviour import DEGREE_PER_HOUR
+from sailnet.campaign.flown_columns import states_from
 from sailnet.campaign.replay import replay
 from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, detours
 from sailnet.campaign.tables import kilometres_and_speeds, plain, time_text
 from sailnet.flight.closed_loop import History
+from sailnet.flight.plant import components_of
 from sailnet.guidance.interface import Guidance
 from sailnet.physics.arrays import Array
 from sailnet.report.flight_charts import flight_columns, optima_of
@@ -107,7 +109,7 @@ def _history(results: Results, flight: ShownFlight, guidance: Guidance | None) -
 def _optima(results: Results, flights: Sequence[ShownFlight]) -> list[Optimum | None]:
     rows = np.array([flight.row for flight in flights])
     times = results.flights["optimal_time"][rows]
-    costates = np.column_stack([results.flights[f"optimal_lambda_{name}"][rows] for name in "ruv"])
+    costates = states_from(results.flights, "optimal_lambda", components_of(results.mission), rows)
     known = np.isfinite(times)
     found = iter(optima_of(results.mission, costates[known], times[known]) if known.any() else [])
     return [next(found) if is_known else None for is_known in known.tolist()]
@@ -122,16 +124,17 @@ def flight_title(results: Results, row: int) -> str:
 
 def flight_facts(results: Results, row: int) -> Mapping[str, str]:
     """What there is to know of a flight without looking at it."""
-    flights = results.flights
-    state = ", ".join(f"{flights[f'start_{name}'][row]:.5g}" for name in "ruv")
-    errors = [float(flights[f"error_{name}"][row]) for name in "ruv"]
+    flights, names = results.flights, components_of(results.mission)
+    state = ", ".join(f"{flights[f'start_{name}'][row]:.5g}" for name in names)
+    errors = [float(flights[f"error_{name}"][row]) for name in names]
+    called = ", ".join(names)
     optimal, left = flights["own_optimal_time"][row], flights["time_to_go"][row]
     near, when = flights["nearest_error"][row], flights["nearest_time"][row]
     ending = {1: "stopped by its guidance", 2: "lost", 3: "too long"}[int(flights["ending"][row])]
     return {
         "result": "arrived" if flights["arrived"][row] else f"failed: {ending}",
-        "start (r, u, v)": state,
-        "terminal error (r, u, v)": ", ".join(f"{error:.1e}" for error in errors),
+        f"start ({called})": state,
+        f"terminal error ({called})": ", ".join(f"{error:.1e}" for error in errors),
         "that is": kilometres_and_speeds(errors),
         "time of flight": time_text(flights["time_of_flight"][row]),
         "least still to go": f"{left:.2g} TU" if np.isfinite(left) else "not near the target",

@@ -11,10 +11,12 @@ from sailnet.artefacts.resumable import Columns
 from sailnet.campaign import assembly, batches
 from sailnet.campaign.assembly import write_results
 from sailnet.campaign.batches import Batch, Job, own_column
-from sailnet.campaign.columns import OPTIMUM, OWN
+from sailnet.campaign.columns import OWN, optimum_of
 from sailnet.campaign.results import Results, open_results
+from sailnet.physics.geometry import PLANE
 from tests.campaign.small_plan import CASE, GUIDANCE, plan_of, short
 
+OPTIMUM = optimum_of(PLANE.state_names)
 SERIES = [
     {"name": "calm", "flights": 23, "periods": [0.02, 0.05], "optima": 17},
     {"name": "noisy", "flights": 12, "optima": 12, "disturbance": {"beta_noise": 0.1}},

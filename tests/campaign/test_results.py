@@ -120,5 +120,5 @@ def test_results_of_another_version_are_refused_with_a_remedy(tmp_path: Path) ->
     fly_plan(MISSION, GUIDANCE, plan_of(series=[{"name": "a", "starts": [CASE], "periods": [0.05]}]), path)
     with h5py.File(path, "r+") as file:
         file.attrs["schema"] = np.bytes_("sailnet-campaign/3")
-    with pytest.raises(CampaignError, match=r"campaign/3', this version reads .*/4': fly the campaign again"):
+    with pytest.raises(CampaignError, match=r"campaign/3', this version reads .*/5': fly the campaign again"):
         open_results(path)

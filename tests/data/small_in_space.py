@@ -14,7 +14,7 @@ from tests.small_datasets import Inline
 
 def small_mission() -> Mission:
     """Starts near the departure from Earth, for two sails: an index of few bins."""
-    mission = load_mission("earth_mars_3d", in_space=True)
+    mission = load_mission("earth_mars_3d")
     region = mission.generalisation.model_copy(
         update={
             "r": (1.0, 1.03),

@@ -99,4 +99,4 @@ def test_a_schema_of_the_plane_with_a_mission_in_space_is_refused(path: Path, tm
 @pytest.mark.parametrize("recipe", ["domain", "box"])
 def test_other_recipes_are_of_the_plane(recipe: str) -> None:
     with pytest.raises(DatasetError, match="the only recipe is 'wide'"):
-        prepare(load_mission("earth_mars_3d", in_space=True), recipe)
+        prepare(load_mission("earth_mars_3d"), recipe)

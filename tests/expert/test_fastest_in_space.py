@@ -28,7 +28,7 @@ REGION = (np.array([1.04, -0.05, 0.03, 0.98, -0.05]), np.array([1.08, 0.05, 0.06
 
 @pytest.fixture(scope="module")
 def space() -> Mission:
-    return load_mission("earth_mars_3d", in_space=True)
+    return load_mission("earth_mars_3d")
 
 
 def some_states(region: tuple[Array, Array], count: int, seed: int) -> Array:

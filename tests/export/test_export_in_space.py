@@ -31,7 +31,7 @@ from tests.random_networks import (
     save_guidance,
 )
 
-MISSION = load_mission("earth_mars_3d", in_space=True)
+MISSION = load_mission("earth_mars_3d")
 BOUNDS = {"float64": 1e-12, "float32": 2e-5}
 
 

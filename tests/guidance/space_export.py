@@ -14,7 +14,7 @@ from sailnet.mission.sections import Degradation
 from sailnet.networks.guidance_in_space import GuidanceNetworksInSpace
 from sailnet.physics.optics import OPTICS
 
-MISSION = load_mission("earth_mars_3d", in_space=True)
+MISSION = load_mission("earth_mars_3d")
 AGEING = MISSION.with_optics(OPTICS["jpl"]).model_copy(update={"degradation": Degradation(loss=0.2)})
 """A sail that is not ideal, and known to age."""
 

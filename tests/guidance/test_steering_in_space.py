@@ -18,7 +18,7 @@ from sailnet.physics.optics import OPTICS
 from tests.guidance.pilots import ONE, PERIOD, Told
 from tests.pilots import Pilot
 
-MISSION = load_mission("earth_mars_3d", in_space=True)
+MISSION = load_mission("earth_mars_3d")
 PATIENCE = RULES.patience(MISSION.problem.phi_max, MISSION.flight.turn_rate)
 START = np.array([1.1, 0.02, 0.05, 0.95, -0.03])
 MIRROR = np.array([1.0, -1.0, 1.0, 1.0, -1.0])

@@ -47,7 +47,7 @@ def test_a_mission_that_says_everything_is_what_it_was(name: str) -> None:
 
 @pytest.mark.parametrize("name", shipped_missions())
 def test_of_a_shipped_mission_nothing_is_derived(name: str) -> None:
-    inclined = load_mission(name, in_space=True).inclined
+    inclined = load_mission(name).inclined
     # What data and networks in three dimensions need is not known yet.
     assert all(inclined and key.startswith(("dataset.", "training.")) for key in derived_for(name))
 
@@ -162,7 +162,7 @@ def test_the_whole_text_is_the_same_mission() -> None:
     for mission in (
         parse_mission(short(), "the file"),
         parse_mission(short(disturbance={"beta_spread": 0.05, "optics": "jpl"}), "the file"),
-        *(load_mission(name, in_space=True) for name in shipped_missions()),
+        *(load_mission(name) for name in shipped_missions()),
     ):
         assert parse_mission(tomllib.loads(whole_text(mission)), "again") == mission
 

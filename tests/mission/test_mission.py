@@ -47,7 +47,7 @@ def test_earth_mars_ships() -> None:
 
 @pytest.mark.parametrize("name", shipped_missions())
 def test_every_shipped_mission_loads_under_its_own_name(name: str) -> None:
-    assert load_mission(name, in_space=True).name == name
+    assert load_mission(name).name == name
 
 
 def test_earth_mars_is_the_paper_s_problem() -> None:
@@ -215,7 +215,7 @@ def test_the_digest_knows_the_sections_it_is_asked_for() -> None:
 
 @pytest.mark.parametrize("name", shipped_missions())
 def test_json_round_trip(name: str) -> None:
-    mission = load_mission(name, in_space=True)
+    mission = load_mission(name)
     again = parse_mission(json.loads(mission.to_json()), "json")
     assert again == mission
     assert again.to_json() == mission.to_json()

@@ -82,7 +82,7 @@ def test_the_inner_planets_ship(name: str, radius: float, mission: Mission) -> N
 
 @pytest.mark.parametrize("name", shipped_missions())
 def test_shipped_missions_are_within_the_tested_range(name: str) -> None:
-    assert beyond(load_mission(name, in_space=True).problem) == []
+    assert beyond(load_mission(name).problem) == []
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import sailnet
 from sailnet.cli import main
 from sailnet.errors import MissionError
 from sailnet.mission.mission import Mission, load_mission, parse_mission
@@ -82,12 +81,9 @@ def test_what_cannot_be_is_refused_by_its_key(
 @pytest.mark.parametrize(
     "command",
     [
-        ["fly", "1", "0", "1"],
-        ["guide", "1", "0", "1"],
-        ["evaluate"],
-        ["evaluate", "--campaign", "law"],
-        ["accept", "exported", "--output", "none"],
-        ["optics"],
+        ["fly", "1", "0", "1", "--guidance", "expert"],
+        ["evaluate", "--campaign", "law", "--guidance", "expert"],
+        ["fmu", "guidance.fmu"],
     ],
 )
 def test_whatever_knows_the_plane_alone_refuses_it_by_name(
@@ -95,10 +91,7 @@ def test_whatever_knows_the_plane_alone_refuses_it_by_name(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert main([*command, "--mission", "earth_mars_3d"]) != 0
-    assert (
-        "three dimensions: so far there are its optima, data, networks and flight file"
-        in capsys.readouterr().err
-    )
+    assert "inclination of 1.85 degrees, and this works for coplanar orbits only" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
 
 
@@ -112,14 +105,9 @@ def test_data_of_the_plane_s_recipes_are_refused(
     assert not (tmp_path / "none.h5").exists()
 
 
-def test_the_pipeline_and_python_refuse_it_too(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_states_off_the_plane_are_for_missions_of_three_dimensions(
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    monkeypatch.chdir(tmp_path)
-    assert main(["pipeline", "earth_mars_3d"]) != 0
-    assert "so far there are its optima" in capsys.readouterr().err
-    assert list(tmp_path.iterdir()) == []
-    mission = load_mission("earth_mars_3d", in_space=True)
-    for given in (mission, "earth_mars_3d"):
-        with pytest.raises(MissionError, match="so far there are its optima"):
-            sailnet.fly(given, (1.0, 0.0, 1.0))
+    for command in ("fly", "guide"):
+        assert main([command, "1", "0", "1", "--latitude", "1"]) != 0
+        assert "missions of three dimensions, such as earth_mars_3d" in capsys.readouterr().err

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sailnet.report.charts import Chart, Curve
+from sailnet.report.charts import IN_SPACE, Chart, Curve
 from sailnet.report.flight_page import write_charts_page
 from tests.browser import browse
 from tests.tools import needs_browser
@@ -68,3 +68,33 @@ def test_a_dark_page_has_dark_charts(tmp_path: Path) -> None:
     assert said["page"] == "rgb(18, 24, 29)"
     assert said["paper"] == "#12181d"
     assert said["ink"] == "#dfe6ec"
+
+
+PATH = """
+<pre id="told"></pre><script>
+setTimeout(() => {
+  const place = document.querySelector(".chart"), scene = place.layout.scene;
+  document.getElementById("told").textContent = JSON.stringify({
+    types: place.data.map((one) => one.type), dragmode: scene.dragmode,
+    canvas: place.querySelectorAll("canvas").length,
+    z: place.data[0].z, ratio: scene.aspectratio,
+  });
+}, 4000);
+</script></body>"""
+
+
+@needs_browser()
+def test_a_path_in_space_can_be_turned(tmp_path: Path) -> None:
+    page, angle = tmp_path / "page.html", np.linspace(0.0, 3.0, 50)
+    columns = {"x": np.cos(angle), "y": np.sin(angle), "z": 0.03 * np.sin(angle)}
+    chart = Chart("path", "Path", "", "X", "Y", [Curve("x", "y", "flown", z="z")], columns, z="Z")
+    write_charts_page(page, [chart], "One flight", "About it", {"seed": "3"})
+    page.write_text(page.read_text("utf-8").replace("</body>", PATH), "utf-8")
+    found = re.search(r'<pre id="told">(.*?)</pre>', browse(tmp_path / "profile", page.as_uri()))
+    assert found is not None
+    said = json.loads(unescape(found[1]))
+    assert said["types"] == ["scatter3d"]
+    assert said["dragmode"] == "orbit"
+    assert said["canvas"] >= 1
+    assert said["z"][25] == pytest.approx(columns["z"][25], rel=1e-4)
+    assert (said["ratio"]["x"], said["ratio"]["y"], said["ratio"]["z"]) == IN_SPACE

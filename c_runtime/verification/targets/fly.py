@@ -45,7 +45,7 @@ def main(arguments: list[str]) -> int:
         if options.reported:
             fill_block(options.table, BLOCK, table(json.loads((options.build / STORED).read_text("utf-8"))))
             return 0
-        missions = [load_mission(name, in_space=True) for name in options.mission or missions_with_networks()]
+        missions = [load_mission(name) for name in options.mission or missions_with_networks()]
         sail = Sail(
             options.start, disturbance_from({"beta_bias": options.beta_bias}, missions[0].disturbance)
         )

@@ -6,7 +6,9 @@ from typing import Any
 import numpy as np
 
 from sailnet.artefacts.named_columns import Frame, NamedColumns
+from sailnet.campaign.columns import layout_of
 from sailnet.campaign.excess import above_own_optimum, excess_of
+from sailnet.campaign.flown_columns import flight_columns
 from sailnet.campaign.own_optima import optimal_times_of
 from sailnet.campaign.random_flights import fly_random_starts
 from sailnet.campaign.shares import Share
@@ -47,15 +49,11 @@ class Evaluation:
     def columns(self) -> NamedColumns:
         """A row a flight, with units."""
         flown = self.flights
-        units = ("AU", "AU/TU", "AU/TU")
-        starts = {
-            f"start_{name}": (unit, values)
-            for name, unit, values in zip("ruv", units, flown.starts.T, strict=True)
-        }
-        errors = {
-            f"error_{name}": (unit, values)
-            for name, unit, values in zip("ruv", units, flown.terminal_error.T, strict=True)
-        }
+        said, values = layout_of(self.mission).groups["flights"], flight_columns(flown)
+        starts, errors = (
+            {name: (said[name][0], values[name]) for name in said if name.startswith(f"{when}_")}
+            for when in ("start", "error")
+        )
         above = above_own_optimum(self.mission, flown, self.optimal)
         return NamedColumns(
             {

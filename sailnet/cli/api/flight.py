@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sailnet.artefacts.named_columns import Frame, NamedColumns
+from sailnet.campaign.columns import layout_of
+from sailnet.campaign.flown_columns import record_columns
 from sailnet.cli import fly as fly_command
 from sailnet.cli.api.missions import AnyMission, mission_of
 from sailnet.cli.output import printed
@@ -49,25 +51,8 @@ class Flight:
 
     def columns(self) -> NamedColumns:
         """A row a guidance period: truth, what navigation showed, commands and estimates, with units."""
-        one = self.history
-        named: dict[str, tuple[str, ArrayLike]] = {"time": ("TU", one.time)}
-        for name, unit, values in zip(
-            ("r", "theta", "u", "v"), ("AU", "rad", "AU/TU", "AU/TU"), one.states.T, strict=True
-        ):
-            named[name] = (unit, values)
-        for name, unit, values in zip("ruv", ("AU", "AU/TU", "AU/TU"), one.seen.T, strict=True):
-            named[f"seen_{name}"] = (unit, values)
-        return NamedColumns(
-            named
-            | {
-                "cone_angle": ("rad", one.cone_angle),
-                "attitude": ("rad", one.attitude),
-                "beta": ("1", one.beta),
-                "beta_estimate": ("1", one.beta_estimate),
-                "predicted_time_of_flight": ("TU", one.predicted_time_of_flight),
-                "status": ("1", one.status),
-            }
-        )
+        units, values = layout_of(self.mission).groups["records"], record_columns(self.history)
+        return NamedColumns({name: (unit, values[name]) for name, (unit, _) in units.items()})
 
     def to_frame(self) -> Frame:
         """:meth:`columns` as a ``pandas.DataFrame``."""
@@ -131,7 +116,7 @@ def fly(
 
     Args:
         mission: a :class:`Mission`, its name or a TOML file.
-        start: (3,) r [AU], u, v [AU/TU].
+        start: (3,) r [AU], u, v [AU/TU], or (5,) r, latitude [rad], u, v, w in three dimensions.
         guidance: of :func:`load_guidance`; the networks shipped for the mission by default.
         period: guidance period [TU]; the mission's by default.
         seed: of every random number; the mission's by default.
@@ -154,7 +139,7 @@ def fly(
     disturbance = disturbed(chosen, seed, disturbances)
     starts = np.atleast_2d(np.asarray(start, float))
     if len(starts) != 1:
-        raise SailnetError(f"fly takes one start (r, u, v), not {len(starts)}: evaluate flies many")
+        raise SailnetError(f"fly takes one start, not {len(starts)}: evaluate flies many")
     flights, (history,) = fly_recorded(chosen, pilot, starts, disturbance=disturbance, period=period)
     return Flight(chosen, disturbance, flights, history)
 

@@ -12,7 +12,7 @@ from sailnet.cli.api.missions import AnyMission, mission_of
 from sailnet.cli.output import printed
 from sailnet.cli.solve import LINES, LINES_IN_SPACE, facts_of
 from sailnet.errors import SailnetError
-from sailnet.expert import fastest, fastest_in_space
+from sailnet.expert import any_dimension, fastest, fastest_in_space
 from sailnet.expert.nominal import solve_nominal
 from sailnet.expert.optima import Extremal, Optima
 from sailnet.mission.mission import Mission
@@ -144,14 +144,14 @@ def solve(mission: AnyMission = "earth_mars", state: ArrayLike | None = None) ->
     >>> optimum.extremal.jumps  # the cone angle jumps once on the way
     1
     """
-    chosen = mission_of(mission, in_space=True)
-    if chosen.inclined or (state is not None and np.shape(np.asarray(state)) == (5,)):
-        given = chosen.departure_state_in_space if state is None else state
-        extremal = fastest_in_space.solve(chosen.problem, given)
-    elif state is None:
-        extremal = solve_nominal(chosen).smoothed
+    chosen = mission_of(mission)
+    if state is not None:
+        solved_by = fastest_in_space if chosen.inclined else any_dimension
+        extremal = solved_by.solve(chosen.problem, state)
+    elif chosen.inclined:
+        extremal = fastest_in_space.solve(chosen.problem, chosen.departure_state_in_space)
     else:
-        extremal = fastest.solve(chosen.problem, state)
+        extremal = solve_nominal(chosen).smoothed
     return OptimalTransfer(chosen, extremal)
 
 
@@ -172,7 +172,7 @@ def solve_states(mission: AnyMission, states: ArrayLike) -> OptimalTransfers:
     >>> [round(optimum.time_of_flight, 4) for optimum in optima]
     [6.1552, 6.1699]
     """
-    chosen = mission_of(mission, in_space=True)
+    chosen = mission_of(mission)
     given = np.asarray(states, float)
     if chosen.inclined or given.shape[-1:] == (5,):
         return OptimalTransfers(chosen, fastest_in_space.solve_states(chosen.problem, given))
