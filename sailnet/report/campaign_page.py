@@ -228,7 +228,8 @@ def _write_files(
     for chart in charts:
         write_picture(folder / f"{chart.name}.png", [chart])
         write_csv(folder / f"{chart.name}.csv", chart.columns)
-    names = np.array([series.name for series in results.plan.series])
+    # Objects: a text of its own for every flight would be as long as the longest name.
+    names = np.array([series.name for series in results.plan.series], object)
     series = {"series_name": names[results.flights["series"]]}
     write_csv(folder / "flights.csv", {**series, **results.flights})
 

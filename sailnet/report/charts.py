@@ -1,7 +1,7 @@
 """Charts that are drawn twice, from one description: interactive in a page, and as a picture for papers."""
 
 import csv
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import zip_longest
 from pathlib import Path
@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.stored_columns import StoredColumn
 
 DIGITS = 5
 """Significant digits of a number in a page, if its charts need no more."""
@@ -21,6 +22,9 @@ PALETTE = ("#0b6e99", "#e07a1f", "#8a6bbf", "#2e8b57", "#c0392b", "#7f6a3a", "#d
 
 NETWORK, OPTIMUM, BASELINE, GREY, BAD = "#0b6e99", "#e07a1f", "#8a6bbf", "#8c8c8c", "#c0392b"
 """Of what the networks fly, the optimum, what they are compared with, the frame, and what went wrong."""
+
+CELLS = 8192
+"""Of a column that are written to a file at once, as numbers of Python's own."""
 
 IN_SPACE = (1.0, 1.0, 0.4)
 """Sides of the box around a path in three dimensions, in pictures and in the page's script: what is off the
@@ -143,9 +147,16 @@ def write_csv(path: Path, columns: Mapping[str, ArrayLike]) -> None:
         with beside.open("w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file)
             writer.writerow(columns)
-            writer.writerows(zip_longest(*(np.asarray(c).tolist() for c in columns.values()), fillvalue=""))
+            writer.writerows(zip_longest(*map(_cells, columns.values()), fillvalue=""))
 
     write_whole(path, write)
+
+
+def _cells(column: ArrayLike) -> Iterator[object]:
+    """Its values; one of all flights of a campaign is not read at once."""
+    values = column if isinstance(column, StoredColumn) else np.asarray(column)
+    for start in range(0, len(values), CELLS):
+        yield from values[start : start + CELLS].tolist()
 
 
 def _draw_rows(axes: Any, chart: Chart) -> None:
