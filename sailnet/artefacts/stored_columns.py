@@ -72,6 +72,10 @@ class StoredColumn(NDArrayOperatorsMixin):
         return found
 
 
+Column = StoredColumn | NDArray[Any]
+"""What is used alike, whether it is read for that or was at hand."""
+
+
 def stored_columns(file: ColumnFile, group: str) -> dict[str, StoredColumn]:
     """The columns of a group by name."""
     return {name: StoredColumn(file, group, name) for name in file.layout.groups[group]}

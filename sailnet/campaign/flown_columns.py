@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sailnet.artefacts.stored_columns import Column
 from sailnet.campaign.columns import with_theta
 from sailnet.flight.closed_loop import Flights, History
 from sailnet.physics.geometry import PLANE, SPACE, geometry_of
@@ -42,7 +43,7 @@ def flights_from(columns: Mapping[str, NDArray[Any]]) -> Flights:
 
 
 def states_from(
-    columns: Mapping[str, NDArray[Any]],
+    columns: Mapping[str, Column],
     prefix: str,
     names: Sequence[str],
     rows: slice | Sequence[int] | NDArray[np.intp] = slice(None),

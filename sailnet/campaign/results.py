@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sailnet.artefacts.column_files import hold_columns
-from sailnet.artefacts.stored_columns import BLOCK, stored_columns
+from sailnet.artefacts.stored_columns import BLOCK, Column, stored_columns
 from sailnet.artefacts.untrusted import table_of
 from sailnet.campaign.columns import LAYOUT, LAYOUT_IN_SPACE, layout_of, optimum_of
 from sailnet.campaign.flown_columns import flights_from, history_from, states_from
@@ -37,7 +37,7 @@ class Results:
         networks: digest of the networks that flew.
         provenance: where the results come from.
         digest: equal means the same results, to the last bit.
-        flights: columns of ``/flights``, :class:`sailnet.artefacts.stored_columns.StoredColumn` or arrays.
+        flights: columns of ``/flights``.
         kept: rows of ``flights`` whose trajectories there are, in order.
     """
 
@@ -46,10 +46,10 @@ class Results:
     networks: str
     provenance: Mapping[str, Any]
     digest: str
-    flights: dict[str, Any]
+    flights: Mapping[str, Column]
     kept: NDArray[np.int64]
     _bounds: NDArray[np.int64]
-    _records: Mapping[str, Any]
+    _records: Mapping[str, Column]
 
     def rows(self, series: int, period: float) -> NDArray[np.intp]:
         """Rows of the flights of a series at a guidance period."""
@@ -130,7 +130,7 @@ def open_results(path: Path) -> Results:
         networks=file.text("networks"),
         provenance=file.provenance,
         digest=file.digest,
-        flights=dict(stored_columns(file, "flights")),
+        flights=stored_columns(file, "flights"),
         kept=flight,
         _bounds=np.append(0, np.cumsum(lengths)),
         _records=stored_columns(file, "records"),

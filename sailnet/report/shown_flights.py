@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from sailnet.artefacts.stored_columns import Column
 from sailnet.campaign.behaviour import DEGREE_PER_HOUR
 from sailnet.campaign.flown_columns import states_from
 from sailnet.campaign.replay import replay
@@ -153,6 +153,6 @@ def flight_facts(results: Results, row: int) -> Mapping[str, str]:
     }
 
 
-def _of_periods(flights: Mapping[str, NDArray[Any]], name: str, row: int) -> str:
+def _of_periods(flights: Mapping[str, Column], name: str, row: int) -> str:
     count = flights[name][row]
     return f"{count:,} of {flights['periods'][row]:,} periods" if count else "never"

@@ -91,7 +91,7 @@ def _components(results: Results) -> list[tuple[str, str, float]]:
 def _bins(results: Results, scores: list[Score]) -> list[Chart]:
     """Share of failures along each component of the start."""
     flights, charts = results.flights, []
-    if flights["arrived"].all():
+    if (flights["arrived"] == 1).all():
         return []
     low, high = results.mission.region
     for place, (component, unit, scale) in enumerate(_components(results)):

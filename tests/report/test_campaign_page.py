@@ -204,7 +204,7 @@ def test_the_latest_detours_are_flown_again(flown: tuple[Results, Path]) -> None
     optimal = results.flights["own_optimal_time"][:]
     optimal[arrived] = counted_times(results.mission, results.as_flights(arrived)) / list(factors.values())
     assert not detours(results, rows).size
-    results = replace(results, flights=results.flights | {"own_optimal_time": optimal})
+    results = replace(results, flights={**results.flights, "own_optimal_time": optimal})
     expected = [row for row in reversed(arrived.tolist()) if factors[row] > 2.0]
     assert detours(results, rows).tolist() == expected
     score = scores_of(results)[2]
