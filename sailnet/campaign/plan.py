@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import AfterValidator, Field, ValidationError, model_validator
+from pydantic import AfterValidator, Discriminator, Field, Tag, ValidationError, model_validator
 
 from sailnet.errors import CampaignError, GuidanceError, SailnetError
 from sailnet.flight.starts import inside_domain, near_departure, off_optima, random_starts
@@ -20,7 +20,10 @@ from sailnet.physics.arrays import Array
 
 InPlane = Annotated[tuple[Positive, float, float], Field(strict=False)]
 InSpace = Annotated[tuple[Positive, float, float, float, float], Field(strict=False)]
-State = InPlane | InSpace
+State = Annotated[
+    Annotated[InPlane, Tag("plane")] | Annotated[InSpace, Tag("space")],
+    Discriminator(lambda given: "space" if isinstance(given, list | tuple) and len(given) > 3 else "plane"),
+]
 UpTo = Annotated[int, Field(ge=0, le=10**9)]
 
 Random = Literal["generalisation", "departure", "optima", "domain"]
