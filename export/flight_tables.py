@@ -46,6 +46,9 @@ def flight_tables(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> str:
     flown = networks.all
     inputs = max(len(network.inputs) for network in flown)
     widest = max(size for network in flown for size in network.hidden)
+    if networks.components > 3:
+        # What a layer reads is read in pairs.
+        widest += widest % 2
     width = math.ceil(max(widest, inputs) / BLOCK) * BLOCK
     units = [LOG2_E if network is networks.tau and networks.approach else 1.0 for network in flown]
     if networks.approach:
