@@ -36,7 +36,7 @@ def _not_renamed(path: Path, target: Path) -> Path:
 
 
 MOMENTS = {
-    "header": ("sailnet.artefacts.column_files.content_digest", _die),
+    "header": ("sailnet.artefacts.column_writing.content_digest", _die),
     "rename": ("pathlib.Path.replace", _not_renamed),
     "removal": ("shutil.rmtree", _half_removed),
 }
