@@ -25,6 +25,9 @@ from sailnet.errors import SailnetError, reason
 VERIFY_ROWS = 1 << 20
 """Rows held at once while the checksums are computed."""
 
+UNPACKED = 1 << 17
+"""Bytes of a column that HDF5 keeps from one read to the next: the chunk that it unpacked last."""
+
 Columns = Mapping[str, NDArray[Any]]
 
 
@@ -102,6 +105,8 @@ class ColumnFile:
             ) from error
         # Not the attributes of these names: the checksum covers the columns' lengths.
         self._rows = {group: len(file[group][next(iter(names))]) for group, names in layout.groups.items()}
+        # Held open: a column that is closed takes what is unpacked with it, and the next row is mostly there.
+        self._columns: dict[tuple[str, str], Any] = {}
 
     def close(self) -> None:
         """Give the file back."""
@@ -130,12 +135,17 @@ class ColumnFile:
         if self._pinned.changed():
             raise self.layout.error(f"{self._path} was written into while it was read: open it again")
         try:
-            return {name: self._file[group][name][start:stop] for name in names}
+            return {name: self._column(group, name)[start:stop] for name in names}
         except (OSError, RuntimeError, ValueError, TypeError, AttributeError, MemoryError) as error:
             raise self.layout.error(
                 f"{self._path} is damaged: {group} rows {start} to {stop} cannot be read; "
                 f"{self.layout.remedy}"
             ) from error
+
+    def _column(self, group: str, name: str) -> Any:
+        if (group, name) not in self._columns:
+            self._columns[group, name] = self._file[group][name]
+        return self._columns[group, name]
 
     def verify(self, see: Callable[[str, int, NDArray[Any]], object] | None = None) -> None:
         """Read everything and compare it with the stored SHA-256 checksums.
@@ -173,7 +183,7 @@ def hold_columns(path: Path, layout: Layout, *others: Layout) -> ColumnFile:
         if path.exists() and not path.is_file():  # a pipe would be waited for
             raise OSError("it is no file")
         pinned = Pinned(os.open(path, os.O_RDONLY))
-        file = h5py.File(pinned, "r")
+        file = h5py.File(pinned, "r", rdcc_nbytes=UNPACKED)
     except (OSError, ValueError, RuntimeError) as error:
         raise layout.error(f"cannot open {layout.kind} {path}: {reason(error)}") from error
     try:

@@ -76,9 +76,13 @@ class Results:
         begin = np.concatenate(first)
         return begin, np.append(begin[1:], rows), np.concatenate(of_series), np.concatenate(at_period)
 
+    def table(self, rows: NDArray[np.intp]) -> dict[str, NDArray[Any]]:
+        """All columns of ``flights``, of some rows: read at once, where one after the other is asked for."""
+        return {name: values[rows] for name, values in self.flights.items()}
+
     def as_flights(self, rows: NDArray[np.intp]) -> Flights:
         """Some flights, as they were flown."""
-        return flights_from({name: values[rows] for name, values in self.flights.items()})
+        return flights_from(self.table(rows))
 
     def starts(self, rows: NDArray[np.intp]) -> Array:
         """(n, k) the states at departure of some flights, of k components."""

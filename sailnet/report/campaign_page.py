@@ -151,17 +151,18 @@ def write_report(
 def _described(
     results: Results, shown: Sequence[ShownFlight], guidance: Guidance | None, points: int
 ) -> Iterator[Flight]:
+    flights = results.table(np.array([flight.row for flight in shown], np.intp))
     drawn = columns_of(results, shown, guidance, points)
-    bar = tqdm(shown, unit="flight", desc="report", file=sys.stderr, disable=None)
-    for flight, columns in zip(bar, drawn, strict=True):
-        about = {"title": flight_title(results, flight.row), "facts": flight_facts(results, flight.row)}
-        yield about, columns
+    bar = tqdm(range(len(shown)), unit="flight", desc="report", file=sys.stderr, disable=None)
+    for row, columns in zip(bar, drawn, strict=True):
+        facts = flight_facts(results.mission, flights, row)
+        yield {"title": flight_title(results, flights, row), "facts": facts}, columns
 
 
 def _group(results: Results, group: Group, scores: Sequence[Score]) -> dict[str, Any]:
     """What the list of flights says of a series at a period."""
     words = {"failed": ": failed", "detour": ": detour", "sample": ""}
-    number = results.flights["number"]
+    numbers = results.flights["number"][[flight.row for flight in group.flights]].tolist()
     score = group.score
     several = sum(other.series == score.series for other in scores) > 1
     counts = [
@@ -174,12 +175,8 @@ def _group(results: Results, group: Group, scores: Sequence[Score]) -> dict[str,
         "counts": ", ".join(counts),
         "size": len(group.flights),
         "flights": [
-            (
-                flight.row,
-                flight.kind,
-                f"flight {int(number[flight.row])}{words[flight.kind]}",
-            )
-            for flight in group.flights
+            (flight.row, flight.kind, f"flight {number}{words[flight.kind]}")
+            for flight, number in zip(group.flights, numbers, strict=True)
         ],
     }
 

@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
-from sailnet.artefacts.stored_columns import Column
 from sailnet.campaign.behaviour import DEGREE_PER_HOUR
 from sailnet.campaign.flown_columns import states_from
 from sailnet.campaign.replay import replay
@@ -16,6 +16,7 @@ from sailnet.campaign.tables import kilometres_and_speeds, plain, time_text
 from sailnet.flight.closed_loop import History
 from sailnet.flight.plant import components_of
 from sailnet.guidance.interface import Guidance
+from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.report.flight_charts import flight_columns, optima_of
 from sailnet.report.optimum import Optimum
@@ -115,16 +116,19 @@ def _optima(results: Results, flights: Sequence[ShownFlight]) -> list[Optimum | 
     return [next(found) if is_known else None for is_known in known.tolist()]
 
 
-def flight_title(results: Results, row: int) -> str:
-    """A flight in a few words."""
-    flights = results.flights
+Table = Mapping[str, NDArray[Any]]
+"""Columns of some flights, see :meth:`sailnet.campaign.results.Results.table`."""
+
+
+def flight_title(results: Results, flights: Table, row: int) -> str:
+    """A flight of a table in a few words."""
     series = results.plan.whole[int(flights["series"][row])].name
     return f"{series}, {flights['period'][row]:g} TU, flight {int(flights['number'][row])}"
 
 
-def flight_facts(results: Results, row: int) -> Mapping[str, str]:
-    """What there is to know of a flight without looking at it."""
-    flights, names = results.flights, components_of(results.mission)
+def flight_facts(mission: Mission, flights: Table, row: int) -> Mapping[str, str]:
+    """What there is to know of a flight of a table without looking at it."""
+    names = components_of(mission)
     state = ", ".join(f"{flights[f'start_{name}'][row]:.5g}" for name in names)
     errors = [float(flights[f"error_{name}"][row]) for name in names]
     called = ", ".join(names)
@@ -149,10 +153,10 @@ def flight_facts(results: Results, row: int) -> Mapping[str, str]:
         "steered by reckoning": _of_periods(flights, "reckoned", row),
         "nearest to the target": f"{near:.1e} after {when:.4f} TU",
         "constant error of β": f"{100 * flights['beta_error'][row]:+.2f} %",
-        "estimated β": f"{100 * (flights['beta_estimate'][row] / results.mission.sail.beta - 1):+.2f} %",
+        "estimated β": f"{100 * (flights['beta_estimate'][row] / mission.sail.beta - 1):+.2f} %",
     }
 
 
-def _of_periods(flights: Mapping[str, Column], name: str, row: int) -> str:
+def _of_periods(flights: Table, name: str, row: int) -> str:
     count = flights[name][row]
     return f"{count:,} of {flights['periods'][row]:,} periods" if count else "never"
