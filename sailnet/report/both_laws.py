@@ -13,7 +13,8 @@ from sailnet.guidance.rules import PLAIN
 from sailnet.guidance.with_rules import WithRules
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
-from sailnet.report.charts import BAD, GREY, NETWORK, OPTIMUM, Chart, Curve
+from sailnet.report.bounds import BOUNDS, bound_columns
+from sailnet.report.charts import BAD, NETWORK, OPTIMUM, Chart, Curve
 from sailnet.report.section5 import Flown, Section5, every_period
 
 CASE = "Case 2"
@@ -91,11 +92,7 @@ def both_laws_charts(mission: Mission, both: BothLaws) -> list[Chart]:
     """The command by either law, and how far it has turned the sail."""
     law, plain, optimum = both.law.history, both.plain_history, both.law.optimum
     longest = max(law.time[-1], plain.time[-1], optimum.time[-1])
-    columns: dict[str, Array] = {
-        "span": np.array([0.0, longest]),
-        "bound_high": np.full(2, mission.sail.max_cone_angle),
-        "bound_low": np.full(2, -mission.sail.max_cone_angle),
-    }
+    columns = bound_columns(mission.sail.max_cone_angle, 0.0, longest, signed=True)
     for name, time, angle in (
         ("optimum", optimum.time, optimum.columns[:, 6]),
         ("law", law.time, law.cone_angle),
@@ -103,8 +100,7 @@ def both_laws_charts(mission: Mission, both: BothLaws) -> list[Chart]:
     ):
         columns |= {f"{name}_time": time, f"{name}_cone": np.degrees(angle), f"{name}_slew": _slews(angle)}
     bound = [
-        Curve("span", "bound_high", "", colour=GREY, dash=True, width=1.0),
-        Curve("span", "bound_low", "", colour=GREY, dash=True, width=1.0),
+        *BOUNDS,
         Curve("optimum_time", "optimum_cone", "optimum", colour=OPTIMUM, width=3.5),
     ]
     charts = [

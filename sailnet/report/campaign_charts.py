@@ -26,7 +26,7 @@ FEWEST = 50
 
 def without_curves(scores: list[Score]) -> list[str]:
     """Series and periods of which no distribution is drawn, since they have too few flights."""
-    return [label(score, scores) for score in scores if score.arrived.of < FEWEST]
+    return [series_label(score, scores) for score in scores if score.arrived.of < FEWEST]
 
 
 def campaign_charts(results: Results, scores: list[Score]) -> list[Chart]:
@@ -44,7 +44,7 @@ def campaign_charts(results: Results, scores: list[Score]) -> list[Chart]:
     return [chart for chart in charts if chart is not None]
 
 
-def label(score: Score, scores: list[Score]) -> str:
+def series_label(score: Score, scores: list[Score]) -> str:
     """What a series at a guidance period is called among those of a chart."""
     alone = sum(other.series == score.series for other in scores) == 1
     return score.name if alone else f"{score.name}, {score.period:g} TU"
@@ -59,7 +59,7 @@ def share_columns(shares: list[Share], suffix: str = "") -> dict[str, Array]:
 
 
 def _shares(scores: list[Score]) -> Chart:
-    words: dict[str, Array] = {"series": np.array([label(score, scores) for score in scores])}
+    words: dict[str, Array] = {"series": np.array([series_label(score, scores) for score in scores])}
     thresholds = list(scores[0].within)
     curves = []
     for number, threshold in enumerate(thresholds):
@@ -85,7 +85,7 @@ def _shares(scores: list[Score]) -> Chart:
 
 def _detours(scores: list[Score]) -> Chart | None:
     """Share of arrivals that were detours."""
-    shares = {label(score, scores): score.detours for score in scores if score.detours is not None}
+    shares = {series_label(score, scores): score.detours for score in scores if score.detours is not None}
     known = {label: share for label, share in shares.items() if share is not None and share.of >= COUNTED}
     if not any(share.count for share in known.values()):
         return None
@@ -141,7 +141,7 @@ def _errors(results: Results, scores: list[Score]) -> Chart:
         flights = results.as_flights(results.rows(score.series, score.period))
         error, level = _distribution(np.maximum(largest_error(flights), 1e-9))
         columns |= {f"error_{number}": error, f"share_{number}": level}
-        curves.append(_curve(number, "error", label(score, scores)))
+        curves.append(_curve(number, "error", series_label(score, scores)))
     tolerance = results.mission.flight.arrival_tolerance
     columns |= {"tolerance": np.full(2, tolerance), "all": np.array([0.0, 100.0])}
     curves.append(Curve("tolerance", "all", "", colour=GREY, dash=True, width=1.0))
@@ -163,7 +163,7 @@ def _reversals(results: Results, scores: list[Score]) -> Chart:
     for number, score in enumerate(scores):
         counts, level = _distribution(results.flights["reversals"][results.rows(score.series, score.period)])
         columns |= {f"reversals_{number}": np.maximum(counts, NONE), f"share_{number}": level}
-        curves.append(_curve(number, "reversals", label(score, scores)))
+        curves.append(_curve(number, "reversals", series_label(score, scores)))
     optimal = [score.optimal_reversals.worst for score in scores if score.optimal_reversals is not None]
     of_optima = f"; optima of the sail as assumed have {max(optimal):.0f} at most" if optimal else ""
     return Chart(
@@ -190,11 +190,11 @@ def _gaps(results: Results, scores: list[Score]) -> Chart | None:
     for number, score in enumerate(scores):
         gap = time_above_optimum(results, results.rows(score.series, score.period))
         if len(gap) < FEWEST:
-            left_out.append(label(score, scores))
+            left_out.append(series_label(score, scores))
             continue
         value, level = _distribution(np.maximum(100.0 * gap, LEAST_GAP))
         columns |= {f"gap_{number}": value, f"share_{number}": level}
-        curves.append(_curve(number, "gap", label(score, scores)))
+        curves.append(_curve(number, "gap", series_label(score, scores)))
     if not curves:
         return None
     said = f" Not drawn, for fewer than {FEWEST} known optima: {', '.join(left_out)}." if left_out else ""

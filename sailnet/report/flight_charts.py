@@ -1,6 +1,6 @@
 """What the charts of one flight show: path, command, state, approach, what guidance believes."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -10,7 +10,8 @@ from sailnet.guidance.interface import GuidanceStatus
 from sailnet.guidance.tilts import tilt_of, turned
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
-from sailnet.physics.geometry import PLANE, SPACE, lengths_of, target_of
+from sailnet.physics.geometry import PLANE, SPACE, geometry_of, lengths_of, target_of
+from sailnet.report.bounds import bound_columns
 from sailnet.report.charts import Chart
 from sailnet.report.flight_templates import flight_templates
 from sailnet.report.optimum import Optimum
@@ -30,9 +31,6 @@ OPTIMUM_POINTS = 201
 
 FACING = 1e-3
 """Cone angle [rad] below which no clock angle is drawn."""
-
-ENDS = {"start": slice(1), "end": slice(-1, None)}
-"""Rows of a history where a flight begins and ends."""
 
 STATES = (PLANE.state_names, SPACE.state_names)
 """Names of the components of a state, in the plane and in space."""
@@ -66,12 +64,18 @@ def _departure_orbit(mission: Mission, angle: Array) -> Columns:
     }
 
 
-def path_of(r: Array, theta: Array, latitude: Array | None) -> Columns:
+def path_of(r: Array, theta: Array, latitude: Array | None = None) -> Columns:
     """Heliocentric places [AU] by ``x``, ``y`` and, in space, ``z``."""
     if latitude is None:
         return {"x": r * np.cos(theta), "y": r * np.sin(theta)}
     flat = r * np.cos(latitude)
     return {"x": flat * np.cos(theta), "y": flat * np.sin(theta), "z": r * np.sin(latitude)}
+
+
+def ends_of(path: Mapping[str, Array]) -> Columns:
+    """Where a path begins and ends, by ``start_x``, ``end_x`` and so on."""
+    ends = {"start": slice(1), "end": slice(-1, None)}
+    return {f"{name}_{side}": column[rows] for name, rows in ends.items() for side, column in path.items()}
 
 
 def flight_columns(
@@ -86,7 +90,9 @@ def flight_columns(
         points: of a curve at most, for a page of many flights.
     """
     names, target = STATES[mission.inclined], target_of(mission.problem, mission.components)
-    columns = {"time": history.time, **_state_columns(history.shown.T), **_path(history)}
+    r, theta, *aside = history.states.T[: 3 if mission.inclined else 2]
+    path = path_of(r, theta, *aside)
+    columns = {"time": history.time, **_state_columns(history.shown.T), **path}
     off = np.maximum(np.abs(history.shown - target) * lengths_of(target), 1e-9)
     columns |= {f"off_{name}": column for name, column in zip(names, off.T, strict=True)}
     columns |= {"cone": np.degrees(history.cone_angle), "left": history.predicted_time_of_flight}
@@ -100,7 +106,9 @@ def flight_columns(
     if np.abs(np.nan_to_num(wrong)).max() > 0.0 or np.isnan(wrong).any():
         columns |= {f"seen_{name}": column for name, column in zip(names, wrong.T, strict=True)}
     # A flight that ends on the target holds its last command for no time at all.
-    if turned(_tilt(history), _tilt(history, commanded=True))[:-1].max(initial=0.0) > 1e-9:
+    commanded = tilt_of(history.cone_angle, history.clock_angle)
+    flown = tilt_of(history.attitude, history.attitude_clock)
+    if turned(flown, commanded)[:-1].max(initial=0.0) > 1e-9:
         columns["attitude"] = np.degrees(history.attitude)
         if history.attitude_clock is not None:
             columns["attitude_clock"] = _clock(history.attitude, history.attitude_clock)
@@ -112,7 +120,6 @@ def flight_columns(
     for name, (source, status) in MARKED.items():
         if source in columns and (history.status == status).any():
             columns[name] = np.where(history.status == status, columns[source], np.nan)
-    ends = {f"{name}_{side}": columns[side][rows] for name, rows in ENDS.items() for side in _sides(columns)}
     count = len(history.time)
     if points is not None and count > points:
         last = points // 6
@@ -121,13 +128,10 @@ def flight_columns(
         rows = np.append(np.searchsorted(history.time, times), np.arange(count - last, count))
         rows = np.unique(rows)
         columns = {name: values[rows] for name, values in columns.items()}
-    span = np.array([history.time[0], history.time[-1]])
-    bound = np.full(2, mission.sail.max_cone_angle)
-    columns |= {"span": span, "bound_high": bound}
-    if not mission.inclined:
-        columns["bound_low"] = -bound
+    bound, begin, end = mission.sail.max_cone_angle, history.time[0], history.time[-1]
+    columns |= bound_columns(bound, begin, end, signed=not mission.inclined)
     columns |= {"tolerance": np.full(2, mission.flight.arrival_tolerance)}
-    columns |= ends
+    columns |= ends_of(path)
     if optimum is not None:
         columns |= _optimum_columns(optimum, 1 if points is None else 4)
     return columns
@@ -137,39 +141,22 @@ def _optimum_columns(optimum: Optimum, step: int) -> Columns:
     known = {name: column[::step] for name, column in optimum.by_name.items()}
     time = optimum.time[::step]
     shown = path_of(known["r"], optimum.angle[::step], known.get("latitude"))
-    shown |= _state_columns([known[name] for name in STATES[optimum.in_space]])
+    shown |= _state_columns(np.array([known[name] for name in STATES[optimum.in_space]]))
     shown |= {"time": time, "cone": np.degrees(known["cone_angle"]), "left": optimum.time[-1] - time}
     if optimum.in_space:
         shown["clock"] = _clock(known["cone_angle"], known["clock_angle"])
     return {f"optimum_{name}": column for name, column in shown.items()}
 
 
-def _state_columns(components: Iterable[Array]) -> Columns:
-    """r, u, v, and in space the latitude [deg] and w, by name."""
-    given = list(components)
-    named = dict(zip(STATES[len(given) == 5], given, strict=True))
+def _state_columns(components: Array) -> Columns:
+    """Of (k, n) components: r, u, v, and in space the latitude [deg] and w, by name."""
+    named = dict(zip(geometry_of(len(components)).state_names, components, strict=True))
     return {name: np.degrees(column) if name == "latitude" else column for name, column in named.items()}
-
-
-def _path(history: History) -> Columns:
-    if history.clock_angle is None:
-        return path_of(history.states[:, 0], history.states[:, 1], None)
-    return path_of(*history.states[:, :3].T)
-
-
-def _sides(columns: Columns) -> list[str]:
-    return [side for side in "xyz" if side in columns]
 
 
 def _clock(cone: Array, clock: Array) -> Array:
     """The clock angle [deg]; none where the sail all but faces the Sun, and it says nothing."""
     return np.where(cone > FACING, np.degrees(clock), np.nan)
-
-
-def _tilt(history: History, commanded: bool = False) -> Array:
-    if commanded:
-        return tilt_of(history.cone_angle, history.clock_angle)
-    return tilt_of(history.attitude, history.attitude_clock)
 
 
 def flight_charts(mission: Mission, columns: Mapping[str, Array]) -> list[Chart]:

@@ -19,7 +19,7 @@ LIBRARY = FOLDER / "vendored" / "plotly-basic.min.js"
 """plotly.js 4.1.1, its basic bundle, MIT licence, as it comes from its makers."""
 
 LIBRARY_IN_SPACE = FOLDER / "vendored" / "plotly-gl3d.min.js"
-"""Its bundle with charts in three dimensions, of a half larger."""
+"""Its bundle with charts in three dimensions, half as large again."""
 
 
 def chart_page(template: str, drawn: Mapping[str, Any], folder: Path = FOLDER, /, **content: object) -> str:

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from sailnet.mission.mission import Mission
+from sailnet.report.bounds import BOUNDS
 from sailnet.report.charts import BAD, BASELINE, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve
 
 
@@ -55,8 +56,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
             "time [TU]",
             "cone angle [deg]",
             [
-                Curve("span", "bound_high", "", colour=GREY, dash=True, width=1.0),
-                Curve("span", "bound_low", "", colour=GREY, dash=True, width=1.0),
+                *BOUNDS,
                 optimal("optimum_time", "optimum_cone", "optimum"),
                 Curve("time", "attitude", "flown", "steps", colour=BASELINE),
                 Curve("time", "cone", "commanded", "steps", colour=NETWORK),

@@ -8,8 +8,9 @@ from sailnet.artefacts.files import writing
 from sailnet.expert.optima import Extremal
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
+from sailnet.report.bounds import BOUNDS, bound_columns
 from sailnet.report.charts import GREY, OPTIMUM, PALETTE, Chart, Curve, write_picture
-from sailnet.report.flight_charts import common_columns, path_of
+from sailnet.report.flight_charts import common_columns, ends_of, path_of
 from sailnet.report.flight_page import write_charts_page
 from sailnet.report.flight_templates import path_chart
 from sailnet.report.optimum import Optimum
@@ -20,19 +21,13 @@ def optimum_charts(mission: Mission, extremal: Extremal) -> list[Chart]:
     optimum = Optimum.of(mission.problem, extremal)
     known, bound = optimum.by_name, mission.sail.max_cone_angle
     path = path_of(known["r"], optimum.angle, known.get("latitude"))
-    ends = {
-        f"{name}_{side}": column[rows]
-        for name, rows in (("start", slice(1)), ("end", slice(-1, None)))
-        for side, column in path.items()
-    }
     angles = known.keys() & {"latitude", "cone_angle", "clock_angle"}
     degrees = {name: np.degrees(known[name]) for name in angles}
     columns: dict[str, Array] = {
-        **common_columns(mission, optimum.in_space), **path, **ends, **known, **degrees, "time": optimum.time,
-        "span": optimum.time[[0, -1]], "bound_high": np.full(2, bound),
+        **common_columns(mission, optimum.in_space), **path, **ends_of(path), **known, **degrees,
+        "time": optimum.time,
+        **bound_columns(bound, optimum.time[0], optimum.time[-1], signed=not optimum.in_space),
     }  # fmt: skip
-    if not optimum.in_space:
-        columns["bound_low"] = np.full(2, -bound)
 
     def over_time(*names: str) -> list[Curve]:
         return [
@@ -58,8 +53,7 @@ def optimum_charts(mission: Mission, extremal: Extremal) -> list[Chart]:
             "cone", "Cone angle", f"Dashed: the bound of {signed}{bound:g}°.",
             "time [TU]", "cone angle [deg]",
             [
-                Curve("span", "bound_high", "", colour=GREY, dash=True, width=1.0),
-                Curve("span", "bound_low", "", colour=GREY, dash=True, width=1.0),
+                *BOUNDS,
                 Curve("time", "cone_angle", "optimum", colour=OPTIMUM),
             ],
         ),

@@ -17,7 +17,8 @@ from sailnet.errors import SailnetError
 from sailnet.mission.mission import Mission
 from sailnet.networks.network import Network
 from sailnet.physics.arrays import Array
-from sailnet.report.charts import BASELINE, GREY, NETWORK, OPTIMUM, PALETTE, Chart, Curve, page_columns
+from sailnet.report.bounds import BOUNDS, bound_columns
+from sailnet.report.charts import BASELINE, NETWORK, OPTIMUM, PALETTE, Chart, Curve, page_columns
 from sailnet.report.comparison import Row
 from sailnet.report.optimum import Optimum
 from sailnet.report.section5 import Flown, Section5
@@ -174,9 +175,7 @@ def _case_1(record: Mapping[str, Any], optimum: Optimum, bound: float) -> list[C
         "optimum_time": optimum.time,
         "optimum_lambda_v": optimum.columns[:, 5],
         "optimum_cone": np.degrees(optimum.columns[:, 6]),
-        "span": np.array([0.0, flown["two_time"][-1]]),
-        "bound_high": np.full(2, bound),
-        "bound_low": np.full(2, -bound),
+        **bound_columns(bound, 0.0, flown["two_time"][-1], signed=True),
     }
     costate = Chart(
         "fig-8b",
@@ -204,8 +203,7 @@ def _case_1(record: Mapping[str, Any], optimum: Optimum, bound: float) -> list[C
         "time [TU]",
         "cone angle [deg]",
         [
-            Curve("span", "bound_high", "", colour=GREY, dash=True, width=1.0),
-            Curve("span", "bound_low", "", colour=GREY, dash=True, width=1.0),
+            *BOUNDS,
             Curve("optimum_time", "optimum_cone", "optimum", colour=OPTIMUM, width=3.5),
             Curve("two_time", "two_cone", "two networks", "steps", colour=BASELINE),
         ],

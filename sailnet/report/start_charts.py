@@ -11,7 +11,7 @@ from sailnet.campaign.scores import Score
 from sailnet.campaign.shares import Share
 from sailnet.flight.plant import components_of
 from sailnet.physics.arrays import Array
-from sailnet.report.campaign_charts import FEWEST, label, share_columns
+from sailnet.report.campaign_charts import FEWEST, series_label, share_columns
 from sailnet.report.charts import BAD, PALETTE, Chart, Curve
 
 ARRIVED_SHOWN = 1500
@@ -35,26 +35,29 @@ def _where(results: Results, scores: list[Score]) -> list[Chart]:
     first = results.rows(scores[0].series, scores[0].period)
     arrived = first[flights["arrived"][first] == 1][:ARRIVED_SHOWN]
     kept = set(results.kept.tolist())
+    failures: dict[int, tuple[str, NDArray[np.intp]]] = {}
+    for number, score in enumerate(scores):
+        rows = results.rows(score.series, score.period)
+        failed = rows[flights["arrived"][rows] == 0]
+        if len(failed):
+            listed_first = np.argsort([row not in kept for row in failed.tolist()], kind="stable")
+            named = f"{series_label(score, scores)}: {len(failed):,}"
+            failures[number] = named, np.sort(failed[listed_first][:FAILED_SHOWN])
+    if not failures:
+        return []
     charts = []
     for component, unit, scale in _components(results):
         if component == "v":
             continue
-        starts = scale * flights[f"start_{component}"]
+        starts = flights[f"start_{component}"]
         columns: dict[str, NDArray[np.generic]] = {
-            "x_arrived": starts[arrived],
+            "x_arrived": scale * starts[arrived],
             "v_arrived": flights["start_v"][arrived],
         }
         curves = [Curve("x_arrived", "v_arrived", "arrived", "points", "#c9d3da", 4.0)]
-        for number, score in enumerate(scores):
-            rows = results.rows(score.series, score.period)
-            failed = rows[flights["arrived"][rows] == 0]
-            if not len(failed):
-                continue
-            named = f"{label(score, scores)}: {len(failed):,}"
-            failed = failed[np.argsort([row not in kept for row in failed.tolist()], kind="stable")]
-            failed = np.sort(failed[:FAILED_SHOWN])
+        for number, (named, failed) in failures.items():
             columns |= {
-                f"x_{number}": starts[failed],
+                f"x_{number}": scale * starts[failed],
                 f"v_{number}": flights["start_v"][failed],
                 f"flight_{number}": np.array([row if row in kept else -1 for row in failed.tolist()]),
             }
@@ -62,8 +65,6 @@ def _where(results: Results, scores: list[Score]) -> list[Chart]:
             curves.append(
                 Curve(f"x_{number}", f"v_{number}", named, "points", colour, 6.0, link=f"flight_{number}")
             )
-        if len(curves) == 1:
-            return []
         charts.append(
             Chart(
                 f"where-{component}",
@@ -110,7 +111,7 @@ def _bins(results: Results, scores: list[Score]) -> list[Chart]:
             columns |= {f"middle_{number}": middle + 0.6 * width * ((number + 0.5) / len(scores) - 0.5)}
             columns |= share_columns(shares, f"_{number}")
             colour = PALETTE[number % len(PALETTE)]
-            named = label(score, scores)
+            named = series_label(score, scores)
             curves += [
                 Curve(f"middle_{number}", f"share_{number}", "", colour=colour, width=1.0),
                 Curve(
