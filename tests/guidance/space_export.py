@@ -1,4 +1,4 @@
-"""The C of networks in three dimensions, compiled, without graphs: for tests of the C alone."""
+"""The C of networks in three dimensions, without graphs: for tests of the C alone."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,7 +21,7 @@ AGEING = MISSION.with_optics(OPTICS["jpl"]).model_copy(update={"degradation": De
 
 @dataclass(frozen=True)
 class CInSpace:
-    """Exported C, of which all builds are compiled."""
+    """Exported C. A build is there to be loaded where all are compiled."""
 
     networks: GuidanceNetworksInSpace
     facts: GuidanceFacts
@@ -39,8 +39,14 @@ class CInSpace:
 
 def export_c(networks: GuidanceNetworksInSpace, folder: Path) -> CInSpace:
     """Write and compile."""
+    written = write_only(networks, folder)
+    compile_libraries(folder, folder, BUILDS.values())
+    return written
+
+
+def write_only(networks: GuidanceNetworksInSpace, folder: Path) -> CInSpace:
+    """The files that others compile, or read."""
     folder.mkdir(parents=True, exist_ok=True)
     facts = describe(networks, networks.mission)
     write_c(networks, facts, folder, rules_for(networks.mission))
-    compile_libraries(folder, folder, BUILDS.values())
     return CInSpace(networks, facts, folder)

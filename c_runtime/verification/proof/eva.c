@@ -47,7 +47,7 @@ static sailnet_real sailnet_inverse_fourth_root(sailnet_real value);
 
 /* Any bits, any pointer that is null or valid. */
 typedef union {
-    sailnet_bits bits[3];
+    sailnet_bits bits[sizeof(sailnet_state) / sizeof(sailnet_bits)];
     sailnet_state value;
 } any_state_bits;
 typedef union {
@@ -77,7 +77,15 @@ static void check(const sailnet_command *command)
     const sailnet_real beta_min = SAILNET_BETA_MIN;
     const sailnet_real beta_max = SAILNET_BETA_MAX;
     const sailnet_real largest_period = SAILNET_LARGEST_PERIOD;
+#ifdef SAILNET_IN_SPACE
+    /*@ assert cone_angle: \is_finite(command->cone_angle) && 0 <= command->cone_angle <= phi_max; */
+    /*@ assert clock_angle: \is_finite(command->clock_angle) && -\pi < command->clock_angle <= \pi; */
+    /* Not only finite: steering adds their squares up. */
+    /*@ assert costates: \is_finite(command->lambda_w) && -1e18 <= command->lambda_v <= 1e18 &&
+                         -1e18 <= command->lambda_w <= 1e18; */
+#else
     /*@ assert cone_angle: \is_finite(command->cone_angle) && -phi_max <= command->cone_angle <= phi_max; */
+#endif
     /*@ assert beta: \is_finite(command->beta) && beta_min <= command->beta <= beta_max; */
     /*@ assert time_of_flight: \is_finite(command->time_of_flight); */
     /*@ assert lambda_v: \is_finite(command->lambda_v); */
@@ -94,22 +102,30 @@ void prove_guidance(void)
 void prove_steering(void)
 {
     sailnet_command command;
+#ifndef SAILNET_IN_SPACE
     if (any_choice[1]) {
         sailnet_measured(&any_memory, any_attitude);
     }
+#endif
     (void)sailnet_steer(&any_memory, any_choice[0] ? &any_state : (const sailnet_state *)0, any_period, &command);
     check(&command);
     const sailnet_real beta_min = SAILNET_BETA_MIN;
     const sailnet_real beta_max = SAILNET_BETA_MAX;
-    const sailnet_real phi_max = SAILNET_PHI_MAX;
     const sailnet_real tangential_max = SAILNET_LARGEST_TANGENTIAL;
-    const sailnet_real offset_max = SAILNET_LARGEST_OFFSET;
     const sailnet_real largest_period = SAILNET_LARGEST_PERIOD;
     /*@ assert memory: \is_finite(any_memory.beta) && beta_min <= any_memory.beta <= beta_max; */
+#ifdef SAILNET_IN_SPACE
+    /*@ assert normal: \is_finite(any_memory.normal[0]) && -1 <= any_memory.normal[0] <= 1; */
+    /*@ assert along: \is_finite(any_memory.normal[1]) && -1 <= any_memory.normal[1] <= 1; */
+    /*@ assert northward: \is_finite(any_memory.normal[2]) && -1 <= any_memory.normal[2] <= 1; */
+#else
+    const sailnet_real phi_max = SAILNET_PHI_MAX;
+    const sailnet_real offset_max = SAILNET_LARGEST_OFFSET;
     /*@ assert told: \is_finite(any_memory.cone_angle) && -phi_max <= any_memory.cone_angle <= phi_max; */
+    /*@ assert offset: \is_finite(any_memory.offset) && -offset_max <= any_memory.offset <= offset_max; */
+#endif
     /*@ assert tangential:
           \is_finite(any_memory.tangential) && -tangential_max <= any_memory.tangential <= tangential_max; */
-    /*@ assert offset: \is_finite(any_memory.offset) && -offset_max <= any_memory.offset <= offset_max; */
     /*@ assert variance: \is_finite(any_memory.variance) && -1 <= any_memory.variance <= 1; */
     /*@ assert slow: \is_finite(any_memory.slow) && -1 <= any_memory.slow <= 1; */
     /*@ assert held: \is_finite(any_memory.held) && 0 <= any_memory.held <= largest_period; */
@@ -121,7 +137,9 @@ void prove_null_pointers(void)
     sailnet_command command;
     sailnet_start((sailnet_memory *)0);
     sailnet_start(&any_memory);
+#ifndef SAILNET_IN_SPACE
     sailnet_measured((sailnet_memory *)0, any_attitude);
+#endif
     (void)sailnet_guidance(&any_state, any_beta, (sailnet_command *)0);
     (void)sailnet_steer(&any_memory, &any_state, any_period, (sailnet_command *)0);
     (void)sailnet_steer((sailnet_memory *)0, &any_state, any_period, &command);

@@ -25,6 +25,8 @@ class Mutant:
     """Where these are not empty, only such builds are concerned."""
     ages: bool = False
     """The guard is in files of sails that are known to age alone."""
+    form: str = ""
+    """``plane`` or ``space`` where the guard stands in such files alone."""
 
     def concerns(self, build: Build) -> bool:
         """Whether this mutant changes that build."""
@@ -37,12 +39,90 @@ MUTANTS = (
         "const sailnet_real bounded = size < SAILNET_PHI_MAX ? size : SAILNET_PHI_MAX;",
         "const sailnet_real bounded = size;",
         layout="host",
+        form="plane",
     ),
     Mutant(
         "cone angle unbounded",
         "sailnet_size(sailnet_limited(&command->cone_angle, SAILNET_OF_CONE_ANGLE))",
         "sailnet_size(command->cone_angle)",
         layout="flight",
+        form="plane",
+    ),
+    Mutant(
+        "cone angle in space unbounded on a host",
+        "command->cone_angle = size < SAILNET_PHI_MAX ? size : SAILNET_PHI_MAX;",
+        "command->cone_angle = size;",
+        layout="host",
+        form="space",
+    ),
+    Mutant(
+        "cone angle in space unbounded",
+        "sailnet_size(sailnet_limited(&output, SAILNET_OF_CONE_ANGLE))",
+        "sailnet_size(output)",
+        layout="flight",
+        form="space",
+    ),
+    Mutant(
+        "cone angle below 0",
+        "sailnet_size(sailnet_limited(&output, SAILNET_OF_CONE_ANGLE))",
+        "sailnet_limited(&output, SAILNET_OF_CONE_ANGLE)",
+        layout="flight",
+        form="space",
+    ),
+    Mutant(
+        "clock angle unbounded",
+        "return sailnet_limited(&angle, SAILNET_OF_CLOCK_ANGLE);",
+        "return angle;",
+        form="space",
+    ),
+    Mutant(
+        "pi rounded up",
+        "#define SAILNET_LARGEST_CLOCK_ANGLE 3.1415925f",
+        "#define SAILNET_LARGEST_CLOCK_ANGLE 3.1415927f",
+        precision="float32",
+        form="space",
+    ),
+    Mutant(
+        "first factor unbounded",
+        "input[9] = sailnet_limited(&input[9], SAILNET_OF_SHARE);",
+        "",
+        layout="flight",
+        precision="float32",
+        form="space",
+    ),
+    Mutant(
+        "second factor unbounded",
+        "input[10] = sailnet_limited(&input[10], SAILNET_OF_SHARE);",
+        "",
+        layout="flight",
+        precision="float32",
+        form="space",
+    ),
+    Mutant(
+        "first factor unbounded on a host",
+        "output[3] * sailnet_clamped(y_z, R(-1.0), R(1.0))",
+        "output[3] * y_z",
+        layout="host",
+        form="space",
+    ),
+    Mutant(
+        "second factor unbounded on a host",
+        "output[4] * sailnet_clamped(y_w, R(-1.0), R(1.0))",
+        "output[4] * y_w",
+        layout="host",
+        form="space",
+    ),
+    Mutant(
+        "normal trusted",
+        "memory->normal[i] = sailnet_limited(&memory->normal[i], SAILNET_OF_SHARE);",
+        "",
+        form="space",
+    ),
+    Mutant(
+        "normal remembered as computed",
+        "memory->normal[i] = sailnet_limited(&normal[i], SAILNET_OF_SHARE);",
+        "memory->normal[i] = normal[i];",
+        form="space",
     ),
     Mutant(
         "clamp lets NaN through",
@@ -76,6 +156,7 @@ MUTANTS = (
         "angle told trusted",
         "memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);",
         "",
+        form="plane",
     ),
     Mutant(
         "tangential force trusted",
@@ -86,11 +167,13 @@ MUTANTS = (
         "offset trusted",
         "memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);",
         "",
+        form="plane",
     ),
     Mutant(
         "angle corrected beyond its bound",
         "return sailnet_limited(&told, SAILNET_OF_CONE_ANGLE);",
         "return told;",
+        form="plane",
     ),
     Mutant(
         "variance trusted", "memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);", ""

@@ -1,18 +1,27 @@
-"""The proof of bounded, finite commands holds for either form of networks, and guards taken away break it."""
+"""The proof of bounded, finite commands holds for every form of networks, and guards taken away break it."""
 
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
 
-from c_runtime.builds import BUILDS
+from c_runtime.builds import BUILDS, Build
 from c_runtime.verification.proof.__main__ import main
 from c_runtime.verification.proof.eva import FRAMA_C, ProofError, analyse
 from c_runtime.verification.proof.lemmas import check_lemmas
 from c_runtime.verification.proof.mutants import MUTANTS, Mutant, caught, mutate
 from tests.conftest import Exported
+from tests.guidance.space_export import write_only
+from tests.random_networks import random_guidance_in_space
 from tests.tools import missing, needs
 
 with_frama_c = needs("analyser", missing(FRAMA_C), "frama-c-base")
+
+
+@pytest.fixture(scope="module")
+def in_space(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Of small networks: what is proved of one weight is proved of all."""
+    return write_only(random_guidance_in_space(*[(4, 4)] * 4), tmp_path_factory.mktemp("space")).folder
 
 
 @with_frama_c
@@ -22,14 +31,36 @@ def test_commands_are_bounded_and_finite(exported_of_any_sail: Exported, build: 
 
 
 @with_frama_c
-@pytest.mark.parametrize("mutant", MUTANTS, ids=lambda mutant: mutant.name)
+@pytest.mark.parametrize("build", BUILDS)
+def test_commands_in_space_are_bounded_and_finite(in_space: Path, build: str) -> None:
+    assert analyse(in_space, BUILDS[build]) == []
+
+
+def named(mutants: Iterable[Mutant]) -> pytest.MarkDecorator:
+    return pytest.mark.parametrize("mutant", list(mutants), ids=lambda mutant: mutant.name)
+
+
+def one_of(mutant: Mutant) -> Build:
+    """A build that it changes."""
+    builds = (BUILDS[name] for name in ("f64", "f64_host", "f32_host", "f32"))
+    return next(build for build in builds if mutant.concerns(build))
+
+
+@with_frama_c
+@named(mutant for mutant in MUTANTS if mutant.form != "space")
 def test_a_guard_less_breaks_the_proof(
     request: pytest.FixtureRequest, tmp_path: Path, mutant: Mutant
 ) -> None:
     exported: Exported = request.getfixturevalue("jpl_exported" if mutant.ages else "approach_exported")
     assert mutate(exported.folder, mutant, tmp_path)
-    build = next(BUILDS[name] for name in ("f64", "f64_host", "f32_host") if mutant.concerns(BUILDS[name]))
-    assert caught(tmp_path, build)
+    assert caught(tmp_path, one_of(mutant))
+
+
+@with_frama_c
+@named(mutant for mutant in MUTANTS if mutant.form != "plane" and not mutant.ages)
+def test_a_guard_less_breaks_the_proof_in_space(in_space: Path, tmp_path: Path, mutant: Mutant) -> None:
+    assert mutate(in_space, mutant, tmp_path)
+    assert caught(tmp_path, one_of(mutant))
 
 
 @with_frama_c
@@ -49,6 +80,12 @@ DOUBLE, SINGLE = (
 @pytest.mark.parametrize("name", DOUBLE)
 def test_what_the_proof_assumes_is_so(exported: Exported, name: str) -> None:
     assert check_lemmas(exported.folder, BUILDS[name]) == "0 failures"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", DOUBLE)
+def test_what_the_proof_assumes_is_so_in_space(in_space: Path, name: str) -> None:
+    assert check_lemmas(in_space, BUILDS[name]) == "0 failures"
 
 
 @pytest.mark.exhaustive
