@@ -79,16 +79,26 @@ class Build:
         """Name of the shared library."""
         return str(_NAMES["library"].format(build=self.name))
 
-    def reads_beta(self, exported: Path) -> bool:
-        """Whether the networks in a folder that was exported are in approach coordinates.
 
-        Raises:
-            ValueError: the header does not say so.
-        """
-        for line in (exported / HEADER).read_text(encoding="utf-8").splitlines():
-            if line.startswith("#define SAILNET_READS_BETA "):
-                return line.endswith("1")
-        raise ValueError(f"{exported / HEADER} does not define SAILNET_READS_BETA: export it anew")
+def reads_beta(exported: Path) -> bool:
+    """Whether the networks in a folder that was exported are in approach coordinates.
+
+    Raises:
+        ValueError: the header does not say so.
+    """
+    for line in _header_lines(exported):
+        if line.startswith("#define SAILNET_READS_BETA "):
+            return line.endswith("1")
+    raise ValueError(f"{exported / HEADER} does not define SAILNET_READS_BETA: export it anew")
+
+
+def in_space(exported: Path) -> bool:
+    """Whether what was exported into a folder steers in three dimensions."""
+    return "#define SAILNET_IN_SPACE 1" in _header_lines(exported)
+
+
+def _header_lines(exported: Path) -> list[str]:
+    return (exported / HEADER).read_text(encoding="utf-8").splitlines()
 
 
 BUILDS = {

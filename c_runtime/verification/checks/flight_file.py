@@ -3,16 +3,16 @@
 import re
 from pathlib import Path
 
-from c_runtime.builds import BUILDS
+from c_runtime.builds import BUILDS, in_space, reads_beta
 
 _FUNCTION = re.compile(r"^\w[\w \*]*?\b(\w+)\((?!\()")
 
 
 def tags(build: str, exported: Path) -> frozenset[str]:
-    """Precision, layout and form of the networks of a build such as ``f32_host``."""
+    """Precision, layout, form of the networks and dimensions of a build such as ``f32_host``."""
     chosen = BUILDS[build]
-    form = "approach" if chosen.reads_beta(exported) else "paper"
-    return frozenset((chosen.suffix, chosen.layout, form))
+    form = "approach" if reads_beta(exported) else "paper"
+    return frozenset((chosen.suffix, chosen.layout, form, "space" if in_space(exported) else "plane"))
 
 
 def places(source: str) -> list[str]:

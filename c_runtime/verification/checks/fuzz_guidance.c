@@ -20,6 +20,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 enum { MOST_CALLS = 6 };
 
+#define PI 3.14159265358979323846
+
 /* Ten thousand years: nothing that is meant to fly for longer. */
 #define LONGEST_SANE_TIME (SAILNET_REAL(1e3) * SAILNET_LARGEST_TIME_OF_FLIGHT)
 
@@ -30,6 +32,33 @@ enum { MOST_CALLS = 6 };
             abort();                                                                          \
         }                                                                                     \
     } while (0)
+
+#ifdef SAILNET_IN_SPACE
+#define COMPONENTS 5
+#else
+#define COMPONENTS 3
+#endif
+
+static sailnet_real *component(sailnet_state *state, int i)
+{
+#ifdef SAILNET_IN_SPACE
+    sailnet_real *const all[COMPONENTS] = {&state->r, &state->u, &state->v, &state->latitude, &state->w};
+#else
+    sailnet_real *const all[COMPONENTS] = {&state->r, &state->u, &state->v};
+#endif
+    return all[i];
+}
+
+/* Not off the plane of the target orbit. */
+static sailnet_state state_of(sailnet_real r, sailnet_real u, sailnet_real v)
+{
+    sailnet_state state;
+    (void)memset(&state, 0, sizeof state);
+    state.r = r;
+    state.u = u;
+    state.v = v;
+    return state;
+}
 
 /* ---- Bytes to calls. Past their end there are zeros. ---- */
 
@@ -79,33 +108,31 @@ static sailnet_real next_real(source *from, double lower, double upper)
     return next_between(from, lower, upper);
 }
 
-static sailnet_state next_state(source *from, const sailnet_state *last)
+static sailnet_state next_state(source *from, sailnet_state *last)
 {
-    static const double lower[3] = {0.2, -0.8, 0.1};
-    static const double upper[3] = {6.0, 0.8, 1.6};
-    static const sailnet_state target = {SAILNET_TARGET_R, SAILNET_TARGET_U, SAILNET_TARGET_V};
-    sailnet_state state = target;
-    sailnet_real *const component[3] = {&state.r, &state.u, &state.v};
-    const sailnet_real *const before[3] = {&last->r, &last->u, &last->v};
+    static const double lower[] = {0.2, -0.8, 0.1, -0.2, -0.2};
+    static const double upper[] = {6.0, 0.8, 1.6, 0.2, 0.2};
+    sailnet_state state = state_of(SAILNET_TARGET_R, SAILNET_TARGET_U, SAILNET_TARGET_V);
     const uint8_t kind = next_byte(from) % 8;
     const double around = 2.0 * (double)SAILNET_ARRIVAL_TOLERANCE;
-    for (int i = 0; i < 3 && kind != 7; i++) {
+    for (int i = 0; i < COMPONENTS && kind != 7; i++) {
+        sailnet_real *const next = component(&state, i);
         switch (kind) {
         case 0: /* anything */
-            *component[i] = next_real(from, -20.0, 20.0);
+            *next = next_real(from, -20.0, 20.0);
             break;
         case 1: /* at the clamps */
-            *component[i] = next_between(from, -20.0, 20.0);
+            *next = next_between(from, -20.0, 20.0);
             break;
         case 2: /* at the target */
-            *component[i] += next_between(from, -around, around);
+            *next += next_between(from, -around, around);
             break;
         case 3: /* one period later */
         case 4:
-            *component[i] = *before[i] + next_between(from, -0.02, 0.02);
+            *next = *component(last, i) + next_between(from, -0.02, 0.02);
             break;
         default: /* where one may fly */
-            *component[i] = next_between(from, lower[i], upper[i]);
+            *next = next_between(from, lower[i], upper[i]);
             break;
         }
     }
@@ -137,6 +164,11 @@ static int is_same(const void *a, const void *b, size_t size)
 
 static int is_state_finite(const sailnet_state *state)
 {
+#ifdef SAILNET_IN_SPACE
+    if (!isfinite(state->latitude) || !isfinite(state->w)) {
+        return 0;
+    }
+#endif
     return isfinite(state->r) && isfinite(state->u) && isfinite(state->v);
 }
 
@@ -162,12 +194,36 @@ static void check_command(const sailnet_command *command, sailnet_status status)
     PROMISED(command->time_of_flight >= -LONGEST_SANE_TIME && command->time_of_flight <= LONGEST_SANE_TIME);
     PROMISED(command->beta >= SAILNET_BETA_MIN && command->beta <= SAILNET_BETA_MAX);
     PROMISED(command->hold >= SAILNET_REAL(0.0) && isfinite(command->hold) && isfinite(command->lambda_v));
+#ifdef SAILNET_IN_SPACE
+    PROMISED(command->cone_angle >= SAILNET_REAL(0.0) && isfinite(command->lambda_w));
+    PROMISED((double)command->clock_angle > -PI && (double)command->clock_angle <= PI);
+#endif
     if (status == SAILNET_INVALID_INPUT) {
+#ifdef SAILNET_IN_SPACE
+        PROMISED(command->clock_angle == SAILNET_REAL(0.0) && command->lambda_w == SAILNET_REAL(0.0));
+#endif
         PROMISED(command->cone_angle == SAILNET_REAL(0.0));
         PROMISED(command->time_of_flight == SAILNET_LARGEST_TIME_OF_FLIGHT);
         PROMISED(command->lambda_v == SAILNET_REAL(0.0));
     }
 }
+
+#ifdef SAILNET_IN_SPACE
+/* In a mirror the command is mirrored, to the bit. */
+static void check_the_mirror(const sailnet_state *state, sailnet_real beta, const sailnet_command *command,
+                             sailnet_status status)
+{
+    sailnet_state mirrored = *state;
+    sailnet_command other;
+    mirrored.latitude = -mirrored.latitude;
+    mirrored.w = -mirrored.w;
+    forget(&other, 0x5A);
+    PROMISED(sailnet_guidance(&mirrored, beta, &other) == status);
+    PROMISED(other.cone_angle == command->cone_angle && other.time_of_flight == command->time_of_flight);
+    PROMISED(other.lambda_v == command->lambda_v && other.lambda_w == -command->lambda_w);
+    PROMISED(other.clock_angle == (command->lambda_w == SAILNET_REAL(0.0) ? command->clock_angle : -command->clock_angle));
+}
+#endif
 
 static sailnet_status checked_guidance(const sailnet_state *state, sailnet_real beta, sailnet_command *command,
                                        int twice)
@@ -187,6 +243,11 @@ static sailnet_status checked_guidance(const sailnet_state *state, sailnet_real 
         forget(&again, 0x7F);
         PROMISED(sailnet_guidance(state, beta, &again) == status);
         PROMISED(is_same(&again, command, sizeof again));
+#ifdef SAILNET_IN_SPACE
+        if (valid) {
+            check_the_mirror(state, beta, command, status);
+        }
+#endif
 #if !SAILNET_READS_BETA
         /* But a beta that no sail of the mission has is outside the domain. */
         const sailnet_status of_mission = sailnet_guidance(state, SAILNET_BETA, &again);
@@ -198,6 +259,43 @@ static sailnet_status checked_guidance(const sailnet_state *state, sailnet_real 
     return status;
 }
 
+#ifdef SAILNET_IN_SPACE
+/* As steering reads what is remembered. */
+static double remembered(sailnet_real value)
+{
+    const double known = isnan(value) ? -1.0 : (double)value;
+    return fmin(fmax(known, -1.0), 1.0);
+}
+
+/* The law's cone angle, and its clock angle or another that is worth something. */
+static void check_the_attitude(const sailnet_command *law, const sailnet_command *command, const sailnet_memory *after)
+{
+    PROMISED(is_same(&law->cone_angle, &command->cone_angle, sizeof law->cone_angle));
+    PROMISED(is_same(&law->clock_angle, &command->clock_angle, sizeof law->clock_angle) ||
+             after->stake >= SAILNET_REAL(0.0));
+}
+
+/*
+ * What is remembered is the normal of the command, and a clock angle that was kept is that of the normal before; unless
+ * that had hardly a direction across the Sun line, as among any bits.
+ */
+static void check_the_normal(const sailnet_command *command, const sailnet_memory *before, const sailnet_memory *after)
+{
+    const double across = sin((double)command->cone_angle);
+    const double along = remembered(before->normal[1]);
+    const double northward = remembered(before->normal[2]);
+    const int has_direction = hypot(along, northward) > 1e-6;
+    PROMISED(fabs((double)after->normal[0] - cos((double)command->cone_angle)) < 1e-5);
+    if (has_direction || after->stake <= SAILNET_REAL(0.0)) {
+        PROMISED(fabs((double)after->normal[1] - across * cos((double)command->clock_angle)) < 1e-5);
+        PROMISED(fabs((double)after->normal[2] - across * sin((double)command->clock_angle)) < 1e-5);
+    }
+    if (has_direction && after->stake > SAILNET_REAL(0.0)) {
+        const double turn = (double)command->clock_angle - atan2(northward, along);
+        PROMISED(fabs(sin(turn)) < 1e-5 && cos(turn) > 0.0);
+    }
+}
+#else
 /* What is commanded for a cone angle, by how askew the sail was measured to be. */
 static sailnet_real told(sailnet_real cone_angle, const sailnet_memory *memory)
 {
@@ -205,6 +303,13 @@ static sailnet_real told(sailnet_real cone_angle, const sailnet_memory *memory)
     const sailnet_real lowered = corrected < SAILNET_PHI_MAX ? corrected : SAILNET_PHI_MAX;
     return lowered > -SAILNET_PHI_MAX ? lowered : -SAILNET_PHI_MAX;
 }
+
+/* The law's cone angle, on either side. */
+static void check_the_attitude(const sailnet_command *law, const sailnet_command *command, const sailnet_memory *after)
+{
+    PROMISED(told(law->cone_angle, after) == command->cone_angle || told(-law->cone_angle, after) == command->cone_angle);
+}
+#endif
 
 /*
  * What steering commands is the law's for the state that it steers by, shown or reckoned, but for what it plans with and
@@ -222,9 +327,12 @@ static void check_against_the_law(const sailnet_command *command, sailnet_status
     PROMISED(of_law != SAILNET_INVALID_INPUT);
     PROMISED(status == SAILNET_ARRIVED ? command->hold <= longest : command->hold == period);
     if (unreserved || !SAILNET_READS_BETA) {
-        PROMISED(told(law.cone_angle, after) == command->cone_angle || told(-law.cone_angle, after) == command->cone_angle);
+        check_the_attitude(&law, command, after);
         PROMISED(is_same(&law.time_of_flight, &command->time_of_flight, sizeof law.time_of_flight));
         PROMISED(is_same(&law.lambda_v, &command->lambda_v, sizeof law.lambda_v));
+#ifdef SAILNET_IN_SPACE
+        PROMISED(is_same(&law.lambda_w, &command->lambda_w, sizeof law.lambda_w));
+#endif
         PROMISED(of_law != SAILNET_OUTSIDE_DOMAIN || status == SAILNET_OUTSIDE_DOMAIN || status == SAILNET_RECKONED);
         PROMISED(of_law != SAILNET_ARRIVED || status == SAILNET_ARRIVED);
     }
@@ -262,7 +370,13 @@ static void check_steer(sailnet_memory *memory, const sailnet_state *state, sail
     check_command(&command, status);
     PROMISED(memory->beta == command.beta);
     PROMISED(fabs((double)memory->tangential) <= (double)SAILNET_LARGEST_TANGENTIAL);
+#ifdef SAILNET_IN_SPACE
+    for (int i = 0; i < 3; i++) {
+        PROMISED(fabs((double)memory->normal[i]) <= 1.0);
+    }
+#else
     PROMISED(fabs((double)memory->offset) <= (double)SAILNET_LARGEST_OFFSET);
+#endif
     PROMISED(status != SAILNET_INVALID_INPUT || !valid);
     PROMISED(status != SAILNET_RECKONED || (timed && !valid));
     if (status != SAILNET_INVALID_INPUT) {
@@ -272,6 +386,10 @@ static void check_steer(sailnet_memory *memory, const sailnet_state *state, sail
         PROMISED(memory->late >= SAILNET_REAL(0.0) && memory->late <= SAILNET_LARGEST_PERIOD);
         PROMISED(memory->wait >= SAILNET_REAL(0.0) && memory->wait <= SAILNET_LARGEST_WAIT);
         PROMISED(isfinite(memory->slewing) || isinf(before.slewing) || isnan(before.slewing));
+#ifdef SAILNET_IN_SPACE
+        PROMISED(isfinite(memory->stake));
+        check_the_normal(&command, &before, memory);
+#endif
         check_against_the_law(&command, status, memory, period);
         check_reckoning(&before, memory, valid);
         PROMISED(memory->periods - before.periods == (before.periods == UINT32_MAX ? 0u : 1u));
@@ -316,7 +434,9 @@ static void check_null_pointers(const sailnet_memory *memory, const sailnet_stat
     sailnet_command command;
     (void)memcpy(&untouched, memory, sizeof untouched);
     sailnet_start(NULL);
+#ifndef SAILNET_IN_SPACE
     sailnet_measured(NULL, period);
+#endif
     PROMISED(sailnet_guidance(given, period, NULL) == SAILNET_INVALID_INPUT);
     PROMISED(sailnet_steer(NULL, given, period, NULL) == SAILNET_INVALID_INPUT);
     PROMISED(sailnet_steer(&untouched, given, period, NULL) == SAILNET_INVALID_INPUT);
@@ -333,7 +453,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     source from = {data, size};
     sailnet_memory memory;
-    sailnet_state state = {SAILNET_REAL(1.0), SAILNET_REAL(0.0), SAILNET_REAL(1.0)};
+    sailnet_state state = state_of(SAILNET_REAL(1.0), SAILNET_REAL(0.0), SAILNET_REAL(1.0));
     sailnet_command command;
     (void)memset(&memory, 0, sizeof memory); /* its padding too */
     sailnet_start(&memory);
@@ -352,9 +472,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             check_start(&given);
         } else {
             const int lost = next_byte(&from) % 8 == 0;
+#ifndef SAILNET_IN_SPACE
             if (kind == 7) {
                 sailnet_measured(&memory, next_real(&from, -1.5, 1.5));
             }
+#endif
             check_steer(&memory, lost ? NULL : &given, next_real(&from, 0.0, 0.1), kind == 4);
         }
         PROMISED(is_same(&given, &state, sizeof state));

@@ -426,5 +426,5 @@ def test_lines_know_their_function_and_builds_their_tags(exported: Exported) -> 
     assert where["    *weights = &w[1];"] == "sailnet_network"
     assert where["#include <string.h>"] == "file"
     form = "approach" if exported.networks.approach else "paper"
-    assert tags("f64", exported.folder) == {"f64", "flight", form}
-    assert tags("f32_host", exported.folder) == {"f32", "host", form}
+    assert tags("f64", exported.folder) == {"f64", "flight", form, "plane"}
+    assert tags("f32_host", exported.folder) == {"f32", "host", form, "plane"}

@@ -1,0 +1,85 @@
+"""The checks of a flight file in three dimensions pass, and catch defects that there are only there."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.c_runtime.verification.test_checks import TARGETS, Mutant, make, needs_tools_of
+from tests.guidance.space_export import write_only
+from tests.random_networks import random_guidance_in_space
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Of networks so small that they are smooth: far off they promise long flights."""
+    return write_only(random_guidance_in_space(*[(4, 4)] * 4), tmp_path_factory.mktemp("space")).folder
+
+
+@pytest.mark.parametrize("target", [pytest.param(name, marks=needs_tools_of(name)) for name in TARGETS])
+def test_nothing_is_found(folder: Path, tmp_path: Path, target: str) -> None:
+    run = make(target, folder, tmp_path, "BUILDS=f64 f32_host")
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+KEPT = "command->clock_angle = sailnet_clock_angle(&change->along, &change->northward);"
+MUTANTS = {
+    "a NaN of the latitude let through": Mutant(
+        "fuzz", "sailnet_is_state", "(state->latitude - state->latitude)", "R(0.0)", "promise broken: status"
+    ),
+    "a clock angle below 0 by a turn": Mutant(
+        "fuzz",
+        "sailnet_clock_angle",
+        "return sailnet_limited(&angle, SAILNET_OF_CLOCK_ANGLE);",
+        "return angle > R(1.0) ? angle - R(6.2831853) : angle;",
+        "promise broken: (double)command->clock_angle > -PI",
+    ),
+    "a command that is not mirrored": Mutant(
+        "fuzz",
+        "sailnet_observed",
+        "input[5] = northward * input[10];",
+        "input[5] = northward;",
+        "promise broken: other.cone_angle == command->cone_angle",
+    ),
+    "a clock angle kept that the sail never had": Mutant(
+        "fuzz",
+        "sailnet_keep_side",
+        KEPT,
+        KEPT.replace("&change->northward", "&change->sine"),
+        "after->normal",
+    ),
+    "another normal remembered than commanded": Mutant(
+        "fuzz",
+        "sailnet_keep_side",
+        "normal[2] = sine * northward;",
+        "normal[2] = sine * along;",
+        "promise broken: fabs((double)after->normal[2]",
+    ),
+    "a normal of any size": Mutant(
+        "fuzz",
+        "sailnet_steer",
+        "memory->normal[i] = sailnet_limited(&memory->normal[i], SAILNET_OF_SHARE);",
+        "",
+        "promise broken: fabs((double)memory->normal[i]) <= 1.0",
+    ),
+    "an output left as it was": Mutant(
+        "test", "sailnet_law", "    command->lambda_w = R(0.0);\n", "", "failed: is_safe(command)"
+    ),
+    "no angle of two zeros": Mutant(
+        "test", "sailnet_clock_angle", "whole > R(0.0) ? (", "whole >= R(0.0) ? (", "failed: "
+    ),
+    "a flight without an end": Mutant(
+        "test", "sailnet_ends", "(tau >= memory->time_of_flight)", "(tau >= R(9.0))", "failed: "
+    ),
+}
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=needs_tools_of(mutant.target)) for name, mutant in MUTANTS.items()]
+)
+def test_defects_are_found(folder: Path, tmp_path: Path, name: str) -> None:
+    mutant = MUTANTS[name]
+    run = make(
+        mutant.target, mutant.write(folder, tmp_path / "exported"), tmp_path, "BUILDS=f32", "FUZZ_RUNS=50000"
+    )
+    assert run.returncode != 0, run.stdout
+    assert mutant.says in run.stdout + run.stderr
