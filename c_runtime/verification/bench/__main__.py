@@ -12,6 +12,7 @@ import sys
 import tempfile
 from collections.abc import Callable, Sequence
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 
 from tqdm import tqdm
@@ -20,8 +21,9 @@ from c_runtime.builds import BUILDS, Build
 from c_runtime.shared_library import FLAGS, CompilerError, find_compiler
 from c_runtime.verification.bench import report
 from c_runtime.verification.bench.compiled import Library
+from c_runtime.verification.bench.emlearn_c import BUILDS as EMLEARN_BUILDS
 from c_runtime.verification.bench.emlearn_c import emlearn_c
-from c_runtime.verification.bench.exported_c import NATIVE, compile_exported, instruction_sets
+from c_runtime.verification.bench.exported_c import NATIVE, compile_exported, instruction_sets, told
 from c_runtime.verification.bench.onnx2c import onnx2c
 from c_runtime.verification.bench.onnxruntime_c import onnxruntime_c
 from c_runtime.verification.bench.python_peers import numpy_reference, onnxruntime_python, pytorch
@@ -31,6 +33,7 @@ from sailnet import SailnetError
 from sailnet.artefacts.files import fill_block, split_at_block
 from sailnet.artefacts.provenance import software
 from sailnet.errors import GuidanceError
+from sailnet.networks.guidance_in_space import load_guidance_networks_in_space
 from sailnet.networks.guidance_networks import load_guidance_networks
 
 STATES, SEED = 256, 1
@@ -133,8 +136,9 @@ def _peers(
     """What is there of the others; a line in ``notes`` says what is left out."""
     place = options.networks or options.exported
     given = options.networks or (place / "tau.safetensors").exists()
-    networks = load_guidance_networks(place) if given else None
-    right = Library.evaluate(
+    load = load_guidance_networks_in_space if subjects.components > 3 else load_guidance_networks
+    networks = load(place) if given else None
+    commands = Library.evaluate(
         compile_exported(
             compiler,
             options.exported.resolve(),
@@ -143,17 +147,19 @@ def _peers(
             flags=FLAGS,
         ),
         subjects.inputs,
-    )[:, :2]
+    )
+    right = told(commands, subjects.components)
     graph = options.exported.resolve()
     found = _or_note(notes, lambda: onnxruntime_c(compiler, graph, subjects, right, folder / "onnxruntime"))
     found += onnxruntime_python(options.exported, subjects)
     if networks is None:
         notes.append(NO_NETWORKS)
     else:
-        trio = networks
-        found += _or_note(notes, lambda: emlearn_c(compiler, trio, subjects, folder / "emlearn"))
-        found += pytorch(trio, subjects)
-        found.append(numpy_reference(trio, subjects))
+        for build in EMLEARN_BUILDS:
+            place = folder / f"emlearn{build}"
+            found += _or_note(notes, partial(emlearn_c, build, compiler, networks, subjects, place))
+        found += pytorch(networks, subjects)
+        found.append(numpy_reference(networks, subjects))
     if options.onnx2c:
         found += onnx2c(compiler, options.onnx2c, networks, subjects, right, folder / "onnx2c")
     return found
@@ -163,7 +169,8 @@ def _or_note(notes: list[str], make: Callable[[], list[Candidate]]) -> list[Cand
     try:
         return make()
     except GuidanceError as error:
-        notes.append(str(error))
+        if str(error) not in notes:
+            notes.append(str(error))
         return []
 
 

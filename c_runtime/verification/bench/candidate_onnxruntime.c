@@ -1,5 +1,5 @@
 /*
- * onnxruntime's C interface: r, u, v and beta to cone angle and time of flight, by its merged graph.
+ * onnxruntime's C interface: a state and beta to angles and time of flight, by its merged graph.
  *
  * Its wheel holds the library without a header. The part of its table of functions that is needed is
  * declared here by position; positions are fixed since version 1 of that interface. Tensors are made
@@ -49,7 +49,7 @@ typedef struct {
     const char *(*get_version)(void);
 } ort_base;
 
-enum { LEVEL_ERROR = 3, ARENA = 1, FLOAT = 1, DOUBLE = 11, MOST_INPUTS = 2, OUTPUTS = 2 };
+enum { LEVEL_ERROR = 3, ARENA = 1, FLOAT = 1, DOUBLE = 11, MOST_INPUTS = 2, COMPONENTS = CANDIDATE_INPUTS - 1 };
 
 static const ort_functions *functions;
 static ort_session *session;
@@ -57,9 +57,9 @@ static const char *const *names_in;
 static const char *const *names_out;
 static uint64_t count;
 static ort_value *values_in[MOST_INPUTS];
-static ort_value *values_out[OUTPUTS];
-static candidate_real given[4];
-static candidate_real result[OUTPUTS];
+static ort_value *values_out[CANDIDATE_OUTPUTS];
+static candidate_real given[CANDIDATE_INPUTS];
+static candidate_real result[CANDIDATE_OUTPUTS];
 
 static const char *message(const ort_status *status)
 {
@@ -99,9 +99,9 @@ __attribute__((visibility("default"))) const char *prepare(const ort_base *(*get
     status = status != NULL ? status : functions->set_threads_between(options, 1);
     status = status != NULL ? status : functions->create_session(environment, model, options, &session);
     status = status != NULL ? status : functions->create_memory(ARENA, 0, &memory);
-    status = status != NULL ? status : tensor(memory, given, 3, 2, &values_in[0]);
-    status = status != NULL ? status : tensor(memory, given + 3, 1, 1, &values_in[1]);
-    for (int i = 0; i < OUTPUTS; i++) {
+    status = status != NULL ? status : tensor(memory, given, COMPONENTS, 2, &values_in[0]);
+    status = status != NULL ? status : tensor(memory, given + COMPONENTS, 1, 1, &values_in[1]);
+    for (int i = 0; i < CANDIDATE_OUTPUTS; i++) {
         status = status != NULL ? status : tensor(memory, result + i, 1, 1, &values_out[i]);
     }
     return message(status);
@@ -109,12 +109,15 @@ __attribute__((visibility("default"))) const char *prepare(const ort_base *(*get
 
 void candidate(const candidate_real *input, candidate_real *output)
 {
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < CANDIDATE_INPUTS; i++) {
         given[i] = input[i];
     }
-    result[0] = result[1] = -1000;
-    functions->run(session, NULL, names_in, (const ort_value *const *)values_in, count, names_out, OUTPUTS,
+    for (int i = 0; i < CANDIDATE_OUTPUTS; i++) {
+        result[i] = -1000;
+    }
+    functions->run(session, NULL, names_in, (const ort_value *const *)values_in, count, names_out, CANDIDATE_OUTPUTS,
                    values_out);
-    output[0] = result[0];
-    output[1] = result[1];
+    for (int i = 0; i < CANDIDATE_OUTPUTS; i++) {
+        output[i] = result[i];
+    }
 }

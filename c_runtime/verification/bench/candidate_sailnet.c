@@ -1,4 +1,4 @@
-/* The flight runtime: r, u, v and beta to a command, with its status in place of what is held. */
+/* The flight runtime: a state and beta to a command, with its status in place of how long it is held. */
 #include "candidate.h"
 #include "sailnet_guidance.h"
 
@@ -6,7 +6,7 @@
 static sailnet_memory memory;
 #endif
 
-/* A state is the first three numbers of the input, and a command is the output: nothing is copied that a caller would not. */
+/* A state is all numbers of the input but the last, and a command is the output: nothing is copied that a caller would not. */
 void candidate(const candidate_real *input, candidate_real *output)
 {
     const sailnet_state *state = (const sailnet_state *)(const void *)input;
@@ -15,7 +15,7 @@ void candidate(const candidate_real *input, candidate_real *output)
     /* Not a flight: the states are unrelated, which takes as long. The estimate is the beta. */
     const sailnet_status status = sailnet_steer(&memory, state, (sailnet_real)0.005, command);
 #else
-    const sailnet_status status = sailnet_guidance(state, input[3], command);
+    const sailnet_status status = sailnet_guidance(state, input[CANDIDATE_INPUTS - 1], command);
 #endif
-    output[3] = (candidate_real)status;
+    command->hold = (candidate_real)status;
 }

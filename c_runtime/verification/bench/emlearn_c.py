@@ -1,4 +1,4 @@
-"""emlearn: the same three networks as the C that it generates.
+"""emlearn: the same networks as the C that it generates.
 
 Less than a command: approach coordinates are given, not computed, the domain is not guarded, and a NaN
 goes through. Single precision; it writes weights with six decimals. Its other style, `inline`, which lets the
@@ -14,7 +14,7 @@ from c_runtime.verification.bench.compiled import Library, Shape, Unit
 from c_runtime.verification.bench.rounds import Candidate
 from c_runtime.verification.bench.subjects import Subjects, agree
 from sailnet.errors import GuidanceError
-from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.network import Network
 
 FLAGS = ("-O3", "-march=native")
@@ -27,11 +27,12 @@ EMLEARN = "emlearn"
 
 
 def emlearn_c(
-    compiler: Sequence[str], networks: GuidanceNetworks, subjects: Subjects, folder: Path
+    build: str, compiler: Sequence[str], networks: AnyGuidanceNetworks, subjects: Subjects, folder: Path
 ) -> list[Candidate]:
-    """Its rows, with and without -ffast-math.
+    """Its row.
 
     Args:
+        build: one of ``BUILDS``; -ffast-math may make a NaN of a number that is large.
         compiler: command of the C compiler.
         networks: whose weights it gets.
         subjects: what is asked.
@@ -51,30 +52,36 @@ def emlearn_c(
     source = folder / "networks.c"
     folder.mkdir(parents=True)
     source.write_text(_source(networks))
-    found = []
-    for build, flags in BUILDS.items():
-        # Its headers are not clean in C99, where they define functions that other files may too.
-        unit = Unit(source, (*flags, f"-I{includedir}", "-w"))
-        library = Library(compiler, [unit], Shape("float32", inputs.shape[1], 3, 3), folder / f"build{build}")
-        if not agree(library.evaluate(inputs), subjects.network_outputs(networks)):
-            raise GuidanceError(f"left out: {EMLEARN}{build}: it does not compute the same networks")
-        library.time_over(inputs)
-        candidate = Candidate(f"{EMLEARN}{build}", "float32", library.in_a_chain, library.back_to_back)
-        found.append(candidate)
-    return found
+    # Its headers are not clean in C99, where they define functions that other files may too.
+    unit = Unit(source, (*BUILDS[build], f"-I{includedir}", "-w"))
+    shape = Shape("float32", inputs.shape[1], len(networks.all), len(networks.all))
+    library = Library(compiler, [unit], shape, folder / "built")
+    if not agree(library.evaluate(inputs), subjects.network_outputs(networks)):
+        raise GuidanceError(f"left out: {EMLEARN}{build}: it does not compute the same networks")
+    library.time_over(inputs)
+    return [Candidate(f"{EMLEARN}{build}", "float32", library.in_a_chain, library.back_to_back)]
 
 
-def _source(networks: GuidanceNetworks) -> str:
-    trio = (networks.tau, networks.alpha_pre, networks.lambda_v)
+def _source(networks: AnyGuidanceNetworks) -> str:
     count = len(networks.tau.inputs)
     body = [f"float given[{count + 1}];", f"memcpy(given, input, {count} * sizeof given[0]);"]
-    for i, network in enumerate(trio):
-        body.append(f"output[{i}] = {network.name}_regress1(given, {len(network.inputs)});")
+    for i, network in enumerate(networks.all):
+        body += _evaluated(network, i, count)
         # In the paper's form the others read the time of flight.
         body.append(f"given[{count}] = output[0];" if i == 0 else "")
     opening = "void candidate(const candidate_real *input, candidate_real *output) {"
     includes = ['#include "candidate.h"', "#include <string.h>"]
-    return "\n".join([*includes, *(_generated(network) for network in trio), opening, *body, "}\n"])
+    return "\n".join([*includes, *(_generated(network) for network in networks.all), opening, *body, "}\n"])
+
+
+def _evaluated(network: Network, i: int, count: int) -> list[str]:
+    """Output ``i`` of the candidate: of several, each times its factor, which come behind the inputs."""
+    read, outputs = len(network.inputs), len(network.factors)
+    if not outputs:
+        return [f"output[{i}] = {network.name}_regress1(given, {read});"]
+    products = " + ".join(f"odd[{j}] * input[{count + j}]" for j in range(outputs))
+    regress = f"{network.name}_regress(given, {read}, odd, {outputs});"
+    return [f"float odd[{outputs}];", regress, f"output[{i}] = {products};"]
 
 
 def _generated(network: Network) -> str:

@@ -4,14 +4,29 @@ import platform
 from collections.abc import Sequence
 from pathlib import Path
 
-from c_runtime.builds import Build
-from c_runtime.verification.bench.compiled import HERE, Library, Shape, Unit
+from c_runtime.builds import Build, in_space
+from c_runtime.verification.bench.compiled import HERE, Library, Reals, Shape, Unit
+from sailnet.guidance.exported_c import COMMAND_FIELDS
 
 NATIVE = "native"
 AVX2, SSE2 = "AVX2", "SSE2"
 
-COMMAND_OUTPUTS = ("cone_angle", "time_of_flight", "beta", "status", "lambda_v")
-"""What ``candidate_sailnet.c`` writes, in order."""
+COMMAND_OUTPUTS = {
+    components: tuple("status" if name == "hold" else name for name in members)
+    for components, members in COMMAND_FIELDS.items()
+}
+"""What ``candidate_sailnet.c`` writes, in order, by the components of a state."""
+
+TOLD = {
+    components: tuple(name for name in ("cone_angle", "time_of_flight", "clock_angle") if name in members)
+    for components, members in COMMAND_FIELDS.items()
+}
+"""What others have to give: the attitude and the time of flight."""
+
+
+def told(commands: Reals, components: int) -> Reals:
+    """(n, k) ``TOLD`` of (n, m) ``COMMAND_OUTPUTS``."""
+    return commands[:, [COMMAND_OUTPUTS[components].index(name) for name in TOLD[components]]]
 
 
 def instruction_sets() -> dict[str, tuple[str, ...]]:
@@ -37,7 +52,7 @@ def compile_exported(
 ) -> Library:
     """The guidance law, or a step of steering, of the C in ``exported``.
 
-    It reads r, u, v and beta, and writes ``COMMAND_OUTPUTS``.
+    It reads a state and beta, and writes ``COMMAND_OUTPUTS``.
 
     Raises:
         CompilerError: the compiler refused.
@@ -49,5 +64,8 @@ def compile_exported(
         Unit(HERE / "candidate_sailnet.c", defines),
         Unit(exported / build.source, (*defines, *build.optimisation, *flags)),
     ]
+    components = 5 if in_space(exported) else 3
+    outputs = COMMAND_OUTPUTS[components]
     # The status is no number that a next state could depend on.
-    return Library(compiler, units, Shape(build.precision, 4, len(COMMAND_OUTPUTS), 3), folder)
+    chained = outputs.index("status")
+    return Library(compiler, units, Shape(build.precision, components + 1, len(outputs), chained), folder)

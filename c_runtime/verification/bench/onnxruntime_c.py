@@ -7,8 +7,9 @@ from pathlib import Path
 import onnxruntime
 
 from c_runtime.verification.bench.compiled import HERE, Library, Reals, Shape, Unit
+from c_runtime.verification.bench.exported_c import TOLD
 from c_runtime.verification.bench.rounds import Candidate
-from c_runtime.verification.bench.subjects import Subjects, agree
+from c_runtime.verification.bench.subjects import Subjects, agree, seamless
 from sailnet.errors import GuidanceError
 from sailnet.guidance.exported_files import SUFFIXES, graph_name
 
@@ -37,7 +38,7 @@ def onnxruntime_c(
         compiler: command of the C compiler.
         exported: folder with the graphs.
         subjects: what is asked.
-        expected: (n, 2) cone angles and times of flight that have to come out.
+        expected: (n, k) what has to come out: ``TOLD``.
         folder: for compiled files.
 
     Raises:
@@ -50,19 +51,20 @@ def onnxruntime_c(
     for precision in SUFFIXES:
         graph = exported / graph_name(precision)
         units = [Unit(HERE / "candidate_onnxruntime.c")]
-        library = Library(compiler, units, Shape(precision, 4, 2, 2), folder / precision)
+        asked = [name.encode() for name in TOLD[subjects.components]]
+        shape = Shape(precision, subjects.components + 1, len(asked), len(asked))
+        library = Library(compiler, units, shape, folder / precision)
         session = onnxruntime.InferenceSession(graph, providers=["CPUExecutionProvider"])
         inputs = [entry.name.encode() for entry in session.get_inputs()]
-        outputs = [entry.name.encode() for entry in session.get_outputs()]
         # The C keeps pointers to the names: they live as long as the library.
-        names = ((ctypes.c_char_p * len(inputs))(*inputs), (ctypes.c_char_p * len(outputs))(*outputs))
+        names = ((ctypes.c_char_p * len(inputs))(*inputs), (ctypes.c_char_p * len(asked))(*asked))
         library.kept.append(names)
         prepare = library.loaded["prepare"]
         prepare.restype = ctypes.c_char_p
         problem = prepare(get_base, str(graph).encode(), names[0], ctypes.c_uint64(len(inputs)), names[1])
         if problem is not None:
             raise GuidanceError(f"left out: {ONNXRUNTIME_C}: {problem.decode()}")
-        if not agree(library.evaluate(subjects.inputs), expected):
+        if not agree(seamless(library.evaluate(subjects.inputs)), seamless(expected)):
             raise GuidanceError(f"left out: {ONNXRUNTIME_C}: {path.name} does not give the same commands")
         library.time_over(subjects.inputs)
         found.append(Candidate(ONNXRUNTIME_C, precision, library.in_a_chain, library.back_to_back))

@@ -8,7 +8,7 @@ import onnxruntime
 from c_runtime.verification.bench.rounds import Candidate, in_python
 from c_runtime.verification.bench.subjects import Subjects
 from sailnet.guidance.exported_files import SUFFIXES, graph_name
-from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks, GuidanceNetworksInSpace
 
 ONNXRUNTIME = "onnxruntime, Python"
 
@@ -25,19 +25,19 @@ def onnxruntime_python(exported: Path, subjects: Subjects) -> list[Candidate]:
         names = [entry.name for entry in session.get_inputs()]
         calls = []
         for row in subjects.inputs.astype(precision):
-            given = {"state": row[None, :3], "beta": row[3:]}
+            given = {"state": row[None, :-1], "beta": row[-1:]}
             calls.append(partial(session.run, None, {name: given[name] for name in names}))
         found.append(Candidate(ONNXRUNTIME, precision, in_python(calls)))
     return found
 
 
-def numpy_reference(networks: GuidanceNetworks, subjects: Subjects) -> Candidate:
+def numpy_reference(networks: AnyGuidanceNetworks, subjects: Subjects) -> Candidate:
     """The reference that everything is tested against."""
-    calls = [partial(networks.command, row[None, :3], float(row[3])) for row in subjects.inputs]
+    calls = [partial(networks.command, row[None, :-1], float(row[-1])) for row in subjects.inputs]
     return Candidate("NumPy", "float64", in_python(calls))
 
 
-def pytorch(networks: GuidanceNetworks, subjects: Subjects) -> list[Candidate]:
+def pytorch(networks: AnyGuidanceNetworks, subjects: Subjects) -> list[Candidate]:
     """The module that the graphs are traced from, in both precisions.
 
     Raises:
@@ -45,16 +45,22 @@ def pytorch(networks: GuidanceNetworks, subjects: Subjects) -> list[Candidate]:
     """
     import torch
 
+    from export.torch_in_space import TorchGuidanceInSpace
     from export.torch_networks import torch_guidance
     from sailnet.guidance.facts import describe
 
     torch.set_num_threads(1)
-    guidance = torch_guidance(networks, describe(networks, networks.mission))
+    facts = describe(networks, networks.mission)
+    guidance = (
+        TorchGuidanceInSpace(networks, facts)
+        if isinstance(networks, GuidanceNetworksInSpace)
+        else torch_guidance(networks, facts)
+    )
     found = []
     for module, precision in ((guidance.in_float32(), "float32"), (guidance, "float64")):
         calls = []
         for row in torch.tensor(subjects.inputs, dtype=getattr(torch, precision)):
-            given = (row[None, :3], row[3:])[: 2 if networks.approach else 1]
+            given = (row[None, :-1], row[-1:])[: 2 if networks.approach else 1]
             calls.append(partial(module, *given))
         found.append(Candidate("PyTorch eager", precision, torch.inference_mode()(in_python(calls))))
     return found

@@ -7,13 +7,14 @@ import numpy as np
 import onnxruntime
 from numpy.typing import ArrayLike
 
-from c_runtime.verification.bench.compiled import Library
+from c_runtime.verification.bench.compiled import Library, Reals
+from c_runtime.verification.bench.exported_c import COMMAND_OUTPUTS
 from sailnet.errors import GuidanceError
 from sailnet.guidance.exported_files import graph_name
 from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts
 from sailnet.guidance.interface import GuidanceStatus
-from sailnet.networks.approach import approach_coordinates
-from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.approach import approach_coordinates, approach_coordinates_in_space
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks, GuidanceNetworksInSpace
 from sailnet.physics.arrays import Array
 
 TRIES = 400_000
@@ -24,23 +25,37 @@ class Subjects:
     """States and sails, exact in single precision.
 
     Attributes:
-        inputs: (n, 4) rows r [AU], u, v [AU/TU] and beta.
+        inputs: (n, 4) rows r [AU], u, v [AU/TU] and beta; in three dimensions (n, 6), of r, latitude [rad],
+            u, v, w and beta.
     """
 
     inputs: Array
 
-    def network_inputs(self, networks: GuidanceNetworks) -> Array:
-        """(n, k) inputs of the time-of-flight network."""
-        states, beta = self.inputs[:, :3], self.inputs[:, 3]
+    @property
+    def components(self) -> int:
+        """Of a state."""
+        return int(self.inputs.shape[1]) - 1
+
+    def network_inputs(self, networks: AnyGuidanceNetworks) -> Array:
+        """(n, k) inputs of the time-of-flight network and, if there are any, the factors of outputs."""
+        states, beta = self.inputs[:, :-1], self.inputs[:, -1]
+        if isinstance(networks, GuidanceNetworksInSpace):
+            return approach_coordinates_in_space(networks.mission.problem, states, beta)
         return approach_coordinates(networks.mission.problem, states, beta) if networks.approach else states
 
-    def network_outputs(self, networks: GuidanceNetworks) -> Array:
-        """(n, 3) outputs of tau, alpha_pre and lambda_v."""
+    def network_outputs(self, networks: AnyGuidanceNetworks) -> Array:
+        """(n, m) outputs of tau, alpha_pre, lambda_v and, in three dimensions, lambda_w."""
         inputs = self.network_inputs(networks)
-        tau = networks.tau(inputs)
+        first, *others = networks.all
+        tau = first(inputs)
         if not networks.approach:
             inputs = np.column_stack([inputs, tau])
-        return np.column_stack([tau, networks.alpha_pre(inputs), networks.lambda_v(inputs)])
+        return np.column_stack([tau, *(network(inputs) for network in others)])
+
+
+def seamless(told: Reals) -> Reals:
+    """Angles and times to be compared: behind the first two numbers of a row, angles as cosines and sines."""
+    return np.column_stack([told[:, :2], np.cos(told[:, 2:]), np.sin(told[:, 2:])])
 
 
 def agree(given: ArrayLike, expected: ArrayLike) -> bool:
@@ -79,10 +94,11 @@ def draw(facts: GuidanceFacts, guidance: Library, count: int, seed: int) -> Subj
     """
     rng = np.random.default_rng(seed)
     lowest, highest = (*facts.state_min, facts.beta_min), (*facts.state_max, facts.beta_max)
-    tried = rng.uniform(lowest, highest, (TRIES, 4)).astype(np.float32).astype(float)
+    tried = rng.uniform(lowest, highest, (TRIES, len(lowest))).astype(np.float32).astype(float)
+    at = COMMAND_OUTPUTS[facts.components].index("status")
     inside: list[Array] = []
     for block in np.array_split(tried, 100):
-        status = guidance.evaluate(block)[:, 3]
+        status = guidance.evaluate(block)[:, at]
         inside.extend(block[np.isin(status, [GuidanceStatus.OK, GuidanceStatus.ARRIVED])])
         if len(inside) >= count:
             break

@@ -15,15 +15,28 @@ from c_runtime.shared_library import CompilerError, find_compiler
 from c_runtime.verification.bench import report
 from c_runtime.verification.bench.__main__ import NO_NETWORKS, main
 from c_runtime.verification.bench.compiled import Library, Shape, Unit
-from c_runtime.verification.bench.emlearn_c import ABSENT
-from c_runtime.verification.bench.exported_c import NATIVE, instruction_sets
+from c_runtime.verification.bench.emlearn_c import ABSENT, emlearn_c
+from c_runtime.verification.bench.emlearn_c import BUILDS as EMLEARN_BUILDS
+from c_runtime.verification.bench.exported_c import NATIVE, instruction_sets, told
 from c_runtime.verification.bench.onnx2c import Entry, onnx2c
+from c_runtime.verification.bench.onnxruntime_c import ONNXRUNTIME_C
 from c_runtime.verification.bench.rounds import Candidate, Row, measure
-from c_runtime.verification.bench.subjects import Subjects, agree
+from c_runtime.verification.bench.subjects import Subjects, agree, seamless
+from export.to_onnx import Graph, Inputs, write_onnx
+from export.torch_in_space import TorchGuidanceInSpace
+from export.write import COMMAND_IN_SPACE
 from sailnet.errors import GuidanceError
+from sailnet.guidance.exported_files import graph_name
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import Network
 from tests.conftest import Exported
+from tests.guidance.space_export import MISSION, CInSpace, write_only
+from tests.random_networks import (
+    STATE_MAX_IN_SPACE,
+    STATE_MIN_IN_SPACE,
+    random_guidance_in_space,
+    save_guidance,
+)
 from tests.tools import needs_peer
 
 QUICK = ("--batches", "2", "--milliseconds", "0.05", "--flags", "-std=c99 -O1")
@@ -132,6 +145,64 @@ def test_every_build_and_peer_is_in_the_table(
     assert {"onnxruntime, C API, float32", "onnxruntime, Python, float64"} <= found["ratios"].keys()
 
 
+@pytest.fixture(scope="module")
+def in_space(tmp_path_factory: pytest.TempPathFactory) -> CInSpace:
+    """The smallest export of three dimensions that can be timed, its weights beside the C."""
+    made = write_only(random_guidance_in_space(*[(4, 4)] * 4), tmp_path_factory.mktemp("space"))
+    save_guidance(made.networks, made.folder)
+    whole = TorchGuidanceInSpace(made.networks, made.facts)
+    reads: Inputs = {"state": made.networks.components, "beta": None}
+    for name, module in ((graph_name("float32"), whole.in_float32()), (graph_name("float64"), whole)):
+        write_onnx(Graph(name, module, reads, COMMAND_IN_SPACE), made.facts, made.folder)
+    return made
+
+
+@pytest.mark.exhaustive
+@pytest.mark.usefixtures("native_only")
+def test_an_export_of_three_dimensions_is_timed(
+    in_space: CInSpace, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert main([str(in_space.folder), *QUICK, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["states"] == "256"
+    named = {(row["what"], row["precision"]) for row in found["rows"]}
+    own = (report.EXPORTED, report.ON_VECTORS)
+    for what in (*own, *(f"{one}, steering" for one in own), ONNXRUNTIME_C, "onnxruntime, Python"):
+        assert {(what, "float32"), (what, "float64")} <= named
+    assert {("PyTorch eager", "float64"), ("NumPy", "float64")} <= named
+    assert all(0.0 < row["min_ns"] <= row["median_ns"] for row in found["rows"])
+    absent = [note for note in found["notes"] if ABSENT not in note]
+    assert absent == []
+    # What gives other commands is not timed.
+    monkeypatch.setattr(
+        "c_runtime.verification.bench.onnxruntime_c.TOLD", {5: ("cone_angle", "time_of_flight", "lambda_w")}
+    )
+    assert main([str(in_space.folder), *QUICK, "--json"]) == 0
+    assert any(
+        "does not give the same commands" in note for note in json.loads(capsys.readouterr().out)["notes"]
+    )
+
+
+def test_a_clock_angle_knows_no_seam() -> None:
+    north, south = np.array([[0.5, 1.0, 3.1415]] * 3), np.array([[0.5, 1.0, -3.1415]] * 3)
+    assert agree(seamless(north), seamless(south))
+    assert not agree(seamless(north), seamless(np.array([[0.5, 1.0, 3.0]] * 3)))
+    in_the_plane = north[:, :2]
+    np.testing.assert_array_equal(seamless(in_the_plane), in_the_plane)
+
+
+def test_what_is_compared_of_a_command() -> None:
+    commands = np.arange(7.0)[None]
+    np.testing.assert_array_equal(told(commands, 5), [[0.0, 2.0, 1.0]])
+    np.testing.assert_array_equal(told(commands, 3), [[0.0, 1.0]])
+
+
+def test_generated_code_is_of_the_plane_alone(tmp_path: Path) -> None:
+    of_space = Subjects(np.ones((1, 6)))
+    with pytest.raises(GuidanceError, match="of the plane alone"):
+        onnx2c(find_compiler(), tmp_path, None, of_space, np.ones((1, 3)), tmp_path)
+
+
 @needs_peer("emlearn")
 @pytest.mark.usefixtures("native_only")
 def test_emlearn_takes_part(exported: Exported, capsys: pytest.CaptureFixture[str]) -> None:
@@ -140,6 +211,18 @@ def test_emlearn_takes_part(exported: Exported, capsys: pytest.CaptureFixture[st
     assert {"emlearn", "emlearn, -ffast-math"} <= {row["what"] for row in found["rows"]}
     assert "emlearn, float32" in found["ratios"]
     assert np.geterr() == before
+
+
+@needs_peer("emlearn")
+@pytest.mark.usefixtures("native_only")
+def test_emlearn_takes_part_in_space(in_space: CInSpace, tmp_path: Path) -> None:
+    low, high = np.array(STATE_MIN_IN_SPACE), np.array(STATE_MAX_IN_SPACE)
+    states = np.random.default_rng(1).uniform(low, high, (50, 5))
+    subjects = Subjects(np.column_stack([states, np.full(50, MISSION.sail.beta)]))
+    for build in EMLEARN_BUILDS:
+        (one,) = emlearn_c(build, find_compiler(), in_space.networks, subjects, tmp_path / f"at{build}")
+        assert one.what == f"emlearn{build}"
+        assert one.chain(3) > 0.0
 
 
 @pytest.mark.usefixtures("native_only")
