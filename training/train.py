@@ -25,7 +25,7 @@ from training.levenberg_marquardt import advance, begin
 from training.samples import Part, SampleSet, load_samples
 from training.targets import Target, command_error
 
-SCHEMA = "sailnet-training/2"
+SCHEMA = "sailnet-training/3"
 """Part of what identifies a run: changes when the algorithm does, so that no old run is resumed."""
 
 CHECKPOINT_EVERY = 10

@@ -11,7 +11,7 @@ import sailnet.workers.stages
 from sailnet.cli import main
 from sailnet.cli.pipeline import MISSION_FILE
 from sailnet.mission.mission import load_mission
-from sailnet.mission.sizes import sized
+from sailnet.mission.sizes import QUICK, sized
 
 SHORT = "[sail]\nbeta = 0.12\nmax_cone_angle = 55\n[transfer]\ntarget_radius = 0.9\n"
 
@@ -58,7 +58,7 @@ def test_it_goes_on_with_its_own_folder_and_ends_where_a_step_does(
     assert load_mission(folder / MISSION_FILE) == sized(load_mission(mine), "quick")
     said = capsys.readouterr().out
     assert "derived: generalisation.r = [0.94, 1.0]" in said
-    assert "derived: dataset.wide.levels = 5" in said
+    assert f"derived: dataset.wide.levels = {QUICK['dataset']['levels']}" in said
     assert "sail.beta" not in said
 
 

@@ -478,7 +478,7 @@ def test_neurons_too_steep_for_the_c_are_refused(tmp_path: Path, capsys: pytest.
     networks.lambda_v.weights[1][2, 1] = 1500.0
     save_guidance(networks, tmp_path / "networks")
     assert main([str(tmp_path / "networks"), str(tmp_path / "target")]) == 1
-    assert "train with bounded weights" in capsys.readouterr().err
+    assert "train it again" in capsys.readouterr().err
 
 
 @pytest.mark.slow
