@@ -211,7 +211,7 @@ def test_quick_is_the_same_problem_with_smaller_recipes() -> None:
 def test_whatever_its_size_a_mission_is_derived_or_refused_by_name(
     departure: float, target: float, beta: float, bound: float
 ) -> None:
-    content = {
+    content: dict[str, object] = {
         "sail": {"beta": beta, "max_cone_angle": bound},
         "transfer": {"departure_radius": departure, "target_radius": target},
     }
