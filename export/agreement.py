@@ -71,7 +71,7 @@ def sails_of_dataset(path: Path, mission: Mission, count: int, seed: int) -> Sai
     Raises:
         DatasetError: it cannot be read, or is another mission's.
     """
-    names = geometry_of(len(mission.departure_state)).state_names
+    names = geometry_of(mission.components).state_names
     with open_dataset(path, mission) as data:
         data.verify()
         rows = np.sort(np.random.default_rng(seed).choice(data.samples, count))
