@@ -67,7 +67,7 @@ def test_beside_optimal_flights_they_are_those_of_a_search(monkeypatch: pytest.M
 
 @pytest.mark.slow
 def test_beside_optimal_flights_in_space_they_are_those_of_a_search(monkeypatch: pytest.MonkeyPatch) -> None:
-    near = np.array(START) + [0.0, 0.01, 0.02, 0.0, 0.01]
+    near = np.add(START, [0.0, 0.01, 0.02, 0.0, 0.01])
     flights = assumed_optima(SPACE, np.array([START, near]), anywhere=True)
     monkeypatch.setattr(starts, "some_optima", lambda _: flights)
     monkeypatch.setattr(own_optima, "some_optima", lambda _: flights)
