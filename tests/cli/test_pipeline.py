@@ -89,6 +89,16 @@ def test_what_is_not_installed_is_named_before_any_work(
     assert "no no_such_package here" in capsys.readouterr().err
 
 
+def test_networks_to_begin_with_that_there_are_not_are_told_before_any_work(
+    mine: Path, tmp_path: Path, steps: list[list[str]], capsys: pytest.CaptureFixture[str]
+) -> None:
+    mine.write_text(f'{mine.read_text()}\n[training.wide]\nstart = "earth_moon"\n')
+    assert main(["pipeline", str(mine), "--output", str(tmp_path / "made")]) == 1
+    assert "no mission named 'earth_moon'" in capsys.readouterr().err
+    assert not steps
+    assert not (tmp_path / "made").exists()
+
+
 def test_without_a_compiler_nothing_begins(
     mine: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
