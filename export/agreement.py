@@ -15,27 +15,37 @@ from pathlib import Path
 import numpy as np
 import torch
 
+from export.torch_in_space import TorchGuidanceInSpace
 from export.torch_networks import torch_guidance
 from sailnet import SailnetError
 from sailnet.dataset import open_dataset
 from sailnet.guidance.backends import Backend, load_guidance
 from sailnet.guidance.facts import describe
 from sailnet.guidance.interface import Precision
+from sailnet.guidance.tilts import tilt_of, turned
 from sailnet.mission.mission import Mission
-from sailnet.networks.approach import approach_coordinates
-from sailnet.networks.guidance_networks import GuidanceNetworks, load_guidance_networks
+from sailnet.networks.approach import (
+    APPROACH_INPUTS_IN_SPACE,
+    approach_coordinates,
+    approach_coordinates_in_space,
+)
+from sailnet.networks.guidance_in_space import (
+    AnyGuidanceNetworks,
+    GuidanceNetworksInSpace,
+    load_networks_of,
+)
 from sailnet.physics.arrays import Array
+from sailnet.physics.geometry import geometry_of
 from sailnet.workers.interruption import run_command
 
 PRECISIONS: tuple[Precision, ...] = ("float64", "float32")
 BACKENDS: Mapping[str, Backend] = {"C": "c", "onnxruntime": "onnx"}
 
 SIGN_MARGIN: Mapping[str, float] = {"float64": 1e-9, "float32": 1e-3}
-"""Output of the sign network [1] below which rounding may decide the sign of the command."""
-
+"""Costates [1], as the networks give them, below which rounding may decide to which side the sail turns."""
 
 GOAL: Mapping[str, float] = {"float64": 1e-12, "float32": 1e-6}
-"""Difference of the cone angle [rad] that is aimed at."""
+"""Difference of the attitudes [rad] that is aimed at."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +53,7 @@ class Sails:
     """Where commands are compared.
 
     Attributes:
-        states: (n, 3) rows r, u, v.
+        states: (n, 3) rows r, u, v, or (n, 5) rows r, latitude, u, v, w.
         beta: (n,) normalised characteristic accelerations; without effect on networks that read none.
     """
 
@@ -61,61 +71,73 @@ def sails_of_dataset(path: Path, mission: Mission, count: int, seed: int) -> Sai
     Raises:
         DatasetError: it cannot be read, or is another mission's.
     """
+    names = geometry_of(mission.components).state_names
     with open_dataset(path, mission) as data:
         data.verify()
         rows = np.sort(np.random.default_rng(seed).choice(data.samples, count))
-        columns = data.read(["r", "u", "v", "beta"], 0, data.samples)
-        return Sails(
-            np.column_stack([columns[name][rows] for name in ("r", "u", "v")]), columns["beta"][rows]
-        )
+        columns = data.read([*names, "beta"], 0, data.samples)
+        return Sails(np.column_stack([columns[name][rows] for name in names]), columns["beta"][rows])
 
 
-def sails_of_box(networks: GuidanceNetworks, count: int, seed: int) -> Sails:
+def sails_of_box(networks: AnyGuidanceNetworks, count: int, seed: int) -> Sails:
     """Uniform in the box of trained states and the range of trained beta."""
     rng = np.random.default_rng(seed)
     facts = describe(networks, networks.mission)
-    states = rng.uniform(facts.state_min, facts.state_max, (count, 3))
+    states = rng.uniform(facts.state_min, facts.state_max, (count, facts.components))
     return Sails(states, rng.uniform(*networks.beta_range, count))
 
 
-def sign_network(networks: GuidanceNetworks, sails: Sails) -> Array:
-    """(n,) output of the network whose sign is the command's."""
+def costate_size(networks: AnyGuidanceNetworks, sails: Sails) -> Array:
+    """(n,) size of lambda_v, in space of (lambda_v, lambda_w), as the networks give it."""
+    problem = networks.mission.problem
+    if isinstance(networks, GuidanceNetworksInSpace):
+        inputs = approach_coordinates_in_space(problem, sails.states, sails.beta)
+        even = inputs[:, : len(APPROACH_INPUTS_IN_SPACE)]
+        return np.hypot(networks.lambda_v(even), networks.lambda_w(inputs))
     if networks.approach:
-        return networks.lambda_v(approach_coordinates(networks.mission.problem, sails.states, sails.beta))
-    return networks.lambda_v(np.column_stack([sails.states, networks.tau(sails.states)]))
+        return np.abs(networks.lambda_v(approach_coordinates(problem, sails.states, sails.beta)))
+    return np.abs(networks.lambda_v(np.column_stack([sails.states, networks.tau(sails.states)])))
 
 
-def in_torch(networks: GuidanceNetworks, sails: Sails, precision: Precision) -> tuple[Array, Array]:
-    """Cone angle [rad] and time of flight [TU] as PyTorch computes them, (n,) each."""
-    module = torch_guidance(networks, describe(networks, networks.mission))
+def in_torch(networks: AnyGuidanceNetworks, sails: Sails, precision: Precision) -> tuple[Array, Array]:
+    """Tilt of the sail [rad] and time of flight [TU] as PyTorch computes them; in the plane (n,) each.
+
+    In space the tilt is (n, 2), see :mod:`sailnet.guidance.tilts`.
+    """
+    facts = describe(networks, networks.mission)
+    module = (
+        TorchGuidanceInSpace(networks, facts)
+        if isinstance(networks, GuidanceNetworksInSpace)
+        else torch_guidance(networks, facts)
+    )
     module = module.in_float32() if precision == "float32" else module
     given = (sails.states, sails.beta)[: 2 if networks.approach else 1]
     with torch.inference_mode():
-        alpha, tau, _ = module(*(torch.tensor(values, dtype=getattr(torch, precision)) for values in given))
-    return alpha.double().numpy(), tau.double().numpy()
+        outputs = module(*(torch.tensor(values, dtype=getattr(torch, precision)) for values in given))
+    cone, tau, _, *clock = (output.double().numpy() for output in outputs[:4])
+    return tilt_of(cone, clock[0] if clock else None), tau
 
 
-def compare(networks: GuidanceNetworks, exported: Path, sails: Sails) -> list[dict[str, object]]:
-    """Differences of the cone angle between every pair of evaluations, in both precisions.
+def compare(networks: AnyGuidanceNetworks, exported: Path, sails: Sails) -> list[dict[str, object]]:
+    """Angles between the attitudes that every pair of evaluations commands, in both precisions.
 
     Returns:
-        One record a precision and pair: largest difference [rad], its 99.9 % quantile and median, and
-        the share within ``GOAL``, over the states where the sign network is not within rounding of
-        zero; and the share of those states.
+        One record a precision and pair: largest angle between the sail's normals [rad], its 99.9 % quantile
+        and median, and the share within ``GOAL``, over the states where the costates that decide to which
+        side the sail turns are not within rounding of zero; and the share of those states.
     """
-    records: list[dict[str, object]] = []
+    mission, records = networks.mission, list[dict[str, object]]()
     for precision in PRECISIONS:
         given = sails.rounded(precision)
-        angles = {
-            name: load_guidance(networks.mission, backend, precision, exported)
-            .command(given.states, given.beta)
-            .cone_angle
+        commands = {
+            name: load_guidance(mission, backend, precision, exported).command(given.states, given.beta)
             for name, backend in BACKENDS.items()
         }
-        angles["PyTorch"] = in_torch(networks, given, precision)[0]
-        certain = np.abs(sign_network(networks, given)) > SIGN_MARGIN[precision]
-        for one, other in combinations(angles, 2):
-            difference = np.abs(angles[one] - angles[other])[certain]
+        tilts = {name: tilt_of(done.cone_angle, done.clock_angle) for name, done in commands.items()}
+        tilts["PyTorch"] = in_torch(networks, given, precision)[0]
+        certain = costate_size(networks, given) > SIGN_MARGIN[precision]
+        for one, other in combinations(tilts, 2):
+            difference = turned(tilts[one], tilts[other])[certain]
             records.append(
                 {
                     "precision": precision,
@@ -146,7 +168,8 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1, help="of the draws (%(default)s)")
     options = parser.parse_args()
     try:
-        networks = load_guidance_networks(options.networks)
+        with open_dataset(options.dataset, None) as data:
+            networks = load_networks_of(data.mission, options.networks)
         kinds = {
             "samples of the data set": sails_of_dataset(
                 options.dataset, networks.mission, options.states, options.seed

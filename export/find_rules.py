@@ -39,7 +39,8 @@ from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import describe
 from sailnet.guidance.rules import RULES, SteeringRules, rules_for
 from sailnet.mission.mission import Mission
-from sailnet.networks.guidance_networks import GuidanceNetworks, load_guidance_networks
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks, load_networks_of
+from sailnet.networks.network import load_network
 from sailnet.physics.arrays import Array
 from sailnet.workers.interruption import run_command
 
@@ -83,7 +84,7 @@ class Trials:
     def __init__(
         self,
         mission: Mission,
-        networks: GuidanceNetworks,
+        networks: AnyGuidanceNetworks,
         plan: Plan,
         output: Path,
         names: Sequence[str] | None = None,
@@ -201,6 +202,7 @@ def main(arguments: list[str] | None = None) -> int:
     )
     parser.add_argument("networks", type=Path, help="folder of the weights")
     parser.add_argument("output", type=Path, help="a line of JSON for each candidate; what it holds is kept")
+    parser.add_argument("--mission", help="name or TOML file (the name that the networks have)")
     parser.add_argument("--campaign", default="law", help="series to fly, by name or file (%(default)s)")
     parser.add_argument("--flights", type=int, default=400, help="of each series (%(default)s)")
     parser.add_argument("--seed", type=int, default=77, help="of starts and disturbances (%(default)s)")
@@ -214,8 +216,9 @@ def main(arguments: list[str] | None = None) -> int:
     )
     options = parser.parse_args(arguments)
     try:
-        networks = load_guidance_networks(options.networks)
-        mission = load_mission(networks.mission.name)
+        of = options.mission or load_network(options.networks / "tau.safetensors").mission.name
+        mission = load_mission(of)
+        networks = load_networks_of(mission, options.networks)
         plan = load_plan(options.campaign).flown_by(mission).changed(options.flights, options.seed)
         options.output.parent.mkdir(parents=True, exist_ok=True)
         trials = Trials(mission, networks, plan, options.output, options.series)

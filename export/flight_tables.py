@@ -7,11 +7,12 @@ import numpy as np
 
 from export.errors import ExportError
 from export.limits import NAMES, ORDER, limits, scaled_ranges, scales_of
-from export.numbers import LOG2_E, centred_layers, literal
+from export.numbers import centred_layers, literal
 from sailnet.guidance.facts import GuidanceFacts
 from sailnet.networks.approach import LATERAL_BLUR
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.network import Network
+from sailnet.networks.steepness import LOG2_E
 from sailnet.networks.trained_domain import DIRECTIONS, KNOTS
 from sailnet.physics.arrays import Array
 

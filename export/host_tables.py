@@ -11,18 +11,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from export.centred import centred_biases
 from export.errors import ExportError
 from export.limits import ORDER
-from export.numbers import LOG2_E, centred_layers, literal
+from export.numbers import centred_layers, literal
 from export.row_orders import RowOrder
 from sailnet.guidance.facts import GuidanceFacts
 from sailnet.networks.approach import LATERAL_BLUR, SMALLEST_SCALE
 from sailnet.networks.network import EXTRAPOLATION, Network
+from sailnet.networks.steepness import LARGEST_OCTAVES, octaves
 from sailnet.physics.arrays import Array
-
-LARGEST_OCTAVES = 1000.0
-"""The C's sigmoid takes no larger argument: SAILNET_LARGEST_OCTAVES."""
 
 
 def stage_tables(
@@ -140,18 +137,13 @@ def constants(facts: GuidanceFacts, approach: bool) -> str:
 
 def _check_steepness(network: Network) -> None:
     """Whatever the inputs, no sum of a hidden layer exceeds what the C's sigmoid takes."""
-    low, high = (
-        (bound - network.input_min) / (network.input_max - network.input_min) for bound in network.clamp
-    )
-    largest = np.maximum(np.abs(low), np.abs(high))
-    for weight, bias in zip(network.weights[:-1], centred_biases(network)[:-1], strict=True):
-        octaves = LOG2_E * float((np.abs(weight) @ largest + np.abs(bias)).max())
-        if not octaves <= LARGEST_OCTAVES:
+    for layer, (weight, bias) in enumerate(zip(network.weights[:-1], network.biases[:-1], strict=True)):
+        steepest = float(octaves(weight, bias, layer == 0).max())
+        if not steepest <= LARGEST_OCTAVES:
             raise ExportError(
-                f"network {network.name} has a neuron whose argument may reach {octaves:.0f} octaves, "
-                f"the C takes {LARGEST_OCTAVES:.0f}: train with bounded weights"
+                f"network {network.name} has a neuron whose argument may reach {steepest:.0f} octaves, the C "
+                f"takes {LARGEST_OCTAVES:.0f}: train it again with this version, which keeps to that"
             )
-        largest = np.full(len(bias), 0.5)
 
 
 def _table(declaration: str, initialiser: str) -> str:

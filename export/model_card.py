@@ -1,18 +1,16 @@
 """The model card of a set of networks, generated from the files of the run that made them."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sailnet.campaign.acceptance import acceptance_table
 from sailnet.campaign.results import Results
-from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.network import Network
 from sailnet.physics.optics import Optics
 
-TRIO = ("tau", "alpha_pre", "lambda_v")
-
 LIMITS = (
-    "**Limits.** Planar circular target orbit. Trained on flights of {sail}, whose state is known: "
+    "**Limits.** {orbits} Trained on flights of {sail}, whose state is known: "
     "what other optics, slow turning and errors of navigation cost is measured by the campaigns of the "
     "package, not trained for. Trained on the fastest extremals an indirect method finds; where two are "
     "equally fast the command is not smooth, and near there a flight may take the slower way. A drift of "
@@ -24,6 +22,15 @@ READING = (
     "flights, with the least time still to go where a flight was stopped short. A reversal is a step "
     "of the command of more than 40 degrees from one period to the next."
 )
+
+ORBITS = {
+    3: "Planar circular target orbit.",
+    5: "Circular target orbit, the departure's inclined to it; attitudes are not measured in flight.",
+}
+"""By the components of a state."""
+
+NAMES = {3: ("r", "u", "v"), 5: ("r", "latitude", "u", "v", "w")}
+UNITS = {3: "[AU, AU/TU]", 5: "[AU, rad, AU/TU]"}
 
 Facts = Mapping[str, Any]
 """JSON that a command of the run left."""
@@ -42,28 +49,30 @@ def accepted_by(acceptance: Results) -> str:
     return made_by("make", acceptance.provenance, acceptance.plan.seed)
 
 
-def _networks_table(networks: Mapping[str, Network]) -> list[str]:
+def _networks_table(networks: Sequence[Network]) -> list[str]:
     lines = [
         "| network | predicts | inputs | hidden | parameters | test MSE | near arrival | epochs | seed |",
         "|---|---|---|---|---|---|---|---|---|",
     ]
-    for name, network in networks.items():
+    for network in networks:
         record = network.provenance
         count = sum(w.size for w in network.weights) + sum(b.size for b in network.biases)
         predicts = str(record["definition"]).replace("|", "&#124;")
         lines.append(
-            f"| {name} | {predicts} | {', '.join(network.inputs)} | {'-'.join(map(str, network.hidden))} "
+            f"| {network.name} | {predicts} | {', '.join(network.inputs)} "
+            f"| {'-'.join(map(str, network.hidden))} "
             f"| {count} | {record['test_mse']:.2e} | {record['test_mse_near_arrival']:.2e} "
             f"| {record['epochs']} | {record['seed']} |"
         )
     return lines
 
 
-def _domain(networks: GuidanceNetworks) -> str:
+def _domain(networks: AnyGuidanceNetworks) -> str:
     problem = networks.mission.problem
-    lowest, highest = networks.state_range
+    size, (lowest, highest) = networks.components, networks.state_range
     box = ", ".join(
-        f"{name} in [{low:.4f}, {high:.4f}]" for name, low, high in zip("ruv", lowest, highest, strict=True)
+        f"{name} in [{low:.4f}, {high:.4f}]"
+        for name, low, high in zip(NAMES[size], lowest, highest, strict=True)
     )
     sails = (
         f"beta in [{networks.beta_range[0]:.5f}, {networks.beta_range[1]:.5f}] "
@@ -74,7 +83,7 @@ def _domain(networks: GuidanceNetworks) -> str:
     held_out = networks.tau.provenance.get("held_out_outside_domain")
     measured = f" {held_out:.3%} of the samples of held-out trajectories lie outside it." if held_out else ""
     return (
-        f"**Domain.** Trained on states with {box} [AU, AU/TU], and on sails with {sails}. That box is "
+        f"**Domain.** Trained on states with {box} {UNITS[size]}, and on sails with {sails}. That box is "
         "mostly empty: the trained domain is a tube within it, by which the status is decided "
         f"(`sailnet/networks/trained_domain.py`).{measured} A state inside may still lie between "
         "samples. Outside the command stays within the bound and the status says so; it is not to be trusted."
@@ -95,7 +104,7 @@ def _speed(timings: Facts) -> list[str]:
 
 def _agreement(records: list[Facts]) -> list[str]:
     lines = [
-        "| cone angles of | precision | states | largest [rad] | median [rad] |",
+        "| attitudes of | precision | states | largest [rad] | median [rad] |",
         "|---|---|---|---|---|",
     ]
     return lines + [
@@ -106,12 +115,11 @@ def _agreement(records: list[Facts]) -> list[str]:
 
 
 def model_card(
-    networks: GuidanceNetworks, acceptance: Results, timings: Facts, agreement: list[Facts]
+    networks: AnyGuidanceNetworks, acceptance: Results, timings: Facts, agreement: list[Facts]
 ) -> str:
     """Markdown: what the networks are, what they were trained on, what they do and do not do."""
     mission = networks.mission
     tau = networks.tau
-    trio = {name: getattr(networks, name) for name in TRIO}
     rules = acceptance.mission.flight  # by which they fly: those they were trained with may have been others
     return "\n".join(
         [
@@ -119,7 +127,7 @@ def model_card(
             "",
             accepted_by(acceptance),
             "",
-            *_networks_table(trio),
+            *_networks_table(networks.all),
             "",
             f"Data set: SHA-256 `{tau.provenance['dataset']}`, split {tau.provenance['split']}; made by "
             "`python -m data` from the mission's recipe. Test errors are over "
@@ -129,14 +137,15 @@ def model_card(
             "",
             _domain(networks),
             "",
-            LIMITS.format(sail=_sail(mission.sail.optics)),
+            LIMITS.format(orbits=ORBITS[networks.components], sail=_sail(mission.sail.optics)),
             "",
             "## Closed loop",
             "",
             "The exported C from random starts of the generalisation set, guidance period "
             f"{rules.period:g} TU. Arrive: every component of the terminal error at most "
-            f"{rules.arrival_tolerance:g} [AU, AU/TU, AU/TU], no command out of bounds; in brackets the 95 % "
-            f"interval. {READING} A flight that never came near counts as {rules.longest:g} TU, a floor.",
+            f"{rules.arrival_tolerance:g} {UNITS[networks.components]}, no command out of bounds; in "
+            f"brackets the 95 % interval. {READING} A flight that never came near counts as "
+            f"{rules.longest:g} TU, a floor.",
             "",
             *acceptance_table(acceptance),
             "",

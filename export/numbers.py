@@ -1,13 +1,11 @@
 """Numbers as the C has them: literals, and networks of centred and doubled sigmoids of octaves."""
 
-import math
-
-from export.centred import centred_biases
 from export.errors import ExportError
+from sailnet.networks.centred import centred_biases
 from sailnet.networks.network import Network
+from sailnet.networks.steepness import LOG2_E
 from sailnet.physics.arrays import Array
 
-LOG2_E = 1.0 / math.log(2.0)
 SMALLEST, LARGEST = 1e-30, 1e30
 
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from sailnet.expert.nominal import solve_nominal
+from sailnet.expert.nominal import departure_optimum
 from sailnet.flight.closed_loop import fly_recorded
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.mission import Mission
@@ -10,7 +10,7 @@ from sailnet.report.charts import write_picture
 from sailnet.report.flight_charts import flight_charts, flight_columns
 from sailnet.report.optimum import Optimum
 
-SHOWN = ("Path", "Cone angle")
+SHOWN = ("Path", "Cone angle", "Clock angle")
 
 
 def draw_departure(path: Path, mission: Mission, folder: Path) -> None:
@@ -25,7 +25,8 @@ def draw_departure(path: Path, mission: Mission, folder: Path) -> None:
         GuidanceError: they are missing, damaged or of another mission.
     """
     guidance = load_guidance(mission, folder=folder)
-    _, (history,) = fly_recorded(mission, guidance, [mission.departure_state])
-    optimum = Optimum.of(mission.problem, solve_nominal(mission).smoothed)
+    _, (history,) = fly_recorded(mission, guidance, [mission.departure])
+    optimum = Optimum.of(mission.problem, departure_optimum(mission))
     charts = flight_charts(mission, flight_columns(mission, history, optimum))
-    write_picture(path, [chart for chart in charts if chart.title in SHOWN], columns=2)
+    shown = [chart for chart in charts if chart.title in SHOWN]
+    write_picture(path, shown, columns=len(shown))

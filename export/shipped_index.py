@@ -17,7 +17,7 @@ from export.picture import draw_departure
 from sailnet import SailnetError, load_mission
 from sailnet.artefacts.files import fill_block, split_at_block, write_whole
 from sailnet.campaign.tables import Table
-from sailnet.expert.nominal import solve_nominal
+from sailnet.expert.nominal import departure_optimum
 from sailnet.guidance.backends import missions_with_networks
 from sailnet.mission.mission import Mission
 from sailnet.physics.units import DAY, TU
@@ -74,11 +74,12 @@ def index_row(mission: Mission, acceptance: str, campaigns: str) -> list[str]:
         acceptance: the block of its acceptance in the results.
         campaigns: the text with its campaigns, ``reach`` among them if that was flown.
     """
-    orbits, optimum = mission.transfer, solve_nominal(mission).smoothed.time_of_flight
+    orbits, optimum = mission.transfer, departure_optimum(mission).time_of_flight
+    inclined = f", inclined by {orbits.inclination:g}°" if mission.inclined else ""
     bound, optics = math.degrees(mission.problem.phi_max), mission.sail.optics.description
     cells = [
         f"[`{mission.name}`]({mission.name}/MODEL_CARD.md)",
-        f"{orbits.departure_radius:g} to {orbits.target_radius:g}",
+        f"{orbits.departure_radius:g} to {orbits.target_radius:g}{inclined}",
         f"β {mission.sail.beta:g}, {bound:.0f}°, {optics}",
         f"{optimum:.4f} TU ({optimum * TU / DAY:,.0f} days)",
     ]

@@ -7,14 +7,14 @@ from pathlib import Path
 from typing import Any
 
 from export.errors import ExportError
-from export.model_card import TRIO, Facts, accepted_by, made_by, model_card
+from export.model_card import Facts, accepted_by, made_by, model_card
 from export.picture import draw_departure
 from export.write import export
 from sailnet.artefacts.files import fill_block, write_text, write_whole
 from sailnet.campaign.acceptance import CAMPAIGN, acceptance_table, headline_table
 from sailnet.campaign.results import open_results
 from sailnet.mission.mission import Mission
-from sailnet.networks.guidance_networks import load_guidance_networks
+from sailnet.networks.guidance_in_space import load_networks_of
 
 REPRODUCTION = "reproduction.json"
 """What the page of the paper's campaign draws of `make paper`; its report leaves it beside its table."""
@@ -63,10 +63,10 @@ def ship(
         raise ExportError(f"{build} was flown for mission {accepted.mission.name!r}: run make accept again")
     timings, agreement = (_read(build / f"{name}.json", "make bench") for name in ("bench", "agreement"))
     folder = build / "networks"
-    networks = load_guidance_networks(folder)
+    networks = load_networks_of(mission, folder)
     export(folder, package, mission)
-    for name in TRIO:
-        source = folder / f"{name}.safetensors"
+    for network in networks.all:
+        source = folder / f"{network.name}.safetensors"
         write_whole(package / source.name, partial(shutil.copyfile, source))
     card = model_card(networks, accepted, timings, agreement)
     write_text(package / "MODEL_CARD.md", card)

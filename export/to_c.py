@@ -14,11 +14,12 @@ from export.errors import ExportError
 from export.flight_tables import flight_tables
 from export.host_tables import constants, stage_tables
 from export.limits import ORDER, limits
-from export.numbers import LOG2_E, literal
+from export.numbers import literal
 from export.templates import filled
 from sailnet.guidance.facts import GuidanceFacts, round_down
 from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
+from sailnet.networks.steepness import LOG2_E
 from sailnet.physics import units
 from sailnet.physics.optics import Optics
 

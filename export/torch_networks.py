@@ -7,9 +7,9 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
-from export.centred import centred_biases
 from sailnet.guidance.facts import GuidanceFacts, round_down
 from sailnet.networks.approach import SMALLEST_SCALE
+from sailnet.networks.centred import centred_biases
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import EXTRAPOLATION, Network

@@ -23,10 +23,11 @@ from sailnet.physics.arrays import Array
 from sailnet.physics.pontryagin import guidance_law
 from sailnet.physics.transfer import Transfer
 from sailnet.workers.interruption import run_command
+from training.judged import NEAR_ARRIVAL
 from training.layers import augment, forward
 from training.samples import SampleSet, load_samples
 from training.targets import TARGETS, Target, command_error, cone_direction
-from training.train import NEAR_ARRIVAL, epochs, problems, start
+from training.train import epochs, problems, start
 
 
 def candidates(problem: Transfer) -> list[Target]:
@@ -64,7 +65,7 @@ def trained_output(data: Dataset, target: Target, recipe: TrainingRecipe) -> tup
     """Train one candidate; its samples, and its output in physical units on the test part."""
     samples = load_samples(data, target, recipe.seed, recipe.train_samples, recipe.validation_samples)
     run = problems(samples, recipe.hidden, torch.device("cpu"))
-    progress = start(run, recipe.seed)
+    progress = start(run, run.train.layers.initial(recipe.seed))
     with tqdm(total=recipe.epochs, desc=target.name, disable=None, file=sys.stderr) as bar:
         epochs(run, recipe, progress, watch=partial(_show, bar))
     scaled = augment(torch.from_numpy(samples.scaled(samples.test)[0].T.copy()))

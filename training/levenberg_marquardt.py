@@ -8,6 +8,9 @@ the damping is searched with trials and J^T J is formed once an accepted step.
 
 J^T J may be taken from a rotating part of the samples (``curvature_samples``); gradient and loss
 always use all of them, so the minimum is the same and only the path to it differs.
+
+Trials are brought back to what the exporter takes (:mod:`training.bounded`), so that every iterate
+can be flown.
 """
 
 from dataclasses import dataclass
@@ -15,6 +18,7 @@ from dataclasses import dataclass
 import torch
 from torch import Tensor
 
+from training.bounded import bounded
 from training.least_squares import LeastSquares
 
 LOWER, RAISE = 1.0 / 3.0, 2.0
@@ -80,6 +84,7 @@ def advance(problem: LeastSquares, at: Iterate, curvature_samples: int) -> Itera
     for _ in range(TRIALS):
         trial = _trial(part, at.parameters, curvature, gradient, damping * scale)
         if trial is not None:
+            trial = bounded(problem.layers, trial)
             reached = problem.loss(trial)
             if reached < loss:
                 return Iterate(trial, scale, damping * LOWER, at.steps + 1, reached)

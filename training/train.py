@@ -4,7 +4,7 @@ import hashlib
 import json
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -18,14 +18,17 @@ from sailnet.errors import NetworkError
 from sailnet.mission.mission import Mission
 from sailnet.mission.recipes import TrainingRecipe
 from sailnet.networks.network import Network, load_network, save_network
+from training.bounded import bounded
 from training.checkpoint import Progress, load_checkpoint, save_checkpoint
+from training.judged import float32_error, judge, network_of
 from training.layers import Layers
 from training.least_squares import LeastSquares
 from training.levenberg_marquardt import advance, begin
 from training.samples import Part, SampleSet, load_samples
-from training.targets import Target, command_error
+from training.targets import Target
+from training.warm_start import begins_with, first_parameters
 
-SCHEMA = "sailnet-training/2"
+SCHEMA = "sailnet-training/3"
 """Part of what identifies a run: changes when the algorithm does, so that no old run is resumed."""
 
 CHECKPOINT_EVERY = 10
@@ -33,9 +36,6 @@ CHECKPOINT_EVERY = 10
 
 TEST_SUBSET = 30_000
 """Test samples behind the history's test curve; the final test error uses all of them."""
-
-NEAR_ARRIVAL = 0.3
-"""Time to go [TU] below which the test error is reported apart: it decides the terminal error."""
 
 Watcher = Callable[[dict[str, float]], None]
 """Called after every epoch with its record of the history."""
@@ -63,9 +63,9 @@ def problems(samples: SampleSet, hidden: tuple[int, ...], device: torch.device) 
     return Problems(of(samples.train), of(samples.validation), of(samples.test, every))
 
 
-def start(run: Problems, seed: int) -> Progress:
-    """The state before the first epoch."""
-    parameters = run.train.layers.initial(seed).to(run.train.targets.device)
+def start(run: Problems, parameters: Tensor) -> Progress:
+    """The state before the first epoch, from parameters on any device."""
+    parameters = bounded(run.train.layers, parameters).to(run.train.targets.device)
     return Progress(begin(run.train, parameters), parameters, 0, run.validation.loss(parameters), 0.0, [])
 
 
@@ -126,7 +126,7 @@ def run_digest(target: Target, dataset: str, mission: Mission, device: str, thre
         threads: that torch computes with.
     """
     identity: list[object] = [SCHEMA, target.definition, dataset, mission.digest("training"), device]
-    identity += [torch.__version__, threads]
+    identity += [torch.__version__, threads, begins_with(target, target.recipe(mission.training))]
     return hashlib.sha256(json.dumps(identity).encode()).hexdigest()
 
 
@@ -168,7 +168,8 @@ def train_network(
         data.verify()
         samples = load_samples(data, target, recipe.seed, recipe.train_samples, recipe.validation_samples)
     run = problems(samples, recipe.hidden, device)
-    progress = start(run, recipe.seed)
+    layers = run.train.layers
+    progress = start(run, first_parameters(layers, target, recipe, samples))
     if resume and checkpoint.exists():
         size = progress.best.shape
         progress = load_checkpoint(checkpoint, identity, device)
@@ -184,6 +185,7 @@ def train_network(
         "state_min": samples.state_min.tolist(),
         "state_max": samples.state_max.tolist(),
         "seed": recipe.seed,
+        "start": begins_with(target, recipe),
         "split": "70/15/15 by family",
         "train_samples": run.train.samples,
         "validation_samples": run.validation.samples,
@@ -196,18 +198,12 @@ def train_network(
         "torch": torch.__version__,
         "train_mse": run.train.loss(progress.best),
         "validation_mse": progress.best_validation,
-        "float32_error": _float32_error(run.test, progress.best) * (samples.output_max - samples.output_min),
+        "float32_error": float32_error(run.test, progress.best) * (samples.output_max - samples.output_min),
         **software(),
     }
-    network = _network(target, samples, mission, run.train.layers, progress.best, provenance)
-    network = _network(
-        target,
-        samples,
-        mission,
-        run.train.layers,
-        progress.best,
-        provenance | judge(network, target, samples),
-    )
+    network = network_of(target, samples, mission, layers, progress.best, provenance)
+    judged = provenance | judge(network, target, samples)
+    network = network_of(target, samples, mission, layers, progress.best, judged)
     text = json.dumps({"network": target.name, "stopped_by": reason, "epochs": progress.history})
     history = folder / f"{target.name}.history.json"
     with writing(history, NetworkError):
@@ -215,55 +211,6 @@ def train_network(
     save_network(network, finished)
     checkpoint.unlink(missing_ok=True)
     return network
-
-
-def judge(network: Network, target: Target, samples: SampleSet) -> dict[str, float]:
-    """Errors over the whole test split, through the very evaluation that is stored and exported.
-
-    Returns:
-        ``test_mse`` of the scaled output (as Table 1), the same near arrival, and for command
-        networks ``command_mse``: that of |alpha| in units of 2 phi_max, the same for every target.
-    """
-    test = samples.test
-    near = test.tau < NEAR_ARRIVAL
-    output = network(test.inputs)
-    squared = ((output - test.values) / (network.output_max - network.output_min)) ** 2
-    errors = {"test_mse": squared, "test_mse_near_arrival": squared[near]}
-    if target.size is not None:
-        command = command_error(target, output, test.alpha, network.mission.problem.phi_max) ** 2
-        errors |= {"command_mse": command, "command_mse_near_arrival": command[near]}
-    return {name: float(values.mean()) for name, values in errors.items()}
-
-
-def _network(
-    target: Target,
-    samples: SampleSet,
-    mission: Mission,
-    layers: Layers,
-    parameters: Tensor,
-    provenance: dict[str, object],
-) -> Network:
-    matrices = [matrix.numpy() for matrix in layers.matrices(parameters.cpu())]
-    return Network(
-        name=target.name,
-        inputs=target.inputs,
-        weights=tuple(matrix[:, :-1].copy() for matrix in matrices),
-        biases=tuple(matrix[:, -1].copy() for matrix in matrices),
-        input_min=samples.input_min,
-        input_max=samples.input_max,
-        output_min=samples.output_min,
-        output_max=samples.output_max,
-        mission=mission,
-        provenance=provenance,
-        factors=target.factors,
-    )
-
-
-def _float32_error(problem: LeastSquares, parameters: Tensor) -> float:
-    """Largest difference of the scaled output between float32 and float64 arithmetic."""
-    in_single = replace(problem, inputs=problem.inputs.float(), factors=problem.factors.float())
-    single, double = in_single.value(parameters.float()), problem.value(parameters)
-    return float((single.double() - double).abs().max())
 
 
 def _device(name: str) -> torch.device:

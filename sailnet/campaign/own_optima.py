@@ -80,7 +80,7 @@ def assumed_optima(mission: Mission, states: Array, *, anywhere: bool = False) -
 
 
 def optima_beside_flights(mission: Mission, states: Array) -> Optima:
-    """Optima of the sail as assumed from (n, 3) states that may lie anywhere about optimal flights.
+    """Optima of the sail as assumed from (n, 3) or (n, 5) states that may lie anywhere about optimal flights.
 
     By Newton's method from the nearest points of :func:`sailnet.flight.starts.some_optima`, and from one
     another: to index all that surrounds such states would take some half a second for each. That nothing
@@ -92,7 +92,8 @@ def optima_beside_flights(mission: Mission, states: Array) -> Optima:
     tau = share * flights.time_of_flight[:, None]
     extremals = propagate_extremals(mission.problem, flights.arrival_costates, tau)
     points = flights.rows(np.repeat(np.arange(len(tau)), POINTS))
-    way = extremals.states[:, 1:, :3].reshape(-1, 3)
+    components = flights.state.shape[1]
+    way = extremals.states[:, 1:, :components].reshape(-1, components)
     known = replace(points, state=way, time_of_flight=tau[:, 1:].ravel())
     return solve_among(mission.problem, states, known)
 

@@ -70,12 +70,16 @@ def add(commands: Commands) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Run every step that is not done; the exit status."""
+    from sailnet.guidance.backends import exported_folder
     from sailnet.report import need_pictures
     from sailnet.workers.stages import need
 
     need("data", "training", "export")
     need_pictures()
     mission = sized(load_mission(options.mission), options.size)
+    start = mission.training.wide.start
+    if start is not None:  # what training would say after minutes is said at once
+        exported_folder(load_mission(start))
     quick = "-quick" if options.size == "quick" else ""
     folder: Path = options.output or Path("build") / f"{mission.name}{quick}"
     with (

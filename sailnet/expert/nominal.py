@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sailnet.errors import SolveError
+from sailnet.expert import fastest_in_space
 from sailnet.expert.continuation import follow
 from sailnet.expert.fastest import solve
 from sailnet.expert.optima import RESIDUAL_GOAL, Extremal, extremal_of
@@ -62,6 +63,17 @@ def solve_nominal(mission: Mission) -> Nominal:
     smoothed = _fastest(problem, unconstrained, _follow(softened, constrained)[1])
     bounds = np.array([tightened(share).phi_max for share in passed])
     return Nominal(unconstrained, constrained, smoothed, bounds)
+
+
+def departure_optimum(mission: Mission) -> Extremal:
+    """The fastest transfer from the departure orbit, in space by the expert alone.
+
+    Raises:
+        SolveError: none was found.
+    """
+    if mission.inclined:
+        return fastest_in_space.solve(mission.problem, mission.departure_state_in_space)
+    return solve_nominal(mission).smoothed
 
 
 def _fastest(transfer: Transfer, departure: Extremal, followed: Extremal | None) -> Extremal:

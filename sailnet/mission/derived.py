@@ -73,6 +73,10 @@ WIDE_TRAINING = {
 PAPER_TRAINING = {**WIDE_TRAINING, "train_samples": 150_000, "curvature_samples": 15_000, "epochs": 450}
 
 
+BEGUN_WITH = {"earth_mercury": 0.387, "earth_venus": 0.723, "earth_mars": 1.524, "earth_ceres": 2.77}
+"""Missions whose networks ship, by target over departure radius: training begins with the nearest one's."""
+
+
 def in_usual_units(content: Mapping[str, Any]) -> dict[str, Any]:
     """A mission's table with beta and a period in TU, however they were given.
 
@@ -106,7 +110,10 @@ def completed(content: Mapping[str, Any], source: str) -> dict[str, Any]:
         # Whoever reads it refuses these two, and should not miss the others as well.
         sail = Sail(beta=0.1, max_cone_angle=CONE_ANGLE, smoothing=SMOOTHING)
         orbits = Orbits(departure_radius=1.0, target_radius=1.5)
-    return _under(_derived(sail, orbits, source), given)
+    derived = _derived(sail, orbits, source)
+    if "wide" not in given.get("training", {}):
+        derived["training"]["wide"] = {**WIDE_TRAINING, "start": _begun_with(orbits)}
+    return _under(derived, given)
 
 
 def derived_values(content: Mapping[str, Any], source: str) -> dict[str, Any]:
@@ -186,6 +193,11 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
         },
         "training": {"paper": PAPER_TRAINING, "wide": WIDE_TRAINING},
     }
+
+
+def _begun_with(orbits: Orbits) -> str:
+    ratio = math.log(orbits.target_radius / orbits.departure_radius)
+    return min(BEGUN_WITH, key=lambda name: abs(math.log(BEGUN_WITH[name]) - ratio))
 
 
 def _optics_of(sail: Mapping[str, Any]) -> Optics:

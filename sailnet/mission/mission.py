@@ -142,6 +142,11 @@ class Mission(Section):
         latitude, along, northward = self.transfer.departure_direction
         return (radius, latitude, u, speed * along, speed * northward)
 
+    @property
+    def departure(self) -> tuple[float, ...]:
+        """(components,) state on the departure orbit, from which the mission flies."""
+        return self.departure_state_in_space if self.inclined else self.departure_state
+
     def with_overrides(
         self,
         *,

@@ -77,7 +77,11 @@ class Recipes(Section):
 
 
 class TrainingRecipe(Section):
-    """Network size and Levenberg-Marquardt settings."""
+    """Network size and Levenberg-Marquardt settings.
+
+    ``start`` names the mission whose networks, which come with the package, training begins with; without,
+    it begins with random weights.
+    """
 
     hidden: Annotated[tuple[Width, ...], Field(strict=False, min_length=1, max_length=15)]
     train_samples: Count
@@ -87,6 +91,13 @@ class TrainingRecipe(Section):
     patience: Count
     goal: Positive
     seed: Seed
+    start: str | None = None
+
+    @model_serializer(mode="wrap")
+    def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
+        """As before there were such starts, where there is none: artefacts stay valid."""
+        content: dict[str, object] = handler(self)
+        return {name: value for name, value in content.items() if name != "start" or value is not None}
 
 
 class Training(Section):

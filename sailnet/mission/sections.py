@@ -24,6 +24,8 @@ from sailnet.physics.units import HOUR, TU
 
 Positive = Annotated[float, Field(gt=0.0)]
 NotNegative = Annotated[float, Field(ge=0.0)]
+Radius = Annotated[float, Field(ge=0.01, le=1000.0)]
+"""Of an orbit [AU]: from within two radii of the Sun's surface to beyond any planet."""
 Count = Annotated[int, Field(gt=0, le=10**9)]
 Seed = Annotated[int, Field(ge=0, lt=2**63)]
 Spacing = Annotated[float, Field(ge=1e-5)]
@@ -62,8 +64,8 @@ class Sail(Section):
     """
 
     instead = {"beta": ("characteristic_acceleration_mm_s2", "loading_g_m2", "area_m2", "mass_kg")}
-    beta: Annotated[float, Field(gt=0.0, lt=1.0)]
-    max_cone_angle: Annotated[float, Field(gt=0.0, le=90.0)]
+    beta: Annotated[float, Field(ge=1e-6, lt=1.0)]
+    max_cone_angle: Annotated[float, Field(ge=0.01, le=90.0)]
     smoothing: Annotated[float, Field(ge=0.0, le=0.1)]
     optics: Annotated[Optics, read_by(optics_from)] = OPTICS["ideal"]
 
@@ -114,8 +116,8 @@ class Orbits(Section):
     [deg] along the departure orbit past its ascending node, where it crosses the target's plane to the north.
     """
 
-    departure_radius: Positive
-    target_radius: Positive
+    departure_radius: Radius
+    target_radius: Radius
     inclination: Annotated[float, Field(ge=0.0, le=90.0)] = 0.0
     node_distance: Annotated[float, Field(gt=-180.0, le=180.0)] = 0.0
 

@@ -10,8 +10,8 @@ Size = Literal["quick", "full"]
 SIZES: tuple[Size, ...] = get_args(Size)
 
 QUICK: Mapping[str, Mapping[str, int]] = {
-    "dataset": {"levels": 5, "starts": 96, "approaches": 150, "around": 0, "crossings": 0},
-    "training": {"epochs": 80},
+    "dataset": {"levels": 7, "starts": 192, "approaches": 300, "around": 0, "crossings": 0},
+    "training": {"epochs": 90},
 }
 """At most so much of [dataset.wide] and [training.wide]: some three minutes on 2 cores."""
 

@@ -24,6 +24,7 @@ from sailnet.guidance.backends import load_guidance
 from sailnet.physics.optics import OPTICS
 from tests.campaign.small_plan import plan_of, short
 from tests.pilots import MISSION
+from tests.pilots_in_space import SPACE, START
 
 PROBLEM = MISSION.problem
 PERIOD = MISSION.flight.period
@@ -62,6 +63,21 @@ def test_beside_optimal_flights_they_are_those_of_a_search(monkeypatch: pytest.M
     assert np.median(late) < 1e-8
     # Another planet's neighbourhood leads nowhere: no guess, and no time.
     assert not optima_beside_flights(MISSION, np.array([[0.3, 0.0, 0.1]])).found.any()
+
+
+@pytest.mark.slow
+def test_beside_optimal_flights_in_space_they_are_those_of_a_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    near = np.add(START, [0.0, 0.01, 0.02, 0.0, 0.01])
+    flights = assumed_optima(SPACE, np.array([START, near]), anywhere=True)
+    monkeypatch.setattr(starts, "some_optima", lambda _: flights)
+    monkeypatch.setattr(own_optima, "some_optima", lambda _: flights)
+    states = starts.off_optima(SPACE, 6, 3, 0.02)
+    beside, searched = optima_beside_flights(SPACE, states), assumed_optima(SPACE, states, anywhere=True)
+    assert beside.state.shape == (6, 5)
+    assert beside.found.sum() >= 5
+    late = beside.time_of_flight[beside.found] / searched.time_of_flight[beside.found] - 1.0
+    assert late.min() > -1e-8
+    assert np.median(late) < 1e-8
 
 
 @pytest.mark.slow

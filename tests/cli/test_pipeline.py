@@ -11,7 +11,7 @@ import sailnet.workers.stages
 from sailnet.cli import main
 from sailnet.cli.pipeline import MISSION_FILE
 from sailnet.mission.mission import load_mission
-from sailnet.mission.sizes import sized
+from sailnet.mission.sizes import QUICK, sized
 
 SHORT = "[sail]\nbeta = 0.12\nmax_cone_angle = 55\n[transfer]\ntarget_radius = 0.9\n"
 
@@ -58,7 +58,7 @@ def test_it_goes_on_with_its_own_folder_and_ends_where_a_step_does(
     assert load_mission(folder / MISSION_FILE) == sized(load_mission(mine), "quick")
     said = capsys.readouterr().out
     assert "derived: generalisation.r = [0.94, 1.0]" in said
-    assert "derived: dataset.wide.levels = 5" in said
+    assert f"derived: dataset.wide.levels = {QUICK['dataset']['levels']}" in said
     assert "sail.beta" not in said
 
 
@@ -87,6 +87,16 @@ def test_what_is_not_installed_is_named_before_any_work(
     assert not (tmp_path / "made").exists()
     assert main(["train", "data.h5", str(tmp_path / "networks")]) == 1
     assert "no no_such_package here" in capsys.readouterr().err
+
+
+def test_networks_to_begin_with_that_there_are_not_are_told_before_any_work(
+    mine: Path, tmp_path: Path, steps: list[list[str]], capsys: pytest.CaptureFixture[str]
+) -> None:
+    mine.write_text(f'{mine.read_text()}\n[training.wide]\nstart = "earth_moon"\n')
+    assert main(["pipeline", str(mine), "--output", str(tmp_path / "made")]) == 1
+    assert "no mission named 'earth_moon'" in capsys.readouterr().err
+    assert not steps
+    assert not (tmp_path / "made").exists()
 
 
 def test_without_a_compiler_nothing_begins(

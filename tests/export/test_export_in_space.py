@@ -9,9 +9,11 @@ import onnx
 import onnxruntime
 import pytest
 
+from export.agreement import compare, sails_of_box
 from export.command import main
 from export.templates import filled
 from export.to_c import write_c
+from export.torch_in_space import TorchGuidanceInSpace
 from sailnet.errors import GuidanceError
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts, describe
@@ -82,6 +84,29 @@ def test_the_graph_commands_as_the_c(made: Path, precision: Precision) -> None:
     assert (turn * np.minimum(np.hypot(c.lambda_v, c.lambda_w), 1.0)).max() < bound
     assert np.abs(graph.clock_angle).max() <= np.pi
     np.testing.assert_array_equal(graph.status, c.status)
+
+
+@pytest.mark.exhaustive
+def test_c_onnxruntime_and_pytorch_command_the_same_attitudes(made: Path) -> None:
+    networks = random_guidance_in_space()
+    records = compare(networks, made, sails_of_box(networks, 20_000, seed=3))
+    assert [record["precision"] for record in records] == 3 * ["float64"] + 3 * ["float32"]
+    for record in records:
+        assert float(str(record["share_compared"])) > 0.98
+        assert float(str(record["largest"])) < (1e-11 if record["precision"] == "float64" else 2e-2)
+        assert float(str(record["median"])) < (1e-14 if record["precision"] == "float64" else 2e-6)
+
+
+@pytest.mark.exhaustive
+def test_a_clock_angle_that_is_off_is_a_difference(made: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the cone angles alone nothing would be seen."""
+    networks = random_guidance_in_space()
+    right = TorchGuidanceInSpace.clock_angle
+    monkeypatch.setattr(TorchGuidanceInSpace, "clock_angle", lambda *given: right(*given) + 1e-3)
+    records = compare(networks, made, sails_of_box(networks, 2_000, seed=3))
+    for record in records:
+        off = "PyTorch" in str(record["pair"])
+        assert (float(str(record["median"])) > 1e-4) == off, record
 
 
 @pytest.mark.exhaustive

@@ -1,11 +1,15 @@
 """A mission file of two tables is a whole mission; one that says everything is what it was."""
 
+import contextlib
 import math
+import re
 import tomllib
 from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from sailnet.errors import MissionError
 from sailnet.expert.fastest import solve
@@ -120,12 +124,12 @@ def test_what_is_derived_is_told_and_what_is_said_is_not(tmp_path: Path) -> None
     assert not {"sail.beta", "flight.period", "transfer.target_radius"} & derived.keys()
 
 
-@pytest.mark.parametrize("key", ["beta", "max_cone_angle"])
-def test_of_a_wrong_sail_only_that_is_told(key: str) -> None:
+@pytest.mark.parametrize(("key", "least"), [("beta", "0.000001"), ("max_cone_angle", "0.01")])
+def test_of_a_wrong_sail_only_that_is_told(key: str, least: str) -> None:
     with pytest.raises(MissionError) as refusal:
         parse_mission(short({**SHORT["sail"], key: -1.0}), "the file")
     _, *lines = str(refusal.value).splitlines()
-    assert lines == [f"  sail.{key} = -1.0: must be greater than 0"]
+    assert lines == [f"  sail.{key} = -1.0: must be greater than or equal to {least}"]
 
 
 def test_a_missing_strength_is_told_with_all_its_names() -> None:
@@ -196,3 +200,47 @@ def test_quick_is_the_same_problem_with_smaller_recipes() -> None:
     assert quick.dataset.wide.around == 0 < whole.dataset.wide.around
     assert quick.dataset.wide.crossings == 0 < whole.dataset.wide.crossings
     assert quick.training.wide.epochs == QUICK["training"]["epochs"] < whole.training.wide.epochs
+
+
+@given(
+    st.floats(min_value=0.0, exclude_min=True, allow_infinity=False),
+    st.floats(min_value=0.0, exclude_min=True, allow_infinity=False),
+    st.floats(min_value=0.0, max_value=1.0, exclude_min=True),
+    st.floats(min_value=0.0, max_value=90.0, exclude_min=True),
+)
+def test_whatever_its_size_a_mission_is_derived_or_refused_by_name(
+    departure: float, target: float, beta: float, bound: float
+) -> None:
+    content: dict[str, object] = {
+        "sail": {"beta": beta, "max_cone_angle": bound},
+        "transfer": {"departure_radius": departure, "target_radius": target},
+    }
+    mission, said = None, ""
+    try:
+        mission = parse_mission(content, "any")
+    except MissionError as error:
+        said = str(error)
+    if mission is None:
+        assert re.search("_radius|beta|max_cone_angle|longest|period|generalisation|dataset", said)
+    else:
+        assert 0.0 < mission.flight.period <= mission.flight.longest
+        assert mission.dataset.wide.spacing > 0.0
+
+
+@pytest.mark.parametrize(
+    ("departure", "target", "beta", "bound"),
+    [(1000.0, 0.01, 1e-6, 0.01), (0.01, 1000.0, 1e-6, 0.01), (0.01, 0.0101, 0.999, 90.0)],
+)
+def test_the_ends_of_what_may_be_said_are_derived_too(
+    departure: float, target: float, beta: float, bound: float
+) -> None:
+    sail = {"beta": beta, "max_cone_angle": bound}
+    transfer = {"departure_radius": departure, "target_radius": target}
+    with contextlib.suppress(MissionError):
+        parse_mission({"sail": sail, "transfer": transfer}, "any")
+
+
+@pytest.mark.parametrize("target", [1e308, 1e-308, 1001.0, 0.009])
+def test_a_target_that_is_no_orbit_of_the_sun_is_refused(target: float) -> None:
+    with pytest.raises(MissionError, match=r"target_radius.*(1000|0\.01)"):
+        parse_mission(short(target=target), "any")

@@ -151,8 +151,7 @@ class Range:
         exported = exported_folder(mission, self._exported)
         program = build(target, exported, chosen, FLY, flags, self._folder / mission.name / name)
         plugin = self._plugin if target.emulator else None
-        departure = mission.departure_state_in_space if mission.inclined else mission.departure_state
-        start = departure if self._sail.start is None else self._sail.start
+        start = mission.departure if self._sail.start is None else self._sail.start
         with FlightComputer(target, program.path, precision, plugin, mission.components) as computer:
             same = load_guidance(mission, precision=precision, folder=exported)
             guidance = ByConsole(same, computer)

@@ -13,7 +13,7 @@ from sailnet.cli.output import printed
 from sailnet.cli.solve import LINES, LINES_IN_SPACE, facts_of
 from sailnet.errors import SailnetError
 from sailnet.expert import any_dimension, fastest, fastest_in_space
-from sailnet.expert.nominal import solve_nominal
+from sailnet.expert.nominal import departure_optimum
 from sailnet.expert.optima import Extremal, Optima
 from sailnet.mission.mission import Mission
 from sailnet.physics.units import DAY, TU
@@ -148,10 +148,8 @@ def solve(mission: AnyMission = "earth_mars", state: ArrayLike | None = None) ->
     if state is not None:
         solved_by = fastest_in_space if chosen.inclined else any_dimension
         extremal = solved_by.solve(chosen.problem, state)
-    elif chosen.inclined:
-        extremal = fastest_in_space.solve(chosen.problem, chosen.departure_state_in_space)
     else:
-        extremal = solve_nominal(chosen).smoothed
+        extremal = departure_optimum(chosen)
     return OptimalTransfer(chosen, extremal)
 
 
