@@ -9,6 +9,16 @@
 
 #include "states.h"
 
+/* What the thrust across the Sun line is worth: the size of its costates. */
+static sailnet_real worth(const sailnet_command *command)
+{
+#ifdef SAILNET_IN_SPACE
+    return (sailnet_real)hypot((double)command->lambda_v, (double)command->lambda_w);
+#else
+    return sailnet_size(command->lambda_v);
+#endif
+}
+
 /* Of many states in the domain, where the flight is not about to end: the farthest, or where the side matters most. */
 static sailnet_state some_state(sailnet_real beta, int matters)
 {
@@ -20,7 +30,7 @@ static sailnet_state some_state(sailnet_real beta, int matters)
         const int departs = sailnet_guidance(&state, PLANNED_BETA, &command) == SAILNET_OK;
         if (departs && sailnet_guidance(&state, beta, &command) == SAILNET_OK && command.time_of_flight > R(0.02)) {
             const sailnet_real much =
-                matters ? sailnet_size(command.cone_angle * command.lambda_v) : command.time_of_flight;
+                matters ? sailnet_size(command.cone_angle) * worth(&command) : command.time_of_flight;
             found = much > most ? state : found;
             most = much > most ? much : most;
         }
@@ -43,15 +53,21 @@ static sailnet_state at_target(void)
     return target;
 }
 
+#ifdef SAILNET_IN_SPACE
+static void point(sailnet_memory *memory, double cone_angle, double clock_angle)
+{
+    memory->normal[0] = (sailnet_real)cos(cone_angle);
+    memory->normal[1] = (sailnet_real)(sin(cone_angle) * cos(clock_angle));
+    memory->normal[2] = (sailnet_real)(sin(cone_angle) * sin(clock_angle));
+}
+#endif
+
 /* The sail points somewhere. */
 static void any_attitude(sailnet_memory *memory)
 {
 #ifdef SAILNET_IN_SPACE
     const double cone = (double)between(R(0.0), SAILNET_PHI_MAX);
-    const double clock = (double)between(R(-3.14), R(3.14));
-    memory->normal[0] = (sailnet_real)cos(cone);
-    memory->normal[1] = (sailnet_real)(sin(cone) * cos(clock));
-    memory->normal[2] = (sailnet_real)(sin(cone) * sin(clock));
+    point(memory, cone, (double)between(R(-3.14), R(3.14)));
 #else
     memory->attitude = between(-SAILNET_PHI_MAX, SAILNET_PHI_MAX);
 #endif

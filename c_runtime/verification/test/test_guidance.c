@@ -7,8 +7,8 @@
 #include "steering.inc"
 #include "reckoning.inc"
 #include "learning.inc"
-#ifndef SAILNET_IN_SPACE
 #include "side.inc"
+#ifndef SAILNET_IN_SPACE
 #include "measured_attitude.inc"
 #endif
 #include "batch.inc"
@@ -20,9 +20,7 @@ int main(void)
     test_elementary_functions();
     test_steering();
     test_reckoning();
-#ifndef SAILNET_IN_SPACE
     test_side();
-#endif
     test_learning();
 #ifndef SAILNET_IN_SPACE
     test_measured_attitude();

@@ -67,6 +67,25 @@ MUTANTS = {
     "no angle of two zeros": Mutant(
         "test", "sailnet_clock_angle", "whole > R(0.0) ? (", "whole >= R(0.0) ? (", "failed: "
     ),
+    "a clock angle for ever": Mutant(
+        "test",
+        "sailnet_keep_side",
+        "memory->regret < SAILNET_PATIENCE",
+        "memory->regret < R(9.0)",
+        "failed: ",
+    ),
+    "a clock angle kept that is almost the law's": Mutant(
+        "test", "sailnet_keep_side", "(alike * sine * change->sine < R(0.0))", "(alike < R(2.0))", "failed: "
+    ),
+    "twice the price of another direction": Mutant(
+        "test", "sailnet_keep_side", "R(0.5) * size * (R(1.0) - alike)", "size * (R(1.0) - alike)", "failed: "
+    ),
+    "half a turn": Mutant(
+        "test", "sailnet_turn", "return R(2.0) * sailnet_clock", "return sailnet_clock", "failed: "
+    ),
+    "a force without its northward part": Mutant(
+        "test", "sailnet_learn", "surprise_north * change->northward", "R(0.0) * surprise_north", "failed: "
+    ),
     "a flight without an end": Mutant(
         "test", "sailnet_ends", "(tau >= memory->time_of_flight)", "(tau >= R(9.0))", "failed: "
     ),
