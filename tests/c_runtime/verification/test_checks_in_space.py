@@ -5,14 +5,15 @@ from pathlib import Path
 import pytest
 
 from tests.c_runtime.verification.test_checks import TARGETS, Mutant, make, needs_tools_of
-from tests.guidance.space_export import write_only
+from tests.guidance.space_export import AGEING, write_only
 from tests.random_networks import random_guidance_in_space
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Of networks so small that they are smooth: far off they promise long flights."""
-    return write_only(random_guidance_in_space(*[(4, 4)] * 4), tmp_path_factory.mktemp("space")).folder
+    """Of networks so small that they are smooth: far off they promise long flights. The sail ages."""
+    networks = random_guidance_in_space(*[(4, 4)] * 4, mission=AGEING)
+    return write_only(networks, tmp_path_factory.mktemp("space")).folder
 
 
 @pytest.mark.parametrize("target", [pytest.param(name, marks=needs_tools_of(name)) for name in TARGETS])
