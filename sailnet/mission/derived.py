@@ -111,7 +111,8 @@ def completed(content: Mapping[str, Any], source: str) -> dict[str, Any]:
         sail = Sail(beta=0.1, max_cone_angle=CONE_ANGLE, smoothing=SMOOTHING)
         orbits = Orbits(departure_radius=1.0, target_radius=1.5)
     derived = _derived(sail, orbits, source)
-    if "wide" not in given.get("training", {}):
+    training = given.get("training", {})
+    if isinstance(training, dict) and "wide" not in training:
         derived["training"]["wide"] = {**WIDE_TRAINING, "start": _begun_with(orbits)}
     return _under(derived, given)
 

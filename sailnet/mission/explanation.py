@@ -87,12 +87,20 @@ class _Problem:
 def explain(error: ValidationError, model: type[BaseModel]) -> str:
     """What is wrong with a table, a line each: key, value, what is allowed."""
     problems = [_Problem.of(dict(item), model) for item in error.errors()]
+    # A hostile file has tens of thousands: each is looked at once.
+    beyond = {
+        ".".join(parts[:i]) for parts in (p.key.split(".") for p in problems) for i in range(1, len(parts))
+    }
+    of_one_key: dict[str, list[_Problem]] = {}
+    for problem in problems:
+        if problem.choice:
+            of_one_key.setdefault(problem.key, []).append(problem)
     lines: dict[str, None] = {}  # a set that keeps the order
     for problem in problems:
         of_its_whole = problem.kind == "too_short" or (problem.choice and not problem.inside)
-        if of_its_whole and any(other.key.startswith(f"{problem.key}.") for other in problems):
+        if of_its_whole and problem.key in beyond:
             continue  # Wrong is what is within: without it a list is too short, and of no other type either.
-        types = [other for other in problems if other.choice and other.key == problem.key]
+        types = of_one_key.get(problem.key, [])
         if problem.choice and len(types) > 1:
             allowed = " or ".join(other.message.removeprefix("must be ") for other in types)
             lines[f"{problem.key} = {_shown(problem.given)}: must be {allowed}"] = None

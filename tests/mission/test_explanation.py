@@ -6,6 +6,7 @@ import pytest
 
 from sailnet.campaign.plan import load_plan
 from sailnet.errors import CampaignError, MissionError
+from sailnet.mission.explanation import MOST_LINES
 from sailnet.mission.mission import load_mission
 
 RANDOM = "'generalisation', 'departure', 'optima' or 'domain'"
@@ -63,6 +64,14 @@ def test_every_complaint_is_made(tmp_path: Path) -> None:
     text = HEAD.replace("flights = 3", "flights = 0\nseed = -1").replace('"bad"', '"Bad name"')
     said = said_of(f'{text}[[series]]\nname = ""\n', tmp_path)
     assert [line.partition(" =")[0] for line in said] == ["name", "seed", "flights", "series.0.name"]
+
+
+def test_of_tens_of_thousands_the_first_are_told_and_the_rest_counted(tmp_path: Path) -> None:
+    """Each is compared with none of the others: that took a minute and more."""
+    series = f'[[series]]\nname = "a"\nperiods = [{", ".join(["0.0"] * 50_000)}]\n'
+    first, *_, last = said_of(f"{HEAD}{series}", tmp_path)
+    assert first == "series.0.periods.0 = 0.0: must be greater than 0"
+    assert last == f"and {50_000 - MOST_LINES} more"
 
 
 @pytest.mark.parametrize("given", [3, None, ["earth_mars"]])

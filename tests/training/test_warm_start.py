@@ -112,3 +112,6 @@ def test_a_file_that_says_how_to_train_begins_as_it_says() -> None:
     content["training"] = {"wide": {"start": 3}}
     with pytest.raises(MissionError, match=r"training\.wide\.start"):
         parse_mission(content, "own")
+    for wrong in (3, 3.0, True, "wide"):
+        with pytest.raises(MissionError, match="training"):
+            parse_mission({**content, "training": wrong}, "own")
