@@ -70,24 +70,29 @@ def add(commands: Commands) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Run every step that is not done; the exit status."""
-    from sailnet.guidance.backends import exported_folder
     from sailnet.report import need_pictures
     from sailnet.workers.stages import need
 
     need("data", "training", "export")
     need_pictures()
     mission = sized(load_mission(options.mission), options.size)
-    start = mission.training.wide.start
-    if start is not None:  # what training would say after minutes is said at once
-        exported_folder(load_mission(start))
     quick = "-quick" if options.size == "quick" else ""
     folder: Path = options.output or Path("build") / f"{mission.name}{quick}"
     with (
         going_on(lambda: f"the same command goes on with what is in {folder}"),
         sole_owner(folder / LOCK, f"a pipeline in {folder}"),
     ):
+        _refuse_start(mission)
         _keep_mission(mission, folder, options.restart or options.overwrite)
         return _carry_out(options, folder)
+
+
+def _refuse_start(mission: Mission) -> None:
+    """What training would say of its start after minutes is said at once."""
+    from sailnet.guidance.backends import exported_folder
+
+    if mission.training.wide.start is not None:
+        exported_folder(load_mission(mission.training.wide.start))
 
 
 def _keep_mission(mission: Mission, folder: Path, replace: bool) -> None:

@@ -26,13 +26,13 @@ def script() -> str:
         (["fly", "1", "0", "1", "--beta-b"], {"--beta-bias"}),
         (["fly", "--backend", ""], {"c", "onnx"}),
         (["evaluate", "--campaign", "bad"], {"bad-days"}),
-        (["solve", "--mission", "earth_v"], {"earth_venus"}),
+        (["solve", "--mission", "earth_v"], {"earth_venus", "earth_venus_3d"}),
         (["solve", "--plot", "no_such_file"], set()),
         (["data", "--rec"], {"--recipe"}),
         (["data", "x.h5", "--recipe", "b"], {"box"}),
         (["train", "--ep"], {"--epochs"}),
         (["export", "--plain"], {"--plain-law"}),
-        (["export", "--mission", "earth_v"], {"earth_venus"}),
+        (["export", "--mission", "earth_v"], {"earth_venus", "earth_venus_3d"}),
     ],
 )
 def test_what_is_offered(script: str, typed: list[str], offered: set[str]) -> None:

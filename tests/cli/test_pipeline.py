@@ -96,7 +96,7 @@ def test_networks_to_begin_with_that_there_are_not_are_told_before_any_work(
     assert main(["pipeline", str(mine), "--output", str(tmp_path / "made")]) == 1
     assert "no mission named 'earth_moon'" in capsys.readouterr().err
     assert not steps
-    assert not (tmp_path / "made").exists()
+    assert not (tmp_path / "made" / MISSION_FILE).exists()
 
 
 def test_without_a_compiler_nothing_begins(
