@@ -67,6 +67,13 @@ def _networks_table(networks: Sequence[Network]) -> list[str]:
     return lines
 
 
+def _begun(networks: Sequence[Network]) -> str:
+    """Of networks that did not begin with random weights, with whose they did."""
+    starts = {network.name: str(network.provenance.get("start", "")) for network in networks}
+    told = [f"{name} with that of {start}" for name, start in starts.items() if "SHA-256" in start]
+    return f"Training began: {'; '.join(told)}." if told else ""
+
+
 def _domain(networks: AnyGuidanceNetworks) -> str:
     problem = networks.mission.problem
     size, (lowest, highest) = networks.components, networks.state_range
@@ -133,7 +140,7 @@ def model_card(
             "`python -m data` from the mission's recipe. Test errors are over "
             f"{tau.provenance['test_samples']} samples of trajectories that took no part in training, scaled "
             "to [0, 1]; near arrival: those with less than 0.3 TU to go. Weights: SHA-256 "
-            f"`{acceptance.networks}`.",
+            f"`{acceptance.networks}`. {_begun(networks.all)}".rstrip(),
             "",
             _domain(networks),
             "",
