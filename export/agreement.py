@@ -15,8 +15,7 @@ from pathlib import Path
 import numpy as np
 import torch
 
-from export.torch_in_space import TorchGuidanceInSpace
-from export.torch_networks import torch_guidance
+from export.torch_guidance import torch_guidance
 from sailnet import SailnetError
 from sailnet.dataset import open_dataset
 from sailnet.guidance.backends import Backend, load_guidance
@@ -24,16 +23,7 @@ from sailnet.guidance.facts import describe
 from sailnet.guidance.interface import Precision
 from sailnet.guidance.tilts import tilt_of, turned
 from sailnet.mission.mission import Mission
-from sailnet.networks.approach import (
-    APPROACH_INPUTS_IN_SPACE,
-    approach_coordinates,
-    approach_coordinates_in_space,
-)
-from sailnet.networks.guidance_in_space import (
-    AnyGuidanceNetworks,
-    GuidanceNetworksInSpace,
-    load_networks_of,
-)
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks, load_networks_of, network_outputs
 from sailnet.physics.arrays import Array
 from sailnet.physics.geometry import geometry_of
 from sailnet.workers.interruption import run_command
@@ -89,14 +79,8 @@ def sails_of_box(networks: AnyGuidanceNetworks, count: int, seed: int) -> Sails:
 
 def costate_size(networks: AnyGuidanceNetworks, sails: Sails) -> Array:
     """(n,) size of lambda_v, in space of (lambda_v, lambda_w), as the networks give it."""
-    problem = networks.mission.problem
-    if isinstance(networks, GuidanceNetworksInSpace):
-        inputs = approach_coordinates_in_space(problem, sails.states, sails.beta)
-        even = inputs[:, : len(APPROACH_INPUTS_IN_SPACE)]
-        return np.hypot(networks.lambda_v(even), networks.lambda_w(inputs))
-    if networks.approach:
-        return np.abs(networks.lambda_v(approach_coordinates(problem, sails.states, sails.beta)))
-    return np.abs(networks.lambda_v(np.column_stack([sails.states, networks.tau(sails.states)])))
+    _tau, _size, *costates = network_outputs(networks, sails.states, sails.beta).T
+    return np.asarray(np.linalg.norm(costates, axis=0))
 
 
 def in_torch(networks: AnyGuidanceNetworks, sails: Sails, precision: Precision) -> tuple[Array, Array]:
@@ -104,12 +88,7 @@ def in_torch(networks: AnyGuidanceNetworks, sails: Sails, precision: Precision) 
 
     In space the tilt is (n, 2), see :mod:`sailnet.guidance.tilts`.
     """
-    facts = describe(networks, networks.mission)
-    module = (
-        TorchGuidanceInSpace(networks, facts)
-        if isinstance(networks, GuidanceNetworksInSpace)
-        else torch_guidance(networks, facts)
-    )
+    module = torch_guidance(networks, describe(networks, networks.mission))
     module = module.in_float32() if precision == "float32" else module
     given = (sails.states, sails.beta)[: 2 if networks.approach else 1]
     with torch.inference_mode():

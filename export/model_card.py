@@ -7,6 +7,7 @@ from sailnet.campaign.acceptance import acceptance_table
 from sailnet.campaign.results import Results
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.network import Network
+from sailnet.physics.geometry import geometry_of
 from sailnet.physics.optics import Optics
 
 LIMITS = (
@@ -29,7 +30,6 @@ ORBITS = {
 }
 """By the components of a state."""
 
-NAMES = {3: ("r", "u", "v"), 5: ("r", "latitude", "u", "v", "w")}
 UNITS = {3: "[AU, AU/TU]", 5: "[AU, rad, AU/TU]"}
 
 Facts = Mapping[str, Any]
@@ -79,7 +79,7 @@ def _domain(networks: AnyGuidanceNetworks) -> str:
     size, (lowest, highest) = networks.components, networks.state_range
     box = ", ".join(
         f"{name} in [{low:.4f}, {high:.4f}]"
-        for name, low, high in zip(NAMES[size], lowest, highest, strict=True)
+        for name, low, high in zip(geometry_of(size).state_names, lowest, highest, strict=True)
     )
     sails = (
         f"beta in [{networks.beta_range[0]:.5f}, {networks.beta_range[1]:.5f}] "

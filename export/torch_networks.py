@@ -11,7 +11,6 @@ from sailnet.guidance.facts import GuidanceFacts, round_down
 from sailnet.networks.approach import SMALLEST_SCALE
 from sailnet.networks.centred import centred_biases
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
-from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import EXTRAPOLATION, Network
 
 
@@ -147,11 +146,6 @@ class TorchApproachGuidance(TorchGuidance):
         inputs = self.coordinates(state, beta)
         angle, lambda_v = self.angle_and_costate(inputs)
         return angle, inputs[:, 3] * torch.exp(self.tau(inputs)), lambda_v
-
-
-def torch_guidance(networks: GuidanceNetworks, facts: GuidanceFacts) -> TorchGuidance:
-    """The guidance law of the plane as a module, of the form that the networks have."""
-    return TorchApproachGuidance(networks, facts) if networks.approach else TorchPaperGuidance(networks)
 
 
 class TorchBaseline(nn.Module):

@@ -9,8 +9,9 @@ from c_runtime.shared_library import CompilerError, compile_libraries
 from export.errors import ExportError
 from export.to_c import write_c
 from export.to_onnx import Graph, Inputs, write_onnx
+from export.torch_guidance import torch_guidance
 from export.torch_in_space import TorchGuidanceInSpace
-from export.torch_networks import TorchBaseline, torch_guidance
+from export.torch_networks import TorchBaseline
 from sailnet.artefacts.checksums import write_checksums
 from sailnet.artefacts.room import room_told
 from sailnet.errors import NetworkError, reason

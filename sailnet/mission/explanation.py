@@ -88,9 +88,8 @@ def explain(error: ValidationError, model: type[BaseModel]) -> str:
     """What is wrong with a table, a line each: key, value, what is allowed."""
     problems = [_Problem.of(dict(item), model) for item in error.errors()]
     # A hostile file has tens of thousands: each is looked at once.
-    beyond = {
-        ".".join(parts[:i]) for parts in (p.key.split(".") for p in problems) for i in range(1, len(parts))
-    }
+    paths = [problem.key.split(".") for problem in problems]
+    beyond = {".".join(path[:depth]) for path in paths for depth in range(1, len(path))}
     of_one_key: dict[str, list[_Problem]] = {}
     for problem in problems:
         if problem.choice:

@@ -13,7 +13,7 @@ QUICK: Mapping[str, Mapping[str, int]] = {
     "dataset": {"levels": 7, "starts": 192, "approaches": 300, "around": 0, "crossings": 0},
     "training": {"epochs": 90},
 }
-"""At most so much of [dataset.wide] and [training.wide]: some three minutes on 2 cores."""
+"""At most so much of [dataset.wide] and [training.wide]: one or two minutes on 2 cores."""
 
 FLIGHTS: Mapping[Size, int] = {"quick": 1_000, "full": 10_000}
 """That accept the networks, a series."""

@@ -9,7 +9,12 @@ from numpy.typing import ArrayLike
 
 from sailnet.errors import NetworkError
 from sailnet.mission.mission import Mission
-from sailnet.networks.approach import APPROACH_INPUTS_IN_SPACE, LATERAL_INPUTS, approach_coordinates_in_space
+from sailnet.networks.approach import (
+    APPROACH_INPUTS_IN_SPACE,
+    LATERAL_INPUTS,
+    approach_coordinates,
+    approach_coordinates_in_space,
+)
 from sailnet.networks.guidance_networks import APPROACH_SIGN_SCALE, GuidanceNetworks, load_guidance_networks
 from sailnet.networks.network import EXTRAPOLATION, Network, load_network, trained_box, weights_digest
 from sailnet.networks.trained_domain import TrainedDomain, recorded_domain
@@ -167,6 +172,24 @@ def load_guidance_networks_in_space(folder: Path) -> GuidanceNetworksInSpace:
 
 
 AnyGuidanceNetworks = GuidanceNetworks | GuidanceNetworksInSpace
+
+
+def network_inputs(networks: AnyGuidanceNetworks, states: Array, beta: Array) -> Array:
+    """(n, k) inputs of the time-of-flight network and, if there are any, the factors of outputs."""
+    problem = networks.mission.problem
+    if isinstance(networks, GuidanceNetworksInSpace):
+        return approach_coordinates_in_space(problem, states, beta)
+    return approach_coordinates(problem, states, beta) if networks.approach else states
+
+
+def network_outputs(networks: AnyGuidanceNetworks, states: Array, beta: Array) -> Array:
+    """(n, m) outputs of tau, alpha_pre, lambda_v and, in three dimensions, lambda_w."""
+    inputs = network_inputs(networks, states, beta)
+    first, *others = networks.all
+    tau = first(inputs)
+    if not networks.approach:
+        inputs = np.column_stack([inputs, tau])
+    return np.column_stack([tau, *(network(inputs) for network in others)])
 
 
 def load_networks_of(mission: Mission, folder: Path) -> AnyGuidanceNetworks:

@@ -8,7 +8,7 @@ import onnxruntime
 from c_runtime.verification.bench.rounds import Candidate, in_python
 from c_runtime.verification.bench.subjects import Subjects
 from sailnet.guidance.exported_files import SUFFIXES, graph_name
-from sailnet.networks.guidance_in_space import AnyGuidanceNetworks, GuidanceNetworksInSpace
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 
 ONNXRUNTIME = "onnxruntime, Python"
 
@@ -45,17 +45,11 @@ def pytorch(networks: AnyGuidanceNetworks, subjects: Subjects) -> list[Candidate
     """
     import torch
 
-    from export.torch_in_space import TorchGuidanceInSpace
-    from export.torch_networks import torch_guidance
+    from export.torch_guidance import torch_guidance
     from sailnet.guidance.facts import describe
 
     torch.set_num_threads(1)
-    facts = describe(networks, networks.mission)
-    guidance = (
-        TorchGuidanceInSpace(networks, facts)
-        if isinstance(networks, GuidanceNetworksInSpace)
-        else torch_guidance(networks, facts)
-    )
+    guidance = torch_guidance(networks, describe(networks, networks.mission))
     found = []
     for module, precision in ((guidance.in_float32(), "float32"), (guidance, "float64")):
         calls = []

@@ -13,8 +13,7 @@ from sailnet.errors import GuidanceError
 from sailnet.guidance.exported_files import graph_name
 from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts
 from sailnet.guidance.interface import GuidanceStatus
-from sailnet.networks.approach import approach_coordinates, approach_coordinates_in_space
-from sailnet.networks.guidance_in_space import AnyGuidanceNetworks, GuidanceNetworksInSpace
+from sailnet.networks.guidance_in_space import AnyGuidanceNetworks, network_inputs, network_outputs
 from sailnet.physics.arrays import Array
 
 TRIES = 400_000
@@ -37,20 +36,12 @@ class Subjects:
         return int(self.inputs.shape[1]) - 1
 
     def network_inputs(self, networks: AnyGuidanceNetworks) -> Array:
-        """(n, k) inputs of the time-of-flight network and, if there are any, the factors of outputs."""
-        states, beta = self.inputs[:, :-1], self.inputs[:, -1]
-        if isinstance(networks, GuidanceNetworksInSpace):
-            return approach_coordinates_in_space(networks.mission.problem, states, beta)
-        return approach_coordinates(networks.mission.problem, states, beta) if networks.approach else states
+        """What they read of these, see the function of this name."""
+        return network_inputs(networks, self.inputs[:, :-1], self.inputs[:, -1])
 
     def network_outputs(self, networks: AnyGuidanceNetworks) -> Array:
-        """(n, m) outputs of tau, alpha_pre, lambda_v and, in three dimensions, lambda_w."""
-        inputs = self.network_inputs(networks)
-        first, *others = networks.all
-        tau = first(inputs)
-        if not networks.approach:
-            inputs = np.column_stack([inputs, tau])
-        return np.column_stack([tau, *(network(inputs) for network in others)])
+        """What they give for these, see the function of this name."""
+        return network_outputs(networks, self.inputs[:, :-1], self.inputs[:, -1])
 
 
 def seamless(told: Reals) -> Reals:
