@@ -10,7 +10,7 @@ from export.errors import ExportError
 from export.model_card import Facts, accepted_by, made_by, model_card
 from export.picture import draw_departure
 from export.write import export
-from sailnet.artefacts.files import fill_block, write_text, write_whole
+from sailnet.artefacts.files import fill_block, write_text, write_whole, writing
 from sailnet.campaign.acceptance import CAMPAIGN, acceptance_table, headline_table
 from sailnet.campaign.results import open_results
 from sailnet.mission.mission import Mission
@@ -33,6 +33,11 @@ def _read(path: Path, command: str) -> Any:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise ExportError(f"{path} is missing or damaged: {error}; run {command} first") from error
+
+
+def _copy(source: Path, package: Path) -> None:
+    with writing(package / source.name, ExportError):
+        write_whole(package / source.name, partial(shutil.copyfile, source), size=source.stat().st_size)
 
 
 def ship(
@@ -66,10 +71,10 @@ def ship(
     networks = load_networks_of(mission, folder)
     export(folder, package, mission)
     for network in networks.all:
-        source = folder / f"{network.name}.safetensors"
-        write_whole(package / source.name, partial(shutil.copyfile, source))
+        _copy(folder / f"{network.name}.safetensors", package)
     card = model_card(networks, accepted, timings, agreement)
-    write_text(package / "MODEL_CARD.md", card)
+    with writing(package / "MODEL_CARD.md", ExportError):
+        write_text(package / "MODEL_CARD.md", card)
     origin = accepted_by(accepted)
     if readme is not None:
         fill_block(readme, "summary", "\n".join([origin, "", *headline_table(accepted)]))
@@ -84,6 +89,6 @@ def ship(
             fill_block(results, "paper", "\n".join([made, "", _paper_table(report)]))
         curves = paper.parent / REPRODUCTION
         if curves.exists():
-            write_whole(package / curves.name, partial(shutil.copyfile, curves))
+            _copy(curves, package)
     if picture is not None:
         draw_departure(picture, mission, package)

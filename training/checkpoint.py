@@ -10,7 +10,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from sailnet.artefacts.files import write_whole, writing
+from sailnet.artefacts.files import write_bytes, writing
 from sailnet.errors import NetworkError, reason
 from training.checkpoint_checks import read_members
 from training.levenberg_marquardt import Iterate
@@ -74,7 +74,7 @@ def save_checkpoint(progress: Progress, run: str, path: Path) -> None:
     )
     content = stream.getvalue()
     with writing(f"checkpoint {path}", NetworkError):
-        write_whole(path, lambda beside: beside.write_bytes(content), size=len(content))
+        write_bytes(path, content)
 
 
 def run_of(path: Path) -> str | None:

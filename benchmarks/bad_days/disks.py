@@ -14,9 +14,9 @@ def fill(work: Work, folder: Path, expected: str, size: int) -> dict[str, object
     """Write to a file system of so many bytes, and again once it has room.
 
     Returns:
-        ``size``, ``status``, ``whole`` (the product looked complete though the command failed), ``told``
-        (an error with a path below the disk, and that it is full), ``reckoned`` (how much was needed and how
-        much is free), what it ``said``, and whether the content was the ``same`` in the end.
+        ``size``, ``status``, ``whole`` (the product could be read, and was another than it should be),
+        ``told`` (an error with a path below the disk, and that it is full), ``reckoned`` (how much was
+        needed and how much is free), what it ``said``, and whether the content was the ``same`` in the end.
     """
     with mounted(folder, size) as disk:
         status, said, _ = work.complete(disk)
@@ -25,7 +25,7 @@ def fill(work: Work, folder: Path, expected: str, size: int) -> dict[str, object
         reckoned = status == 0 or re.search(r" needed, .* free|take some .* there are ", said) is not None
         told = status == 0 or (full and str(disk) in said and "Traceback" not in said)
         try:
-            whole = work.digest(disk) == expected
+            whole = work.digest(disk) != expected
         except (SailnetError, OSError):
             whole = False
         subprocess.run(["mount", "-o", "remount,size=500m", str(disk)], check=True)

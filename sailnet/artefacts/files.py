@@ -61,7 +61,11 @@ def write_whole(
 
 def write_text(path: Path, text: str) -> None:
     """Write a text, whole or not at all, as :func:`write_whole`."""
-    content = text.encode()
+    write_bytes(path, text.encode())
+
+
+def write_bytes(path: Path, content: bytes) -> None:
+    """Write what is in memory, whole or not at all, as :func:`write_whole`."""
     write_whole(path, lambda beside: beside.write_bytes(content), size=len(content))
 
 

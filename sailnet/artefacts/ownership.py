@@ -58,6 +58,11 @@ def sole_owner(lock: Path, place: str, error: type[SailnetError] = SailnetError)
                 lock.parent.rmdir()
 
 
+def parts_folder(output: Path) -> Path:
+    """Where the unfinished parts of a file lie."""
+    return output.parent / f".{output.name}.parts"
+
+
 @contextmanager
 def reserved(output: Path, kind: str = "data set") -> Iterator[Path]:
     """Reserve a file that is about to be made; yields the folder for its unfinished parts, beside it.
@@ -69,7 +74,7 @@ def reserved(output: Path, kind: str = "data set") -> Iterator[Path]:
     Raises:
         DatasetError: the place cannot be written, or another run is at it.
     """
-    folder = output.parent / f".{output.name}.parts"
+    folder = parts_folder(output)
     if output.is_dir():
         raise DatasetError(f"cannot write {kind} {output}: it is a folder; name a file in it")
     with sole_owner(folder / "lock", f"{kind} {output}", DatasetError):

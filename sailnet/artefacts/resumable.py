@@ -8,7 +8,7 @@ import json
 import shutil
 import zlib
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import partial
 from itertools import tee
@@ -21,7 +21,7 @@ from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save_file
 
 from sailnet.artefacts.files import write_text, write_whole
-from sailnet.artefacts.ownership import reserved
+from sailnet.artefacts.ownership import parts_folder, reserved
 from sailnet.errors import DatasetError, reason
 
 SUFFIX = ".safetensors"
@@ -204,6 +204,20 @@ def kept_parts(folder: Path, run: Mapping[str, str], restart: bool = False) -> I
             shutil.rmtree(folder, ignore_errors=True)
         raise
     shutil.rmtree(folder, ignore_errors=True)
+
+
+def drop_parts(output: Path, kind: str = "data set") -> None:
+    """Remove the parts of a file that is whole: a run that was killed may not have come to it.
+
+    Where they cannot be removed, or another run is at them, they stay.
+
+    Args:
+        output: the file.
+        kind: of file, for messages.
+    """
+    if parts_folder(output).exists():
+        with suppress(DatasetError), reserved(output, kind) as folder:
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 def _check_run(folder: Path, run: dict[str, str], text: str) -> None:

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from sailnet.artefacts.provenance import environment_of, software
-from sailnet.artefacts.resumable import Columns, Parts, claim, resumed
+from sailnet.artefacts.resumable import Columns, Parts, claim, drop_parts, resumed
 from sailnet.campaign.assembly import write_results
 from sailnet.campaign.batches import Batch, Job
 from sailnet.campaign.budget import refuse_too_large
@@ -72,6 +72,7 @@ def fly_plan(
     if not restart and (found := _finished(output, overwrite)) is not None:
         flown = found.provenance["run"]
         if flown == run:
+            drop_parts(output, "results")
             return found
         if not overwrite:
             _refuse_another(output, run, flown)

@@ -1,10 +1,11 @@
 """The merged ONNX graph in onnxruntime: the second back end, held equal to the C by test."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import onnxruntime
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from sailnet.artefacts.checksums import verify_checksum
 from sailnet.errors import GuidanceError
@@ -74,8 +75,14 @@ class OnnxGuidance:
         # A NaN never enters the graph: what its operators make of one is not defined.
         entered = np.where(valid[:, None], array, self._state_min)
         inputs = {"state": entered, "beta": betas} if self._reads_beta else {"state": entered}
-        given = dict(zip(self._outputs, self._session.run(self._outputs, inputs), strict=True))
-        return self._facts.commands(array, betas, **given)
+        return self._facts.commands(array, betas, **self._outputs_for(inputs))
+
+    def _outputs_for(self, inputs: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+        try:
+            found = self._session.run(self._outputs, inputs)
+        except Exception as error:  # as above: shapes that do not fit may show only with so many rows
+            raise GuidanceError(f"cannot run {self._graph}: {str(error).strip()}; export it again") from error
+        return dict(zip(self._outputs, found, strict=True))
 
     def steering(self, count: int) -> ReferenceSteering:
         """Steering by the reference rules; see ``sailnet.guidance.interface.Guidance``."""

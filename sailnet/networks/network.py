@@ -16,7 +16,7 @@ from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 from scipy.special import expit
 
-from sailnet.artefacts.files import write_whole, writing
+from sailnet.artefacts.files import write_bytes, writing
 from sailnet.artefacts.untrusted import table_of
 from sailnet.errors import MissionError, NetworkError, reason
 from sailnet.mission.mission import Mission, parse_mission
@@ -150,7 +150,7 @@ def save_network(network: Network, path: Path) -> None:
     metadata["sha256"] = _digest(tensors, metadata)
     content = save(tensors, metadata)
     with writing(f"network {path}", NetworkError):
-        write_whole(path, lambda beside: beside.write_bytes(content), size=len(content))
+        write_bytes(path, content)
 
 
 def load_network(path: Path) -> Network:

@@ -5,13 +5,14 @@ import json
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from tqdm import tqdm
 
-from sailnet.artefacts.files import write_text, write_whole
+from sailnet.artefacts.files import write_text
 from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, score_record, scores_of
 from sailnet.campaign.tables import Table, percent, score_tables
@@ -230,12 +231,10 @@ def _write_files(
     series = {"series_name": names[results.flights["series"]]}
     write_csv(folder / "flights.csv", {**series, **results.flights})
 
-    def table(beside: Path) -> None:
-        with beside.open("w", encoding="utf-8", newline="") as file:
-            for number, each in enumerate(tables):
-                csv.writer(file).writerows([*([[]] if number else []), each.heads, *each.cells])
-
-    write_whole(folder / "scores.csv", table)
+    text = StringIO(newline="")
+    for number, each in enumerate(tables):
+        csv.writer(text).writerows([*([[]] if number else []), each.heads, *each.cells])
+    write_text(folder / "scores.csv", text.getvalue())
     record = {
         "campaign": results.plan.name,
         "title": results.plan.title,
@@ -249,8 +248,7 @@ def _write_files(
         "tables": [asdict(each) for each in tables],
         "software": {name: value for name, value in results.provenance.items() if name != "run"},
     }
-    text = json.dumps(record, indent=1, ensure_ascii=False)
-    write_text(folder / "scores.json", text)
+    write_text(folder / "scores.json", json.dumps(record, indent=1, ensure_ascii=False))
 
 
 def _write_flights(

@@ -3,6 +3,7 @@
 import csv
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from io import BytesIO, StringIO
 from itertools import zip_longest
 from pathlib import Path
 from textwrap import fill
@@ -11,7 +12,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sailnet.artefacts.files import write_whole
+from sailnet.artefacts.files import write_bytes, write_text
 from sailnet.artefacts.stored_columns import StoredColumn
 
 DIGITS = 5
@@ -143,13 +144,11 @@ def _short(values: Values, digits: int) -> list[Any]:
 def write_csv(path: Path, columns: Mapping[str, ArrayLike]) -> None:
     """Write columns, which may differ in length, under their names."""
 
-    def write(beside: Path) -> None:
-        with beside.open("w", encoding="utf-8", newline="") as file:
-            writer = csv.writer(file)
-            writer.writerow(columns)
-            writer.writerows(zip_longest(*map(_cells, columns.values()), fillvalue=""))
-
-    write_whole(path, write)
+    text = StringIO(newline="")
+    writer = csv.writer(text)
+    writer.writerow(columns)
+    writer.writerows(zip_longest(*map(_cells, columns.values()), fillvalue=""))
+    write_text(path, text.getvalue())
 
 
 def _cells(column: ArrayLike) -> Iterator[object]:
@@ -259,7 +258,9 @@ def write_picture(path: Path, charts: Sequence[Chart], columns: int = 1) -> None
     with mpl.rc_context(STYLE):
         figure = Figure(layout="constrained")
         draw_charts(figure, charts, columns)
-        write_whole(path, lambda beside: figure.savefig(beside, format="png", dpi=160))
+        drawn = BytesIO()  # how large it is is known before any of it is written
+        figure.savefig(drawn, format="png", dpi=160)
+    write_bytes(path, drawn.getvalue())
 
 
 def shown_figure(charts: Sequence[Chart], columns: int = 1) -> Any:

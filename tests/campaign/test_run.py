@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from sailnet.artefacts import provenance
+from sailnet.artefacts.ownership import sole_owner
 from sailnet.campaign import run
 from sailnet.campaign.plan import load_plan
 from sailnet.campaign.random_flights import BATCH
@@ -133,8 +134,15 @@ def test_what_is_flown_already_is_not_flown_again(tmp_path: Path) -> None:
     path = tmp_path / "x.h5"
     fly_plan(MISSION, GUIDANCE, plan, path)
     written = path.stat().st_mtime_ns
+    left = tmp_path / ".x.h5.parts"  # as by a run that was killed when the file was whole
+    left.mkdir()
+    (left / "00000000.safetensors").write_bytes(b"a part")
+    with sole_owner(left / "lock", "it"):
+        fly_plan(MISSION, GUIDANCE, plan, path)
+        assert left.exists()
     fly_plan(MISSION, GUIDANCE, plan, path)
     assert path.stat().st_mtime_ns == written
+    assert not left.exists()
     fly_plan(MISSION, GUIDANCE, plan, path, restart=True)
     again = path.stat().st_mtime_ns
     assert again > written

@@ -129,6 +129,20 @@ def test_what_sailnet_does_not_write_is_refused_before_it_runs(name: str, tmp_pa
     assert str(path) in str(refused.value)
 
 
+def test_what_fails_only_when_it_runs_is_told_as_well(tmp_path: Path) -> None:
+    """A scalar where the file's own list of shapes says a row: the fuzzer of the loaders found it."""
+    model = onnx.load(SHIPPED)
+    (scaled,) = (node for node in model.graph.node if node.input[:1] == ["tau.output_range"])
+    scaled.input[1] = "tau.output_min"
+    path = tmp_path / SHIPPED.name
+    path.write_bytes(model.SerializeToString())
+    write_checksums([path], tmp_path / "SHA256SUMS")
+    guidance = OnnxGuidance(MISSION, path)
+    with pytest.raises(GuidanceError, match=r"cannot run .*guidance_f64\.onnx: .*export it again") as refused:
+        guidance.command([[1.0, 0.0, 1.0]] * 2)
+    assert str(path) in str(refused.value)
+
+
 def test_what_ships_is_taken(tmp_path: Path) -> None:
     model = onnx.load(SHIPPED)
     path = tmp_path / SHIPPED.name
