@@ -3,7 +3,7 @@
 import csv
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from io import BytesIO, StringIO
+from io import BytesIO
 from itertools import zip_longest
 from pathlib import Path
 from textwrap import fill
@@ -12,7 +12,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sailnet.artefacts.files import write_bytes, write_text
+from sailnet.artefacts.files import write_bytes, write_whole
 from sailnet.artefacts.stored_columns import StoredColumn
 
 DIGITS = 5
@@ -144,11 +144,13 @@ def _short(values: Values, digits: int) -> list[Any]:
 def write_csv(path: Path, columns: Mapping[str, ArrayLike]) -> None:
     """Write columns, which may differ in length, under their names."""
 
-    text = StringIO(newline="")
-    writer = csv.writer(text)
-    writer.writerow(columns)
-    writer.writerows(zip_longest(*map(_cells, columns.values()), fillvalue=""))
-    write_text(path, text.getvalue())
+    def write(beside: Path) -> None:  # row by row: there may be a million flights
+        with beside.open("w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file)
+            writer.writerow(columns)
+            writer.writerows(zip_longest(*map(_cells, columns.values()), fillvalue=""))
+
+    write_whole(path, write)
 
 
 def _cells(column: ArrayLike) -> Iterator[object]:
