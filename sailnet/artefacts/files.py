@@ -105,8 +105,9 @@ def fill_block(path: Path, name: str, content: str) -> None:
     """Write anew what stands between the marks ``<!-- name -->`` and ``<!-- /name -->`` of a text.
 
     Raises:
-        SailnetError: it has no such marks.
+        SailnetError: it has no such marks, or cannot be written.
     """
     before, _, after = split_at_block(path, name)
     filled = f"{before}<!-- {name} -->\n{content}\n<!-- /{name} -->{after}"
-    write_text(path, filled)
+    with writing(path):
+        write_text(path, filled)

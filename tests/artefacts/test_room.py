@@ -17,7 +17,7 @@ from sailnet.artefacts import column_writing, resumable
 from sailnet.artefacts.column_files import Layout
 from sailnet.artefacts.column_writing import write_columns
 from sailnet.artefacts.file_objects import Lenient
-from sailnet.artefacts.files import write_text, write_whole
+from sailnet.artefacts.files import fill_block, write_text, write_whole
 from sailnet.artefacts.room import NoRoomError, is_full, room_told, size
 from sailnet.errors import DatasetError, SailnetError, reason
 
@@ -55,6 +55,17 @@ def test_what_was_needed_is_said_whole_where_it_is_known(
     assert reason(refused.value) == "no space left on device: 12 kB needed, 4 kB free"
     assert path.read_text() == "before"
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_text_whose_block_does_not_fit_is_named_and_stays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "text.md"
+    path.write_text("<!-- x -->\nbefore\n<!-- /x -->")
+    monkeypatch.setattr(Path, "write_bytes", full)
+    with pytest.raises(SailnetError, match=rf"cannot write {path}: no space left on device: 12 kB needed"):
+        fill_block(path, "x", "a" * 12_000)
+    assert path.read_text() == "<!-- x -->\nbefore\n<!-- /x -->"
 
 
 def test_otherwise_how_much_was_written(tmp_path: Path) -> None:
