@@ -22,7 +22,7 @@ from data.sails import solve_neighbouring_sails
 from sailnet.dataset import ALONE, Block
 from sailnet.expert.optima import Optima
 from sailnet.mission.mission import Mission
-from sailnet.mission.recipes import WideRecipe
+from sailnet.mission.recipes import AROUND_WITHIN, WideRecipe
 from sailnet.networks.approach import approach_direction
 from sailnet.physics.arrays import Array
 from sailnet.physics.extremals import arrival_gain, propagate_extremals
@@ -33,8 +33,8 @@ TOGETHER = 7
 """Values of beta that share a search, of the middle one: the extremals of a sail some per cent weaker or
 stronger are a few Newton steps away."""
 
-AROUND = (3e-4, 0.1)
-"""How far from the target, evenly in the logarithm, states around it lie, in units of its orbit."""
+NEAREST = 3e-4
+"""How far from the target, evenly in the logarithm, states around it lie at least, in units of its orbit."""
 
 ASIDE = (0.01, 1.0)
 """In space what is off the target's plane is multiplied by a factor between these, evenly in its logarithm: a
@@ -89,10 +89,12 @@ def wide_shard(mission: Mission, shard: int) -> Block:
     return Block.join(blocks)
 
 
-def around_target(problem: Transfer, count: int, seed: int, components: int = 3) -> Array:
+def around_target(
+    problem: Transfer, count: int, seed: int, components: int = 3, *, within: float = AROUND_WITHIN
+) -> Array:
     """(count, 3) states r [AU], u, v [AU/TU] about the target: in every direction, evenly in log distance.
 
-    Or (count, 5) in space, mostly near the target's plane.
+    Or (count, 5) in space, mostly near the target's plane. ``within`` so much of the target's orbit.
     """
     rng, size = np.random.default_rng(seed), problem.target_radius
     direction = rng.normal(size=(count, components))
@@ -100,7 +102,7 @@ def around_target(problem: Transfer, count: int, seed: int, components: int = 3)
     if components == 5:
         least, most = np.log(ASIDE)
         direction[:, [1, 4]] *= np.exp(rng.uniform(least, most, (count, 1)))
-    nearest, farthest = np.log(AROUND)
+    nearest, farthest = np.log((NEAREST, within))
     distance = np.exp(rng.uniform(nearest, farthest, count))[:, None]
     speed = size**-0.5
     unit = [size, speed, speed] if components == 3 else [size, 1.0, speed, speed, speed]
@@ -121,7 +123,9 @@ def _sails(mission: Mission, levels: range) -> list[Transfer]:
 def _from_around(mission: Mission) -> Block:
     """The same states for all sails: each extremal is a few Newton steps from that of the sail before."""
     recipe = mission.dataset.wide
-    states = around_target(mission.problem, recipe.around, recipe.seed, mission.components)
+    states = around_target(
+        mission.problem, recipe.around, recipe.seed, mission.components, within=recipe.around_within
+    )
     sails = _sails(mission, range(recipe.levels))
     blocks = []
     for sail, found in zip(sails, solve_neighbouring_sails(sails, [states] * len(sails)), strict=True):

@@ -97,7 +97,8 @@ class Target:
     def recipe(self, training: Training) -> TrainingRecipe:
         """The mission's recipe for networks of this form."""
         own = (APPROACH_INPUTS, APPROACH_INPUTS_IN_SPACE)
-        return training.wide if self.inputs in own else training.paper
+        recipe = training.wide if self.inputs in own else training.paper
+        return recipe if self.size is None else recipe.of_command
 
 
 _PAPER = (

@@ -10,6 +10,10 @@ Width = Annotated[int, Field(gt=0, le=4096)]
 """Of a layer."""
 
 
+AROUND_WITHIN = 0.1
+"""How far from the target the states around it lie at most, in units of its orbit, where nothing is said."""
+
+
 class DomainRecipe(Section):
     """Optimal trajectories from everywhere in the generalisation set, widened by a margin.
 
@@ -44,7 +48,8 @@ class WideRecipe(Ordered):
     For each of ``levels`` values of beta between ``beta`` times the mission's: fastest extremals from
     ``starts`` states of the generalisation set widened by ``margin`` [AU, AU/TU, AU/TU], sampled every
     ``spacing`` [TU]; ``approaches`` extremals of at most ``approach_time`` [TU] around theirs; and the
-    fastest from ``around`` states beside the target, which a sail that has missed it is in. And, from
+    fastest from ``around`` states beside the target, which a sail that has missed it is in: at most
+    ``around_within`` off, in units of the target's orbit. And, from
     ``crossings`` states on its ways, what is fastest for the others: those whose beta is not as planned.
     """
 
@@ -56,6 +61,7 @@ class WideRecipe(Ordered):
     approaches: Count
     approach_time: Positive
     around: Annotated[int, Field(ge=0, le=10**6)] = 0
+    around_within: Annotated[float, Field(ge=1e-3, le=0.5)] = AROUND_WITHIN
     crossings: Annotated[int, Field(ge=0, le=10**6)] = 0
     seed: Seed
 
@@ -63,9 +69,8 @@ class WideRecipe(Ordered):
     def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
         """As before there were such states, where there are none: artefacts stay valid."""
         content: dict[str, object] = handler(self)
-        return {
-            name: value for name, value in content.items() if value or name not in ("around", "crossings")
-        }
+        usual = {"around": 0, "around_within": AROUND_WITHIN, "crossings": 0}
+        return {name: value for name, value in content.items() if value != usual.get(name)}
 
 
 class Recipes(Section):
@@ -76,14 +81,29 @@ class Recipes(Section):
     box: BoxRecipe | None = None
 
 
+Hidden = Annotated[tuple[Width, ...], Field(strict=False, min_length=1, max_length=15)]
+"""Widths of a network's hidden layers."""
+
+
+class CommandRecipe(Section):
+    """What the network of |alpha| has of its own, whose error sends sails off the fastest way.
+
+    No networks that ship are of its size: it begins with random weights.
+    """
+
+    hidden: Hidden
+    train_samples: Count
+    curvature_samples: Count
+
+
 class TrainingRecipe(Section):
     """Network size and Levenberg-Marquardt settings.
 
     ``start`` names the mission whose networks, which come with the package, training begins with; without,
-    it begins with random weights.
+    it begins with random weights. ``command`` is of the network of |alpha| alone.
     """
 
-    hidden: Annotated[tuple[Width, ...], Field(strict=False, min_length=1, max_length=15)]
+    hidden: Hidden
     train_samples: Count
     curvature_samples: Count
     validation_samples: Count
@@ -92,12 +112,24 @@ class TrainingRecipe(Section):
     goal: Positive
     seed: Seed
     start: str | None = None
+    command: CommandRecipe | None = None
+
+    @property
+    def of_command(self) -> "TrainingRecipe":
+        """The recipe of the network of |alpha|."""
+        if self.command is None:
+            return self
+        return self.model_copy(update={**dict(self.command), "start": None, "command": None})
 
     @model_serializer(mode="wrap")
     def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
-        """As before there were such starts, where there is none: artefacts stay valid."""
+        """As before there were such keys, where there are none: artefacts stay valid."""
         content: dict[str, object] = handler(self)
-        return {name: value for name, value in content.items() if name != "start" or value is not None}
+        return {
+            name: value
+            for name, value in content.items()
+            if value is not None or name not in ("start", "command")
+        }
 
 
 class Training(Section):

@@ -13,7 +13,8 @@ QUICK: Mapping[str, Mapping[str, int]] = {
     "dataset": {"levels": 7, "starts": 192, "approaches": 300, "around": 0, "crossings": 0},
     "training": {"epochs": 90},
 }
-"""At most so much of [dataset.wide] and [training.wide]: one or two minutes on 2 cores."""
+"""At most so much of [dataset.wide] and [training.wide], and no larger network of |alpha|: one or two
+minutes on 2 cores."""
 
 FLIGHTS: Mapping[Size, int] = {"quick": 1_000, "full": 10_000}
 """That accept the networks, a series."""
@@ -29,4 +30,5 @@ def sized(mission: "Mission", size: Size) -> "Mission":
     for section, most in QUICK.items():
         recipe = content[section]["wide"]
         recipe |= {key: min(recipe.get(key, 0), value) for key, value in most.items()}
+    content["training"]["wide"].pop("command", None)
     return parse_mission(content, f"{mission.name}, quick")

@@ -58,6 +58,20 @@ def test_it_is_the_same_function_of_the_inputs_that_both_have(kind: str, name: s
     np.testing.assert_allclose(ours(inputs[inside]), source(theirs[inside]), rtol=0, atol=1e-10)
 
 
+def test_a_command_of_another_size_begins_with_random_weights() -> None:
+    own = parse_mission({"sail": {"beta": 0.12}, "transfer": {"target_radius": 0.9}}, "own").training
+    assert own.wide.command is not None
+    command, others = TARGETS["wide"]["alpha_pre"], [TARGETS["wide"][name] for name in ("tau", "lambda_v")]
+    for target in (command, *others):
+        recipe = target.recipe(own)
+        assert recipe.command is None or target is not command
+        assert recipe.hidden == (own.wide.command.hidden if target is command else own.wide.hidden)
+        assert (begins_with(target, recipe) == "random weights") is (target is command)
+    assert command.recipe(own).train_samples == own.wide.command.train_samples
+    assert command.recipe(own).epochs == own.wide.epochs
+    assert command.recipe(MARS.training) == MARS.training.wide
+
+
 def test_what_that_mission_has_not_begins_with_random_weights() -> None:
     target = TARGETS["wide in space"]["lambda_w"]
     assert begins_with(target, RECIPE) == "random weights"
