@@ -71,7 +71,7 @@ WIDE_TRAINING = {
     "seed": 7,
 }
 COMMAND_TRAINING = {"hidden": [32, 32, 32], "train_samples": 600_000, "curvature_samples": 32_000}
-"""Of the network of |alpha|: it jumps where the fastest way ends, and flights that see it blurred go round."""
+"""Of the network of |alpha|: it jumps where the fastest way ends, and flights that see that blurred miss."""
 
 PAPER_TRAINING = {**WIDE_TRAINING, "train_samples": 150_000, "curvature_samples": 15_000, "epochs": 450}
 
@@ -114,8 +114,6 @@ def completed(content: Mapping[str, Any], source: str) -> dict[str, Any]:
         sail = Sail(beta=0.1, max_cone_angle=CONE_ANGLE, smoothing=SMOOTHING)
         orbits = Orbits(departure_radius=1.0, target_radius=1.5)
     derived = _derived(sail, orbits, source)
-    if "around" in _table(_table(given, "dataset"), "wide"):  # said before there was a choice how far
-        del derived["dataset"]["wide"]["around_within"]
     training = given.get("training", {})
     if isinstance(training, dict) and "wide" not in training:
         wide = {**WIDE_TRAINING, "start": _begun_with(orbits), "command": COMMAND_TRAINING}
@@ -188,8 +186,7 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
                 "spacing": spacing,
                 "approaches": 1400,
                 "approach_time": _rounded(max(1.5, 0.8 * target**1.5)),
-                "around": 1024,
-                "around_within": 0.3,
+                "around": 256,
                 "seed": 20242,
             },
             "domain": {
@@ -213,11 +210,6 @@ def _optics_of(sail: Mapping[str, Any]) -> Optics:
         return optics_from(sail.get("optics", "ideal"))
     except SailnetError:  # as above
         return OPTICS["ideal"]
-
-
-def _table(content: Mapping[str, Any], key: str) -> Mapping[str, Any]:
-    table = content.get(key)
-    return table if isinstance(table, dict) else {}
 
 
 def _name(source: str) -> str:

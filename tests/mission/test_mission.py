@@ -291,3 +291,10 @@ def test_a_mission_may_say_how_its_sail_ages() -> None:
 def test_a_sail_that_cannot_age_so_is_refused(value: dict[str, float]) -> None:
     with pytest.raises(MissionError, match="degradation"):
         parse_mission(changed("degradation", value), "test")
+
+
+def test_data_from_near_the_target_alone_are_written_as_before_there_were_others() -> None:
+    mars, mercury = load_mission("earth_mars").dataset.wide, load_mission("earth_mercury").dataset.wide
+    assert mars.around_within == 0.1
+    assert "around_within" not in mars.model_dump()
+    assert mercury.model_dump()["around_within"] == mercury.around_within == 0.3
