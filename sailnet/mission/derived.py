@@ -70,9 +70,6 @@ WIDE_TRAINING = {
     "goal": 1e-9,
     "seed": 7,
 }
-COMMAND_TRAINING = {"hidden": [32, 32, 32], "train_samples": 600_000, "curvature_samples": 32_000}
-"""Of the network of |alpha|: it jumps where the fastest way ends, and flights that see that blurred miss."""
-
 PAPER_TRAINING = {**WIDE_TRAINING, "train_samples": 150_000, "curvature_samples": 15_000, "epochs": 450}
 
 
@@ -116,8 +113,7 @@ def completed(content: Mapping[str, Any], source: str) -> dict[str, Any]:
     derived = _derived(sail, orbits, source)
     training = given.get("training", {})
     if isinstance(training, dict) and "wide" not in training:
-        wide = {**WIDE_TRAINING, "start": _begun_with(orbits), "command": COMMAND_TRAINING}
-        derived["training"]["wide"] = wide
+        derived["training"]["wide"] = {**WIDE_TRAINING, "start": _begun_with(orbits)}
     return _under(derived, given)
 
 

@@ -191,7 +191,9 @@ def test_a_new_mission_that_cannot_be_is_refused() -> None:
 
 
 def test_quick_is_the_same_problem_with_smaller_recipes() -> None:
-    whole = parse_mission(short(dataset={"wide": {"levels": 3, "crossings": 5}}), "the file")
+    command = {"hidden": [32, 32], "train_samples": 5000, "curvature_samples": 500}
+    content = short(dataset={"wide": {"levels": 3, "crossings": 5}}, training={"wide": {"command": command}})
+    whole = parse_mission(content, "the file")
     quick = sized(whole, "quick")
     assert sized(whole, "full") is whole
     assert quick.digest("generalisation", "flight") == whole.digest("generalisation", "flight")

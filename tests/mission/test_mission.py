@@ -15,6 +15,7 @@ from sailnet.errors import MissionError
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission, load_mission, parse_mission, shipped_missions
 from sailnet.mission.sections import NO_DEGRADATION, Degradation
+from sailnet.mission.written import whole_text
 from sailnet.physics.optics import OPTICS
 
 TEXT = (resources.files("sailnet") / "mission" / "missions" / "earth_mars.toml").read_text("utf-8")
@@ -298,3 +299,16 @@ def test_data_from_near_the_target_alone_are_written_as_before_there_were_others
     assert mars.around_within == 0.1
     assert "around_within" not in mars.model_dump()
     assert mercury.model_dump()["around_within"] == mercury.around_within == 0.3
+
+
+def test_a_command_of_its_own_is_read_written_and_refused_by_key() -> None:
+    content = json.loads(load_mission("earth_mars").to_json())
+    assert "command" not in content["training"]["wide"]
+    own = {"hidden": [32, 32, 32], "train_samples": 600_000, "curvature_samples": 32_000}
+    content["training"]["wide"]["command"] = own
+    mission = parse_mission(content, "own")
+    assert json.loads(mission.to_json())["training"]["wide"]["command"] == own
+    assert parse_mission(tomllib.loads(whole_text(mission)), "own") == mission
+    content["training"]["wide"]["command"] = {**own, "curvature_samples": 0}
+    with pytest.raises(MissionError, match=r"training\.wide\.command\.curvature_samples"):
+        parse_mission(content, "own")

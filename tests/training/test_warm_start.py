@@ -7,7 +7,7 @@ from sailnet.errors import MissionError, NetworkError
 from sailnet.guidance.backends import exported_folder, missions_with_networks
 from sailnet.mission.derived import BEGUN_WITH
 from sailnet.mission.mission import load_mission, parse_mission
-from sailnet.mission.recipes import TrainingRecipe
+from sailnet.mission.recipes import CommandRecipe, TrainingRecipe
 from sailnet.networks.network import Network, load_network
 from training.judged import network_of
 from training.layers import Layers
@@ -59,7 +59,9 @@ def test_it_is_the_same_function_of_the_inputs_that_both_have(kind: str, name: s
 
 
 def test_a_command_of_another_size_begins_with_random_weights() -> None:
-    own = parse_mission({"sail": {"beta": 0.12}, "transfer": {"target_radius": 0.9}}, "own").training
+    more = {"hidden": [32, 32, 32], "train_samples": 600_000, "curvature_samples": 32_000}
+    wide = RECIPE.model_copy(update={"command": CommandRecipe.model_validate(more)})
+    own = MARS.training.model_copy(update={"wide": wide})
     assert own.wide.command is not None
     command, others = TARGETS["wide"]["alpha_pre"], [TARGETS["wide"][name] for name in ("tau", "lambda_v")]
     for target in (command, *others):
