@@ -22,7 +22,7 @@ from data.sails import solve_neighbouring_sails
 from sailnet.dataset import ALONE, Block
 from sailnet.expert.optima import Optima
 from sailnet.mission.mission import Mission
-from sailnet.mission.recipes import AROUND_WITHIN, WideRecipe
+from sailnet.mission.recipes import WideRecipe
 from sailnet.networks.approach import approach_direction
 from sailnet.physics.arrays import Array
 from sailnet.physics.extremals import arrival_gain, propagate_extremals
@@ -89,9 +89,7 @@ def wide_shard(mission: Mission, shard: int) -> Block:
     return Block.join(blocks)
 
 
-def around_target(
-    problem: Transfer, count: int, seed: int, components: int = 3, *, within: float = AROUND_WITHIN
-) -> Array:
+def around_target(problem: Transfer, count: int, seed: int, components: int = 3, *, within: float) -> Array:
     """(count, 3) states r [AU], u, v [AU/TU] about the target: in every direction, evenly in log distance.
 
     Or (count, 5) in space, mostly near the target's plane. ``within`` so much of the target's orbit.

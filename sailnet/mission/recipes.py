@@ -10,8 +10,14 @@ Width = Annotated[int, Field(gt=0, le=4096)]
 """Of a layer."""
 
 
-AROUND_WITHIN = 0.1
-"""How far from the target the states around it lie at most, in units of its orbit, where nothing is said."""
+class Grown(Section):
+    """A table with keys that it once had not: unwritten at their defaults, so that artefacts stay valid."""
+
+    @model_serializer(mode="wrap")
+    def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
+        content: dict[str, object] = handler(self)
+        keys = type(self).model_fields
+        return {name: value for name, value in content.items() if value != keys[name].default}
 
 
 class DomainRecipe(Section):
@@ -42,15 +48,15 @@ class BoxRecipe(Ordered):
     seed: Seed
 
 
-class WideRecipe(Ordered):
+class WideRecipe(Grown, Ordered):
     """Optimal trajectories for a range of sails, and approaches to the target from every side.
 
     For each of ``levels`` values of beta between ``beta`` times the mission's: fastest extremals from
     ``starts`` states of the generalisation set widened by ``margin`` [AU, AU/TU, AU/TU], sampled every
     ``spacing`` [TU]; ``approaches`` extremals of at most ``approach_time`` [TU] around theirs; and the
     fastest from ``around`` states beside the target, which a sail that has missed it is in: at most
-    ``around_within`` off, in units of the target's orbit. And, from
-    ``crossings`` states on its ways, what is fastest for the others: those whose beta is not as planned.
+    ``around_within`` off, in units of the target's orbit. And, from ``crossings`` states on its ways, what is
+    fastest for the others: those whose beta is not as planned.
     """
 
     beta: Interval
@@ -61,16 +67,9 @@ class WideRecipe(Ordered):
     approaches: Count
     approach_time: Positive
     around: Annotated[int, Field(ge=0, le=10**6)] = 0
-    around_within: Annotated[float, Field(ge=1e-3, le=0.5)] = AROUND_WITHIN
+    around_within: Annotated[float, Field(ge=1e-3, le=0.5)] = 0.1
     crossings: Annotated[int, Field(ge=0, le=10**6)] = 0
     seed: Seed
-
-    @model_serializer(mode="wrap")
-    def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
-        """As before there were such states, where there are none: artefacts stay valid."""
-        content: dict[str, object] = handler(self)
-        usual = {"around": 0, "around_within": AROUND_WITHIN, "crossings": 0}
-        return {name: value for name, value in content.items() if value != usual.get(name)}
 
 
 class Recipes(Section):
@@ -96,7 +95,7 @@ class CommandRecipe(Section):
     curvature_samples: Count
 
 
-class TrainingRecipe(Section):
+class TrainingRecipe(Grown):
     """Network size and Levenberg-Marquardt settings.
 
     ``start`` names the mission whose networks, which come with the package, training begins with; without,
@@ -120,16 +119,6 @@ class TrainingRecipe(Section):
         if self.command is None:
             return self
         return self.model_copy(update={**dict(self.command), "start": None, "command": None})
-
-    @model_serializer(mode="wrap")
-    def _without_what_is_usual(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
-        """As before there were such keys, where there are none: artefacts stay valid."""
-        content: dict[str, object] = handler(self)
-        return {
-            name: value
-            for name, value in content.items()
-            if value is not None or name not in ("start", "command")
-        }
 
 
 class Training(Section):

@@ -76,7 +76,9 @@ def test_what_is_derived_is_what_the_shipped_missions_say(shipped: str, longest:
     derived = parse_mission(short(sail, whole.transfer.target_radius, name=shipped), "the file")
     assert derived.digest("generalisation") == whole.digest("generalisation")
     assert derived.dataset.wide.margin == whole.dataset.wide.margin
-    assert whole.dataset.wide.around >= derived.dataset.wide.around > 0
+    # Mercury's asks for more, and from farther off: training/TRIED.md.
+    assert derived.dataset.wide.around == 256
+    assert shipped == "earth_mercury" or derived.dataset.wide.around == whole.dataset.wide.around
     assert derived.dataset.wide.spacing == pytest.approx(whole.dataset.wide.spacing, rel=0.4)
     assert derived.flight.longest == longest
     assert derived.flight.period == whole.flight.period
