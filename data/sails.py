@@ -11,6 +11,7 @@ import numpy as np
 from sailnet.expert.any_dimension import solve_some, solve_states
 from sailnet.expert.neighbours import next_optima, solve_among, spread
 from sailnet.expert.optima import Optima, put
+from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.transfer import Transfer
 
@@ -22,6 +23,18 @@ WORTH_A_SEARCH = 12
 
 STEPS = 4
 """From one sail to the next when slow flights lead on: of 1.7 % of beta at once Newton's method takes few."""
+
+
+def sails_of(mission: Mission, levels: range) -> list[Transfer]:
+    """The problem with some of the wide recipe's values of beta, by their numbers."""
+    recipe = mission.dataset.wide
+    beta = mission.sail.beta * np.linspace(*recipe.beta, recipe.levels)[levels]
+    return [replace(mission.problem, beta=float(own)) for own in beta]
+
+
+def short_enough(mission: Mission, optima: Optima) -> Optima:
+    """Those found of a flight that is not lost for its length."""
+    return optima.rows(optima.found & ~(optima.time_of_flight > mission.flight.longest))
 
 
 def solve_neighbouring_sails(sails: list[Transfer], states: list[Array]) -> list[Optima]:

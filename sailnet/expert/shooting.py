@@ -226,7 +226,8 @@ def _mend(jacobian: Array, rows: NDArray[np.intp], before: Shots, after: Shots) 
     turned = np.einsum("nji,nj->ni", there, after.directions - before.directions)
     step = np.column_stack([turned, after.tau - before.tau])
     surprise = (after.states - before.states)[:, :size] - np.einsum("nij,nj->ni", carried, step)
-    mended = carried + surprise[:, :, None] * (step / (step**2).sum(axis=1, keepdims=True))[:, None, :]
+    with np.errstate(invalid="ignore"):  # of no step, which says nothing
+        mended = carried + surprise[:, :, None] * (step / (step**2).sum(axis=1, keepdims=True))[:, None, :]
     usable = np.isfinite(mended).all(axis=(1, 2))
     jacobian[rows[usable]] = mended[usable]
 

@@ -6,8 +6,8 @@ import h5py
 import numpy as np
 import pytest
 
+from data.beside import around_target
 from data.recipes import prepare
-from data.wide import around_target
 from sailnet.dataset import open_dataset, write_dataset
 from sailnet.dataset.block import Block
 from sailnet.dataset.inspection import inspect_dataset
