@@ -44,8 +44,7 @@ def prepare(mission: Mission, recipe: str) -> Prepared:
         )
     if recipe == "wide":
         wide = mission.dataset.wide
-        beside = wide.around + wide.off_nominal
-        most = wide.levels * (wide.starts + wide.approaches + beside + wide.levels * wide.crossings)
+        most = wide.levels * (wide.starts + wide.approaches + wide.around + wide.levels * wide.crossings)
         title = "fastest extremals and approaches for a range of sails"
         return Prepared(partial(wide_shard, mission), most, wide_shards(wide), _origin(mission, title, wide))
     if recipe == "domain":

@@ -1,8 +1,8 @@
 """Data for guidance networks: fastest extremals for a range of sails, and approaches from all sides.
 
 Flights begin as in :mod:`data.domain`, for one value of beta after the other. Beside them are approaches
-from elsewhere (:mod:`data.approaches`), flights of sails that have missed the target or are off their way to
-it (:mod:`data.beside`), and of those whose beta is not what it was planned with (:mod:`data.crossings`).
+from elsewhere (:mod:`data.approaches`), flights of sails that missed the target (:mod:`data.around`), and
+of those whose beta is not what it was planned with (:mod:`data.crossings`).
 """
 
 import math
@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from data.approaches import approach_costates, approaches
-from data.beside import beside_block, beside_shards
+from data.around import from_around
 from data.crossings import crossings_blocks
 from data.domain import flights_block, widened
 from data.families import families_of
@@ -27,12 +27,12 @@ stronger are a few Newton steps away."""
 
 
 def wide_shard(mission: Mission, shard: int) -> Block:
-    """Flights and approaches of some neighbouring values of beta, or flights of all from beside the way.
+    """Flights and approaches of some neighbouring values of beta, or flights of all from around the target.
 
     Args:
         mission: its ``dataset.wide`` section is the recipe.
-        shard: number of the first of those values, in units of ``TOGETHER``; beyond them a number of
-            :func:`data.beside.beside_block`. With the recipe's seed it fixes everything.
+        shard: number of the first of those values, in units of ``TOGETHER``, the last for those of all; with
+            the recipe's seed it fixes everything.
     """
     # scipy.stats takes longer to load than all of this package.
     from scipy.stats.qmc import Sobol
@@ -40,7 +40,7 @@ def wide_shard(mission: Mission, shard: int) -> Block:
     recipe = mission.dataset.wide
     levels = range(shard * TOGETHER, min((shard + 1) * TOGETHER, recipe.levels))
     if not levels:
-        return beside_block(mission, shard - _level_shards(recipe))
+        return from_around(mission)
     sails = sails_of(mission, levels)
     streams = [np.random.default_rng([recipe.seed, level]) for level in levels]
     low, high = widened(mission, recipe.margin)
@@ -57,11 +57,7 @@ def wide_shard(mission: Mission, shard: int) -> Block:
 
 def wide_shards(recipe: WideRecipe) -> int:
     """How many there are."""
-    return _level_shards(recipe) + beside_shards(recipe)
-
-
-def _level_shards(recipe: WideRecipe) -> int:
-    return -(-recipe.levels // TOGETHER)
+    return -(-recipe.levels // TOGETHER) + (recipe.around > 0)
 
 
 def _one_sail(

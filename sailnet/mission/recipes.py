@@ -55,9 +55,8 @@ class WideRecipe(Grown, Ordered):
     ``starts`` states of the generalisation set widened by ``margin`` [AU, AU/TU, AU/TU], sampled every
     ``spacing`` [TU]; ``approaches`` extremals of at most ``approach_time`` [TU] around theirs; and the
     fastest from ``around`` states beside the target, which a sail that has missed it is in: at most
-    ``around_within`` off, in units of the target's orbit; and from ``off_nominal`` states a little off the
-    ways on which sails come to it. And, from ``crossings`` states on its ways, what is fastest for the
-    others: those whose beta is not as planned.
+    ``around_within`` off, in units of the target's orbit. And, from ``crossings`` states on its ways, what is
+    fastest for the others: those whose beta is not as planned.
     """
 
     beta: Interval
@@ -69,7 +68,6 @@ class WideRecipe(Grown, Ordered):
     approach_time: Positive
     around: Annotated[int, Field(ge=0, le=10**6)] = 0
     around_within: Annotated[float, Field(ge=1e-3, le=0.5)] = 0.1
-    off_nominal: Annotated[int, Field(ge=0, le=10**6)] = 0
     crossings: Annotated[int, Field(ge=0, le=10**6)] = 0
     seed: Seed
 

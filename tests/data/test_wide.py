@@ -1,6 +1,5 @@
 """Wide data: flights of several sails, approaches from all sides, nothing known to be slower."""
 
-import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -8,16 +7,15 @@ import numpy as np
 import pytest
 from scipy.spatial.distance import cdist
 
-from data import beside
 from data.approaches import RADIUS, SAMPLES, SLOWER, approach_costates
-from data.beside import around_target, off_nominal
+from data.around import around_target
 from data.families import APART
 from data.generate import generate
 from data.recipes import prepare
 from data.wide import wide_shard, wide_shards
 from sailnet.dataset import ALONE, CROSSING_FLAG, Block, open_dataset, write_dataset
 from sailnet.dataset.inspection import ORIGIN, inspect_dataset
-from sailnet.expert.fastest import solve, solve_states
+from sailnet.expert.fastest import solve
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.networks.approach import approach_coordinates
 from sailnet.workers.executors import Workers
@@ -103,56 +101,6 @@ def test_every_level_belongs_to_a_shard(narrow: Mission, levels: int, shards: in
     wide = narrow.dataset.wide.model_copy(update={"levels": levels})
     assert wide_shards(wide) == shards
     assert wide_shards(wide.model_copy(update={"around": 1})) == shards + 1
-    assert wide_shards(wide.model_copy(update={"off_nominal": 257})) == shards + 2
-    assert wide_shards(wide.model_copy(update={"around": 1, "off_nominal": 256})) == shards + 2
-
-
-@pytest.mark.slow
-def test_states_off_nominal_lie_beside_ways_to_the_target(
-    narrow: Mission, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Not off at all they are points of fastest flights, at times to go that are spread evenly in the
-    logarithm; and otherwise as far from those as is said, in units of what is left."""
-    problem, longest = narrow.problem, narrow.dataset.wide.approach_time
-    states = off_nominal(narrow, 200, np.random.default_rng(3))
-    monkeypatch.setattr(beside, "OFF", (1e-12, 2e-12))
-    on_the_way = off_nominal(narrow, 200, np.random.default_rng(3))
-    assert states.shape == on_the_way.shape == (200, 3)
-    optima = solve_states(problem, on_the_way[:60])
-    times = optima.time_of_flight[optima.found]
-    assert len(times) >= 50
-    assert times.min() >= beside.EARLIEST * longest * (1.0 - 1e-6)
-    assert np.mean(times <= longest * (1.0 + 1e-6)) > 0.8  # the rest are approaches that others beat
-    assert 0.3 < np.mean(times < longest * math.sqrt(beside.EARLIEST)) < 0.7
-    size = problem.target_radius
-    unit = np.array([size, size**-0.5, size**-0.5])
-    left = np.linalg.norm((on_the_way - problem.target_state) / unit, axis=1)
-    off = np.linalg.norm((states - on_the_way) / unit, axis=1) / left
-    assert 0.003 <= off.min() < 0.006
-    assert 0.15 < off.max() <= 0.3
-    assert left.max() < beside.FAR
-
-
-def test_states_off_nominal_depend_on_nothing_but_what_draws_them(narrow: Mission) -> None:
-    one, same, other = (off_nominal(narrow, 5, np.random.default_rng(seed)) for seed in (1, 1, 2))
-    np.testing.assert_array_equal(one, same)
-    assert np.abs(one - other).max() > 1e-3
-
-
-@pytest.mark.exhaustive
-def test_flights_from_off_nominal_states_are_the_fastest_of_every_sail(narrow: Mission) -> None:
-    wide = narrow.dataset.wide.model_copy(update={"off_nominal": 12})
-    mission = narrow.model_copy(update={"dataset": narrow.dataset.model_copy(update={"wide": wide})})
-    block = wide_shard(mission, 1)
-    families = block.trajectories["family"] - APART * wide.levels
-    assert set(families) <= set(range(12))
-    assert len(families) > len(set(families)) >= 9
-    last = np.cumsum(block.lengths) - 1
-    starts = np.column_stack([block.samples[name][last] for name in "ruv"])
-    for row in range(0, len(last), 5):
-        sail = replace(mission.problem, beta=float(block.samples["beta"][last[row]]))
-        best = solve(sail, starts[row]).time_of_flight
-        assert block.samples["tau"][last[row]] == pytest.approx(best, abs=1e-6)
 
 
 @pytest.mark.exhaustive
@@ -181,10 +129,9 @@ def test_flights_from_around_the_target_are_the_fastest_of_every_sail(narrow: Mi
 
 
 def test_a_recipe_without_them_is_written_as_ever(narrow: Mission) -> None:
-    keys = ("around", "off_nominal", "crossings")
-    wide = narrow.dataset.wide.model_copy(update=dict.fromkeys(keys, 0))
-    assert set(keys).isdisjoint(wide.model_dump())
-    for name in keys:
+    wide = narrow.dataset.wide.model_copy(update={"around": 0, "crossings": 0})
+    assert {"around", "crossings"}.isdisjoint(wide.model_dump())
+    for name in ("around", "crossings"):
         assert wide.model_copy(update={name: 3}).model_dump()[name] == 3
 
 

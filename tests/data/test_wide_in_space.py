@@ -6,7 +6,7 @@ import h5py
 import numpy as np
 import pytest
 
-from data.beside import around_target
+from data.around import around_target
 from data.recipes import prepare
 from sailnet.dataset import open_dataset, write_dataset
 from sailnet.dataset.block import Block
