@@ -192,6 +192,19 @@ def test_a_new_mission_that_cannot_be_is_refused() -> None:
         short_text("mine", -1.0, departure_radius=1.0, strength=("beta", 0.12), max_cone_angle=55.0)
 
 
+def test_a_plane_mission_of_ones_own_has_a_larger_network_of_the_angle() -> None:
+    own = parse_mission(short(), "the file").training.wide
+    assert own.command is not None
+    assert own.of_command.start is None
+    assert own.of_command.epochs == own.epochs
+    assert len(own.of_command.hidden) > len(own.hidden)
+    content = short()
+    content["transfer"]["inclination"] = 3.0
+    assert parse_mission(content, "the file").training.wide.command is None
+    said = short(training={"wide": {"epochs": 30}})
+    assert parse_mission(said, "the file").training.wide.command is None
+
+
 def test_quick_is_the_same_problem_with_smaller_recipes() -> None:
     command = {"hidden": [32, 32], "train_samples": 5000, "curvature_samples": 500}
     content = short(dataset={"wide": {"levels": 3, "crossings": 5}}, training={"wide": {"command": command}})
