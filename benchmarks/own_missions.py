@@ -135,6 +135,7 @@ def main() -> int:
     parser.add_argument("--text", type=Path, help="file with marks <!-- own-missions-SIZE --> for the tables")
     options = parser.parse_args()
     try:
+        options.folder.mkdir(parents=True, exist_ok=True)
         flown = [
             (own, fly(own, options.folder, options.size, options.seed, options.workers)) for own in MISSIONS
         ]
