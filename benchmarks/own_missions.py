@@ -57,7 +57,7 @@ def fly(own: Own, folder: Path, size: str, seed: int, workers: int | None) -> di
 
     Args:
         own: the mission.
-        folder: for its file, for all that is made, and for what was printed.
+        folder: for its file, for all that is made, and for what was printed; made where there is none.
         size: of the recipe.
         seed: of the flights.
         workers: processes; None for all cores.
@@ -70,6 +70,7 @@ def fly(own: Own, folder: Path, size: str, seed: int, workers: int | None) -> di
     before = dict(json.loads(printed.read_text())) if printed.exists() else {}
     if before and Path(before["results"]).exists():
         return before
+    folder.mkdir(parents=True, exist_ok=True)
     file = folder / f"{own.name}.toml"
     transfer = ["--target", f"{own.target}", "--beta", f"{own.beta}"]
     bound = ["--max-cone-angle", f"{own.max_cone_angle}"]
@@ -135,7 +136,6 @@ def main() -> int:
     parser.add_argument("--text", type=Path, help="file with marks <!-- own-missions-SIZE --> for the tables")
     options = parser.parse_args()
     try:
-        options.folder.mkdir(parents=True, exist_ok=True)
         flown = [
             (own, fly(own, options.folder, options.size, options.seed, options.workers)) for own in MISSIONS
         ]
