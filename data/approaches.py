@@ -41,7 +41,18 @@ weighted by 0.3), has tau / s lower by this factor."""
 def approach_costates(
     problem: Transfer, arrivals: Array, count: int, rng: np.random.Generator
 ) -> tuple[Array, NDArray[np.intp]]:
-    """Costates that arrive, and the flights whose arrival they are near; ``ALONE`` for any direction."""
+    """Arrival costates beside those of flights, and some of any direction.
+
+    Args:
+        problem: the transfer, with the sail's beta.
+        arrivals: (n, 3) arrival costates of flights, of r, u and v; in space (n, 5).
+        count: how many are drawn; those with which no sail arrives are left out.
+        rng: draws.
+
+    Returns:
+        (k, 3) costates with -lambda . dx/dt = 1, and (k,) the flights that they are near, ``ALONE`` for
+        any direction.
+    """
     parents = rng.integers(len(arrivals), size=count)
     near = arrivals[parents]
     positions = near.shape[1] // 2
@@ -64,7 +75,18 @@ def approach_costates(
 def approaches(
     problem: Transfer, costates: Array, longest: float, flights: Block, rng: np.random.Generator
 ) -> tuple[Block, NDArray[np.bool_]]:
-    """Sample approaches, each as far back as it is the fastest known; and which of them could be."""
+    """Sample approaches, each as far back as it is the fastest known.
+
+    Args:
+        problem: the transfer, with the sail's beta.
+        costates: (n, 3) at arrival; in space (n, 5).
+        longest: how far back at most [TU].
+        flights: of the same sail, which no approach may be slower than.
+        rng: draws the times of samples.
+
+    Returns:
+        The approaches that could be propagated, and (n,) which those are.
+    """
     tau = np.zeros((len(costates), SAMPLES + 1))
     even = np.linspace(np.log(SHORTEST), np.log(longest), SAMPLES)
     jitter = rng.uniform(-0.5, 0.5, (len(costates), SAMPLES)) * (even[1] - even[0])

@@ -23,7 +23,9 @@ sail that has missed the target comes back nearly in the plane, where hardly any
 
 
 def from_around(mission: Mission) -> Block:
-    """The fastest flights of all sails from the same states: each is some Newton steps from that of the last.
+    """The fastest flights of all sails from the same states around the target.
+
+    Each sail's are some Newton steps from those of the sail before, and of one family.
 
     Args:
         mission: its ``dataset.wide`` section is the recipe.
