@@ -11,7 +11,7 @@ from data.sails import sails_of, short_enough, solve_neighbouring_sails
 from sailnet.dataset import Block
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
-from sailnet.physics.geometry import target_of
+from sailnet.physics.geometry import orbit_units, target_of
 from sailnet.physics.transfer import Transfer
 
 NEAREST = 3e-4
@@ -48,7 +48,7 @@ def around_target(problem: Transfer, count: int, seed: int, components: int = 3,
 
     Or (count, 5) in space, mostly near the target's plane. ``within`` so much of the target's orbit.
     """
-    rng, size = np.random.default_rng(seed), problem.target_radius
+    rng = np.random.default_rng(seed)
     direction = rng.normal(size=(count, components))
     direction /= np.linalg.norm(direction, axis=1)[:, None]
     if components == 5:
@@ -56,6 +56,5 @@ def around_target(problem: Transfer, count: int, seed: int, components: int = 3,
         direction[:, [1, 4]] *= np.exp(rng.uniform(least, most, (count, 1)))
     nearest, farthest = np.log((NEAREST, within))
     distance = np.exp(rng.uniform(nearest, farthest, count))[:, None]
-    speed = size**-0.5
-    unit = [size, speed, speed] if components == 3 else [size, 1.0, speed, speed, speed]
-    return np.asarray(target_of(problem, components) + distance * direction * unit)
+    units = orbit_units(problem.target_radius, components)
+    return np.asarray(target_of(problem, components) + distance * direction * units)

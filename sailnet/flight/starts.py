@@ -16,7 +16,7 @@ from sailnet.guidance.interface import Guidance, GuidanceStatus
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.extremals import propagate_extremals
-from sailnet.physics.geometry import target_of
+from sailnet.physics.geometry import orbit_units, target_of
 
 OPTIMA = 256
 """Optimal flights beside which others start."""
@@ -54,9 +54,9 @@ def near_departure(mission: Mission, count: int, seed: int, first: int = 0) -> A
     """
     radius = mission.transfer.departure_radius
     if not mission.inclined:
-        orbit, widths = np.array([radius, 0.0, radius**-0.5]), DEPARTURE * _units(radius, 3)
+        orbit, widths = np.array([radius, 0.0, radius**-0.5]), DEPARTURE * orbit_units(radius, 3)
         return orbit + _drawn(seed, first, count, lambda rng: rng.uniform(-widths, widths))
-    beside = DEPARTURE * _units(radius, 5)
+    beside = DEPARTURE * orbit_units(radius, 5)
 
     def drawn(rng: np.random.Generator) -> Array:
         along = {"node_distance": rng.uniform(-180.0, 180.0)}
@@ -102,7 +102,7 @@ def off_optima(mission: Mission, count: int, seed: int, error: float, first: int
     tau = np.column_stack([np.zeros(count), drawn[:, 1] * flights.time_of_flight[flight]])
     extremals = propagate_extremals(mission.problem, flights.arrival_costates[flight], tau)
     points, direction = extremals.states[:, 1, :components], drawn[:, 2:]
-    units = _units(mission.problem.target_radius, components)
+    units = orbit_units(mission.problem.target_radius, components)
     left = np.linalg.norm((points - target_of(mission.problem, components)) / units, axis=1)
     size = error * left / np.linalg.norm(direction, axis=1)
     return np.asarray(points + size[:, None] * direction * units)
@@ -154,9 +154,3 @@ def _drawn(
     """(count, k) what each start draws from random numbers of its own."""
     drawn = [draw(np.random.default_rng([seed, number, stream])) for number in range(first, first + count)]
     return np.array(drawn)
-
-
-def _units(radius: float, components: int) -> Array:
-    """Of r [AU], u, v [AU/TU] on a circular orbit; in space of r, latitude [rad], u, v, w."""
-    speed = radius**-0.5
-    return np.array([radius, speed, speed] if components == 3 else [radius, 1.0, speed, speed, speed])

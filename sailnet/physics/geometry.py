@@ -140,3 +140,16 @@ def lengths_of(target: ArrayLike) -> Array:
     if len(given) == 5:
         lengths[1] = given[0]
     return lengths
+
+
+def orbit_units(radius: float, components: int) -> Array:
+    """(components,) r [AU], u, v [AU/TU] of a circular orbit; in space r, latitude [rad], u, v, w.
+
+    Its radius for r, 1 rad for the latitude, its speed for all others.
+
+    Args:
+        radius: of the orbit [AU].
+        components: of a state, 3 or 5.
+    """
+    speed = radius**-0.5
+    return np.array([radius, speed, speed] if components == 3 else [radius, 1.0, speed, speed, speed])

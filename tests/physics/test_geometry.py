@@ -11,7 +11,17 @@ from scipy.optimize import brentq
 from sailnet.expert.optima import Extremal
 from sailnet.physics.dynamics import ZERO, motion
 from sailnet.physics.extremals import arrival_gain, propagate_extremals
-from sailnet.physics.geometry import PLANE, SPACE, attitude, clock_angle, force_costates, in_space, target_of
+from sailnet.physics.geometry import (
+    PLANE,
+    SPACE,
+    attitude,
+    clock_angle,
+    force_costates,
+    geometry_of,
+    in_space,
+    orbit_units,
+    target_of,
+)
 from sailnet.physics.optics import OPTICS
 from sailnet.physics.pontryagin import evaluate_hamiltonian, extremal_motion, guidance_law
 from sailnet.physics.propagation import propagator
@@ -199,3 +209,9 @@ def test_space_has_five_states_and_the_plane_three() -> None:
     np.testing.assert_array_equal(in_space([1.0, 2.0, 3.0]), [1.0, 0.0, 2.0, 3.0, 0.0])
     np.testing.assert_array_equal(in_space(np.ones((2, 3)))[1], [1.0, 0.0, 1.0, 1.0, 0.0])
     np.testing.assert_array_equal(target_of(EXACT, 5)[[0, 2, 3]], EXACT.target_state)
+
+
+@pytest.mark.parametrize("components", [3, 5])
+def test_units_of_an_orbit_are_its_radius_and_its_speed(components: int) -> None:
+    units = dict(zip(geometry_of(components).state_names, orbit_units(4.0, components), strict=True))
+    assert units == {"r": 4.0, "u": 0.5, "v": 0.5} | ({"latitude": 1.0, "w": 0.5} if components == 5 else {})
