@@ -1,4 +1,4 @@
-"""From the data set to scaled samples: split by family, drawn evenly, scaled to [0, 1]."""
+"""From the data set to scaled samples: split by family, drawn, scaled to [0, 1]."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from sailnet.dataset import CROSSING_FLAG, Dataset
 from sailnet.errors import DatasetError
 from sailnet.physics.arrays import Array
+from training.emphasis import costs_of_error, draw
 from training.targets import Target
 
 PARTS = ("train", "validation", "test")
@@ -108,11 +109,25 @@ def crossings(data: Dataset) -> NDArray[np.bool_]:
 
 
 def load_samples(
-    data: Dataset, target: Target, seed: int, train_samples: int, validation_samples: int
+    data: Dataset,
+    target: Target,
+    seed: int,
+    train_samples: int,
+    validation_samples: int,
+    emphasis: float = 0.0,
 ) -> SampleSet:
     """Read one network's samples; memory holds what is returned and a block of rows.
 
     Ranges are over all training trajectories, so that they are those of every network.
+
+    Args:
+        data: to read from.
+        target: what the network learns.
+        seed: of the split and of what is drawn.
+        train_samples: so many are drawn of the training trajectories, or all;
+        validation_samples: and so many of those that say when to stop. Every test sample is read.
+        emphasis: of a network of |alpha| training and validation samples are drawn with a chance that grows
+            with this power of what an error costs there (:mod:`training.emphasis`); 0: evenly.
 
     Raises:
         DatasetError: damaged, or too few trajectories to split.
@@ -124,10 +139,11 @@ def load_samples(
     if not target.crossings:
         learnt = np.where(np.repeat(crossings(data), np.diff(data.first_sample)), -1, part_of_row)
     rng = np.random.default_rng([seed, 1])
-    drawn = []
-    for part, limit in enumerate((train_samples, validation_samples, data.samples)):
-        rows = np.flatnonzero(learnt == part)
-        drawn.append(rows if limit >= len(rows) else np.sort(rng.choice(rows, limit, replace=False)))
+    costs = costs_of_error(data, ROWS_READ) if emphasis and target.size is not None else None
+    drawn = [
+        draw(rng, np.flatnonzero(learnt == part), limit, costs, emphasis)
+        for part, limit in enumerate((train_samples, validation_samples, data.samples))
+    ]
     collected: list[list[Mapping[str, Array]]] = [[] for _ in PARTS]
     ranges, read = (*target.inputs, "value", *data.states), len(target.inputs)
     low, high = np.full(len(ranges), np.inf), np.full(len(ranges), -np.inf)

@@ -98,7 +98,7 @@ class Target:
         """The mission's recipe for networks of this form."""
         own = (APPROACH_INPUTS, APPROACH_INPUTS_IN_SPACE)
         recipe = training.wide if self.inputs in own else training.paper
-        return recipe if self.size is None else recipe.of_command
+        return recipe if self.name == "tau" else recipe.of_command
 
 
 _PAPER = (

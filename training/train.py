@@ -28,7 +28,7 @@ from training.samples import Part, SampleSet, load_samples
 from training.targets import Target
 from training.warm_start import begins_with, first_parameters
 
-SCHEMA = "sailnet-training/3"
+SCHEMA = "sailnet-training/4"
 """Part of what identifies a run: changes when the algorithm does, so that no old run is resumed."""
 
 CHECKPOINT_EVERY = 10
@@ -166,7 +166,8 @@ def train_network(
             if network.provenance.get("run") == identity:
                 return network
         data.verify()
-        samples = load_samples(data, target, recipe.seed, recipe.train_samples, recipe.validation_samples)
+        counts = recipe.train_samples, recipe.validation_samples
+        samples = load_samples(data, target, recipe.seed, *counts, recipe.emphasis)
     run = problems(samples, recipe.hidden, device)
     layers = run.train.layers
     progress = start(run, first_parameters(layers, target, recipe, samples))

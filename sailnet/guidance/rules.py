@@ -100,9 +100,9 @@ RULES = SteeringRules()
 
 
 def rules_for(mission: "Mission") -> SteeringRules:
-    """What flies a mission, which may say itself what is kept in reserve at least."""
-    least = mission.flight.least_reserve
-    return RULES if least is None else replace(RULES, least_reserve=least)
+    """What flies a mission, which may say itself what is kept in reserve and how patient the law is."""
+    own = {name: getattr(mission.flight, name) for name in ("least_reserve", "largest_patience")}
+    return replace(RULES, **{name: said for name, said in own.items() if said is not None})
 
 
 AT_ONCE = replace(RULES, largest_patience=0.0, largest_wait=0.0)

@@ -51,6 +51,9 @@ PERIOD, KICK = 0.005, 5e-4
 in the last one, which no guidance can take back: with 0.005 TU, 1.6 times the tolerance a period, one
 flight in thirty to Venus missed its first approach under noise, with a third of that one in a thousand."""
 
+PATIENCE = 0.0015
+"""What keeping a side may cost [TU]: a reversal late by more loses the fastest way to near targets."""
+
 LATITUDE = 1.6
 """Its half-width in latitude in three dimensions, in inclinations of the departure orbit; that in w is the
 speed with which an orbit of such an inclination crosses the plane."""
@@ -70,8 +73,13 @@ WIDE_TRAINING = {
     "goal": 1e-9,
     "seed": 7,
 }
-COMMAND_TRAINING = {"hidden": [24, 24, 24, 24], "train_samples": 300_000, "curvature_samples": 16_000}
-"""Of the network of |alpha|: it jumps where the fastest way ends, and flights that see that blurred miss.
+COMMAND_TRAINING = {
+    "hidden": [24, 24, 24, 24],
+    "train_samples": 300_000,
+    "curvature_samples": 16_000,
+    "emphasis": 0.5,
+}
+"""Of |alpha|, which jumps where the fastest way ends, and of lambda_v, which says when to turn over before.
 Four layers leave the plateau of random weights within some hundred steps; three of 32 not always."""
 
 PAPER_TRAINING = {**WIDE_TRAINING, "train_samples": 150_000, "curvature_samples": 15_000, "epochs": 450}
@@ -172,6 +180,7 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
             "arrival_threshold": period,
             "arrival_tolerance": 1e-3,
             "longest": min(10.0 * math.ceil(0.5 * (time + rounding)), LONGEST),
+            "largest_patience": PATIENCE,
         },
         "generalisation": {
             "r": _interval(departure, departure + outward * depth),

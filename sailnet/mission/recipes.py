@@ -84,22 +84,27 @@ Hidden = Annotated[tuple[Width, ...], Field(strict=False, min_length=1, max_leng
 """Widths of a network's hidden layers."""
 
 
-class CommandRecipe(Section):
-    """What the network of |alpha| has of its own, whose error sends sails off the fastest way.
+Emphasis = Annotated[float, Field(ge=0.0, le=1.0)]
+"""The power of what a wrong angle costs at a sample by which |alpha| learns from more such samples."""
 
-    No networks that ship are of its size: it begins with random weights.
+
+class CommandRecipe(Grown):
+    """What the networks of |alpha| and of its side have of their own: their errors lose the fastest way.
+
+    No networks that ship are of their size: they begin with random weights.
     """
 
     hidden: Hidden
     train_samples: Count
     curvature_samples: Count
+    emphasis: Emphasis = 0.0
 
 
 class TrainingRecipe(Grown):
     """Network size and Levenberg-Marquardt settings.
 
     ``start`` names the mission whose networks, which come with the package, training begins with; without,
-    it begins with random weights. ``command`` is of the network of |alpha| alone.
+    it begins with random weights. ``command`` is of all networks but that of the time to go.
     """
 
     hidden: Hidden
@@ -111,11 +116,12 @@ class TrainingRecipe(Grown):
     goal: Positive
     seed: Seed
     start: str | None = None
+    emphasis: Emphasis = 0.0
     command: CommandRecipe | None = None
 
     @property
     def of_command(self) -> "TrainingRecipe":
-        """The recipe of the network of |alpha|."""
+        """The recipe of the networks of |alpha| and of its side."""
         if self.command is None:
             return self
         return self.model_copy(update={**dict(self.command), "start": None, "command": None})

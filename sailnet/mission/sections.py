@@ -151,7 +151,8 @@ class FlightRules(Section):
     """Closed-loop flight [TU]; how fast the sail turns [deg/h]: as Solar Polar Imager, 70° in 3 h.
 
     ``least_reserve`` is the share of its thrust that the sail keeps in reserve at least; without it the
-    law's own (:attr:`sailnet.guidance.rules.SteeringRules.least_reserve`).
+    law's own (:attr:`sailnet.guidance.rules.SteeringRules.least_reserve`). ``largest_patience`` [TU] is what
+    it may cost at most to keep a side that is no longer the faster one; without it the law's own, likewise.
     """
 
     instead = {"period": ("period_hours",)}
@@ -161,6 +162,7 @@ class FlightRules(Section):
     longest: Positive
     slew_rate: Positive = 70.0 / 3.0
     least_reserve: Annotated[float, Field(ge=0.0, le=0.1)] | None = None
+    largest_patience: Annotated[float, Field(ge=0.0, le=0.1)] | None = None
 
     @model_validator(mode="after")
     def _comes_to_an_end(self) -> "FlightRules":

@@ -276,13 +276,18 @@ def test_same_weights_same_c(exported: Exported, tmp_path: Path) -> None:
 
 
 def test_the_c_keeps_what_the_mission_says(exported: Exported, tmp_path: Path) -> None:
-    flight = MISSION.flight.model_copy(update={"least_reserve": 0.02})
+    flight = MISSION.flight.model_copy(update={"least_reserve": 0.02, "largest_patience": 0.001})
     cautious = MISSION.model_copy(update={"flight": flight})
     write_c(exported.networks, describe(exported.networks, MISSION), tmp_path, rules_for(cautious))
-    for folder, kept in ((exported.folder, RULES.least_reserve), (tmp_path, 0.02)):
+    patience = RULES.patience(MISSION.problem.phi_max, MISSION.flight.turn_rate)
+    for folder, kept, patient in (
+        (exported.folder, RULES.least_reserve, patience),
+        (tmp_path, 0.02, 0.001),
+    ):
         header = (folder / "sailnet_guidance.h").read_text()
-        (number,) = re.findall(r"SAILNET_LEAST_RESERVE .*?\(([0-9.e-]+)", header)
-        assert float(number) == kept
+        for name, said in (("LEAST_RESERVE", kept), ("PATIENCE", patient)):
+            (number,) = re.findall(rf"define SAILNET_{name} .*?\(([0-9.e-]+)", header)
+            assert float(number) == said
 
 
 def snapshot(folder: Path) -> dict[str, bytes]:

@@ -33,10 +33,16 @@ def optimal_slew(problem: Transfer, extremal: Extremal) -> float:
     return float(abs(np.diff(columns[-1])).sum())
 
 
-def signs(wanted: list[float], lambda_v: float, optics: str = "ideal") -> list[float]:
-    """Of the commands of a sail that stands still, told to have its cone angle on these sides."""
+def signs(
+    wanted: list[float], lambda_v: float, optics: str = "ideal", patience: float | None = None
+) -> list[float]:
+    """Of the commands of a sail that stands still, told to have its cone angle on these sides.
+
+    ``patience``: the largest, as its mission says it.
+    """
     told = Told(lambda_v=lambda_v)
-    told.mission = MISSION.with_optics(OPTICS[optics])
+    flight = MISSION.flight.model_copy(update={"largest_patience": patience})
+    told.mission = MISSION.with_optics(OPTICS[optics]).model_copy(update={"flight": flight})
     steering = ReferenceSteering(told, 1)
     flown = []
     for sign in wanted:
@@ -79,6 +85,17 @@ def test_a_sail_reverses_when_staying_has_cost_what_patience_allows(periods: int
     lambda_v = PATIENCE / (periods - 0.5) / loss_of(1.0, optics)
     flown = signs([1.0] * 5 + [-1.0] * 40, lambda_v, optics)
     assert flown == [1.0] * (5 + periods) + [-1.0] * (40 - periods)
+
+
+@pytest.mark.parametrize(("said", "allowed"), [(None, PATIENCE), (1e-3, 1e-3), (0.09, 0.09)])
+def test_a_mission_may_say_how_patient_the_law_is(said: float | None, allowed: float) -> None:
+    """But it never waits for more than a reversal takes, which is less than the third."""
+    takes = 2.0 * MISSION.problem.phi_max / MISSION.flight.turn_rate
+    patience = min(allowed, takes)
+    for periods in (3, 20):
+        lambda_v = patience / (periods - 0.5) / loss_of(1.0)
+        flown = signs([1.0] * 5 + [-1.0] * 40, lambda_v, patience=said)
+        assert flown == [1.0] * (5 + periods) + [-1.0] * (40 - periods)
 
 
 def test_what_staying_cost_is_forgotten_as_the_networks_come_round() -> None:

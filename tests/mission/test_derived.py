@@ -60,6 +60,7 @@ def test_sail_and_transfer_are_a_mission() -> None:
     mission = parse_mission(short(), "there/My-Sail 2.toml")
     assert (mission.name, mission.title) == ("my_sail_2", "1 AU to 0.9 AU")
     assert mission.departure_state == (1.0, 0.0, 1.0)
+    assert mission.flight.largest_patience == 0.0015
     assert mission.sail.smoothing == 1e-3
     assert mission.generalisation.r == (0.94, 1.0)
     assert mission.generalisation.u == (-0.1, 0.0)
@@ -192,10 +193,11 @@ def test_a_new_mission_that_cannot_be_is_refused() -> None:
         short_text("mine", -1.0, departure_radius=1.0, strength=("beta", 0.12), max_cone_angle=55.0)
 
 
-def test_a_plane_mission_of_ones_own_has_a_larger_network_of_the_angle() -> None:
+def test_a_plane_mission_of_ones_own_has_larger_networks_of_the_command() -> None:
     own = parse_mission(short(), "the file").training.wide
     assert own.command is not None
     assert own.of_command.start is None
+    assert (own.emphasis, own.of_command.emphasis) == (0.0, 0.5)
     assert own.of_command.epochs == own.epochs
     assert len(own.of_command.hidden) > len(own.hidden)
     content = short()

@@ -97,6 +97,8 @@ def test_earth_mars_is_the_paper_s_problem() -> None:
         ("flight.slew_rate", math.inf, "finite"),
         ("flight.least_reserve", -0.001, "greater than or equal to 0"),
         ("flight.least_reserve", 0.2, "less than or equal to 0.1"),
+        ("flight.largest_patience", -0.001, "greater than or equal to 0"),
+        ("flight.largest_patience", 0.2, "less than or equal to 0.1"),
         ("dataset.box.lambda_r", [-20.0, -23.0], "lower bound"),
         ("dataset.box.lambda_u", [5.0, 5.0], "lower bound"),
         ("generalisation.v", [1.2, 0.8], "lower bound"),
@@ -311,4 +313,10 @@ def test_a_command_of_its_own_is_read_written_and_refused_by_key() -> None:
     assert parse_mission(tomllib.loads(whole_text(mission)), "own") == mission
     content["training"]["wide"]["command"] = {**own, "curvature_samples": 0}
     with pytest.raises(MissionError, match=r"training\.wide\.command\.curvature_samples"):
+        parse_mission(content, "own")
+    content["training"]["wide"]["command"] = {**own, "emphasis": 0.5}
+    emphasised = parse_mission(content, "own")
+    assert json.loads(emphasised.to_json())["training"]["wide"]["command"]["emphasis"] == 0.5
+    content["training"]["wide"]["command"] = {**own, "emphasis": 1.5}
+    with pytest.raises(MissionError, match=r"training\.wide\.command\.emphasis"):
         parse_mission(content, "own")

@@ -63,15 +63,15 @@ def test_a_command_of_another_size_begins_with_random_weights() -> None:
     wide = RECIPE.model_copy(update={"command": CommandRecipe.model_validate(more)})
     own = MARS.training.model_copy(update={"wide": wide})
     assert own.wide.command is not None
-    command, others = TARGETS["wide"]["alpha_pre"], [TARGETS["wide"][name] for name in ("tau", "lambda_v")]
-    for target in (command, *others):
-        recipe = target.recipe(own)
-        assert recipe.command is None or target is not command
-        assert recipe.hidden == (own.wide.command.hidden if target is command else own.wide.hidden)
-        assert (begins_with(target, recipe) == "random weights") is (target is command)
-    assert command.recipe(own).train_samples == own.wide.command.train_samples
-    assert command.recipe(own).epochs == own.wide.epochs
-    assert command.recipe(MARS.training) == MARS.training.wide
+    for target in TARGETS["wide"].values():
+        recipe, of_time = target.recipe(own), target.name == "tau"
+        assert (recipe.command is None) is not of_time
+        assert recipe.hidden == (own.wide.hidden if of_time else own.wide.command.hidden)
+        assert (begins_with(target, recipe) == "random weights") is not of_time
+        assert target.recipe(MARS.training) == MARS.training.wide
+    command = TARGETS["wide"]["alpha_pre"].recipe(own)
+    assert command.train_samples == own.wide.command.train_samples
+    assert command.epochs == own.wide.epochs
 
 
 def test_what_that_mission_has_not_begins_with_random_weights() -> None:
