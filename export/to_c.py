@@ -56,7 +56,6 @@ def write_c(
 
 def _header(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: SteeringRules) -> str:
     r, u, v = np.array(facts.target_state)[ORDER[facts.components]][:3]
-    patience = rules.patience(facts.phi_max, facts.turn_rate)
     return filled(
         "sailnet_guidance.h.in",
         {
@@ -80,8 +79,8 @@ def _header(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: Steering
             "BETA_MIN": literal(facts.beta_min),
             "BETA_MAX": literal(facts.beta_max),
             **{name.upper(): literal(value) for name, value in asdict(rules).items()},
-            "PATIENCE": literal(patience),
-            "PATIENCE_HOURS": _hours(patience),
+            "PATIENCE": literal(rules.patience(facts.phi_max, facts.turn_rate)),
+            "REVERSAL_HOURS": _hours(2.0 * facts.phi_max / facts.turn_rate),
             "LARGEST_PATIENCE_HOURS": _hours(rules.largest_patience),
             "SLEW_RATE": literal(facts.turn_rate),
             "COSTATE_UNIT": literal(facts.costate_unit),

@@ -280,14 +280,15 @@ def test_the_c_keeps_what_the_mission_says(exported: Exported, tmp_path: Path) -
     cautious = MISSION.model_copy(update={"flight": flight})
     write_c(exported.networks, describe(exported.networks, MISSION), tmp_path, rules_for(cautious))
     patience = RULES.patience(MISSION.problem.phi_max, MISSION.flight.turn_rate)
-    for folder, kept, patient in (
-        (exported.folder, RULES.least_reserve, patience),
-        (tmp_path, 0.02, 0.001),
+    for folder, kept, patient, hours in (
+        (exported.folder, RULES.least_reserve, patience, ("5.1", "14.0")),
+        (tmp_path, 0.02, 0.001, ("5.1", "1.4")),
     ):
         header = (folder / "sailnet_guidance.h").read_text()
         for name, said in (("LEAST_RESERVE", kept), ("PATIENCE", patient)):
             (number,) = re.findall(rf"define SAILNET_{name} .*?\(([0-9.e-]+)", header)
             assert float(number) == said
+        assert re.findall(r"slew rate, (\S+) hours, but no\s+more than\s+(\S+)\. ", header) == [hours]
 
 
 def snapshot(folder: Path) -> dict[str, bytes]:
