@@ -58,7 +58,7 @@ paper:
 
 setup: $(READY)
 
-$(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance*.c) \
+$(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance*.[ch]) \
     c_runtime/builds.py c_runtime/shared_library.py sailnet/guidance/exported_files.toml $(plant)
 	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }

@@ -122,9 +122,9 @@ typedef float sailnet_real;
 
 /* Where a step of the command changes its sign and is above the first [rad], the sail turns over. Instead, it
    keeps its side until that has cost it as much time [TU] as the second: what it takes to turn from one bound to
-   the other at the slew rate, 5.1 hours, but no more than 14.0. */
+   the other at the slew rate, 5.1 hours, but no more than 2.1. */
 #define SAILNET_REVERSAL SAILNET_REAL(0.35)
-#define SAILNET_PATIENCE SAILNET_REAL(0.00368616406038182)
+#define SAILNET_PATIENCE SAILNET_REAL(0.0015)
 
 /* A sail is late by how much its predicted time to go did not fall as time passed; that is forgotten over the first
    [TU]. If it is late by more than the second [TU], every other reversal is the last for as many times that as the
