@@ -15,6 +15,7 @@ from tests.held_angle import hold_angle
 from training.emphasis import BOUNDS, costs_of_error, draw
 from training.samples import SampleSet, load_samples
 from training.targets import TARGETS
+from training.train import train_network
 
 MARS = load_mission("earth_mars")
 TRAJECTORIES, LENGTH, SEED = 60, 1000, 3
@@ -24,12 +25,13 @@ HERE, THERE = 0.25, 0.75
 
 
 @pytest.fixture(scope="module")
-def data(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Dataset]:
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Invented, at r = 2 AU."""
     shape = (TRAJECTORIES, LENGTH)
     dear = np.broadcast_to(np.arange(LENGTH) % 2 == 1, shape)
     alpha = np.where(dear, THERE, HERE)
-    size = np.where(dear, TIMES, 1.0) * 4.0 / MARS.sail.beta
+    beta = MARS.sail.beta * np.broadcast_to(np.linspace(0.9, 1.1, TRAJECTORIES)[:, None], shape)
+    size = np.where(dear, TIMES, 1.0) * 4.0 / beta
     samples = {
         "r": np.full(shape, 2.0),
         "u": np.broadcast_to(np.linspace(0.0, 0.1, LENGTH), shape),
@@ -40,7 +42,7 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Dataset]:
         "lambda_v": 0.8 * size,
         "alpha": alpha,
         "alpha_pre": alpha,
-        "beta": np.full(shape, MARS.sail.beta),
+        "beta": beta,
     }
     zeros = np.zeros(TRAJECTORIES)
     trajectories = dict.fromkeys(("lambda_r0", "lambda_u0", "lambda_v0", "jump_time", "flags"), zeros)
@@ -51,7 +53,12 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Dataset]:
     )
     path: Path = tmp_path_factory.mktemp("data") / "wide.h5"
     write_dataset(path, MARS, iter([block]), {"kind": "wide"})
-    with open_dataset(path) as found:
+    return path
+
+
+@pytest.fixture(scope="module")
+def data(file: Path) -> Iterator[Dataset]:
+    with open_dataset(file) as found:
         yield found
 
 
@@ -128,3 +135,17 @@ def test_where_there_are_no_more_all_are_taken() -> None:
     costs = np.ones(10)
     np.testing.assert_array_equal(draw(np.random.default_rng(1), rows, 3, costs, 0.5), rows)
     assert set(draw(np.random.default_rng(1), rows, 2, costs, 0.5)) < set(rows.tolist())
+
+
+def test_training_learns_from_what_the_recipe_says(file: Path, tmp_path: Path) -> None:
+    wide = MARS.training.wide.model_copy(
+        update={"hidden": (3,), "train_samples": 3000, "curvature_samples": 500, "epochs": 1, "start": None}
+    )
+    errors = []
+    for emphasis in (0.0, 1.0):
+        recipe = wide.model_copy(update={"emphasis": emphasis})
+        mission = MARS.model_copy(update={"training": MARS.training.model_copy(update={"wide": recipe})})
+        target = TARGETS["wide"]["alpha_pre"]
+        network = train_network(file, mission, target, tmp_path / str(emphasis))
+        errors.append(network.provenance["train_mse"])
+    assert errors[0] != errors[1]
