@@ -1,9 +1,9 @@
 """Which samples are drawn: more of those where a wrong angle costs more.
 
-A cone angle that is wrong by da for a time dt loses the time -g'' / 2 |lambda| beta / r^2 da^2 dt, where
-lambda is the costate of the velocity and g the force along it over beta / r^2: the second order of the
-Hamiltonian, which is 0 on the fastest way (Eq. 8). So |lambda| beta / r^2 is what an error costs. It grows
-beside the edges of the fastest way, which samples drawn evenly hardly show.
+A cone angle that is wrong by da for a time dt loses the time g'' / 2 |lambda| beta / r^2 da^2 dt, where
+lambda is the costate of the velocity and g the force along it over beta / r^2, least on the fastest way: the
+second order of the Hamiltonian of Eq. (7). So |lambda| beta / r^2 is what an error costs. It grows beside
+the edges of the fastest way, which samples drawn evenly hardly show.
 """
 
 import numpy as np
@@ -14,7 +14,7 @@ from sailnet.physics.arrays import Array
 from sailnet.physics.geometry import geometry_of
 
 BOUNDS = (0.5, 50.0)
-"""A sample's cost counts for no less and no more; of wide data a hundredth and a thousandth lie beyond."""
+"""A sample's cost counts for no less and no more; of wide data to 0.9 AU 16 and 0.14 % lie beyond."""
 
 
 def costs_of_error(data: Dataset, rows_read: int) -> Array:
