@@ -17,7 +17,7 @@ from export.limits import ORDER, limits
 from export.numbers import literal
 from export.templates import filled
 from sailnet.guidance.facts import GuidanceFacts, round_down
-from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
+from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules, reversal_time
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.steepness import LOG2_E
 from sailnet.physics import units
@@ -80,7 +80,7 @@ def _header(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: Steering
             "BETA_MAX": literal(facts.beta_max),
             **{name.upper(): literal(value) for name, value in asdict(rules).items()},
             "PATIENCE": literal(rules.patience(facts.phi_max, facts.turn_rate)),
-            "REVERSAL_HOURS": _hours(2.0 * facts.phi_max / facts.turn_rate),
+            "REVERSAL_HOURS": _hours(reversal_time(facts.phi_max, facts.turn_rate)),
             "LARGEST_PATIENCE_HOURS": _hours(rules.largest_patience),
             "SLEW_RATE": literal(facts.turn_rate),
             "COSTATE_UNIT": literal(facts.costate_unit),

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from sailnet.dataset import Dataset
 from sailnet.physics.arrays import Array
-from sailnet.physics.geometry import geometry_of
 
 BOUNDS = (0.5, 50.0)
 """A sample's cost counts for no less and no more; of wide data to 0.9 AU 16 and 0.14 % lie beyond."""
@@ -24,8 +23,7 @@ def costs_of_error(data: Dataset, rows_read: int) -> Array:
         data: with costates, and beta of each sample.
         rows_read: rows held at once.
     """
-    states = geometry_of(data.mission.components).state_names
-    speeds = [f"lambda_{name}" for name in states[len(states) // 2 :]]
+    speeds = [f"lambda_{name}" for name in data.states[len(data.states) // 2 :]]
     found = np.empty(data.samples)
     for start in range(0, data.samples, rows_read):
         columns = data.read(("r", "beta", *speeds), start, min(start + rows_read, data.samples))

@@ -14,6 +14,16 @@ LARGEST_PERIOD = 0.5
 """Longest guidance period [TU], some 29 days: beyond it one step no longer predicts what the sail does."""
 
 
+def reversal_time(phi_max: float, turn_rate: float) -> float:
+    """What it takes to turn from one bound to the other [TU].
+
+    Args:
+        phi_max: bound on the cone angle [rad].
+        turn_rate: how fast the sail turns [rad/TU].
+    """
+    return 2.0 * phi_max / turn_rate
+
+
 @dataclass(frozen=True)
 class SteeringRules:
     """What ``sailnet_steer`` does the same for all missions; the flight file's header has the same names.
@@ -92,7 +102,7 @@ class SteeringRules:
             phi_max: bound on the cone angle [rad].
             turn_rate: how fast the sail turns [rad/TU].
         """
-        return min(2.0 * phi_max / turn_rate, self.largest_patience)
+        return min(reversal_time(phi_max, turn_rate), self.largest_patience)
 
 
 RULES = SteeringRules()

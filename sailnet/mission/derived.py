@@ -52,7 +52,7 @@ in the last one, which no guidance can take back: with 0.005 TU, 1.6 times the t
 flight in thirty to Venus missed its first approach under noise, with a third of that one in a thousand."""
 
 PATIENCE = 0.0015
-"""What keeping a side may cost [TU]: a reversal late by more loses the fastest way to near targets."""
+"""What keeping a side may cost [TU]: later reversals lose the fastest way to near targets."""
 
 LATITUDE = 1.6
 """Its half-width in latitude in three dimensions, in inclinations of the departure orbit; that in w is the
