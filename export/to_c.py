@@ -26,6 +26,13 @@ from sailnet.physics.optics import Optics
 SIMULATION = ("sailnet_batch.h", "sailnet_batch.c")
 """Files that are the same for all networks of as many dimensions, for simulation."""
 
+LATE_BY_SHARE_TOLD = """
+   And only if it is late by more than the fifth times its time to go, of which networks err by some per cent."""
+LATE_SHARE_DEFINED = "\n#define SAILNET_LATE_SHARE SAILNET_REAL({})"
+AND_LATE_BY_SHARE = """ &&
+                (memory->late > SAILNET_LATE_SHARE * command->time_of_flight)"""
+"""What the header tells and defines, and what is asked, where who is late is a matter of the time to go too."""
+
 
 def write_c(
     networks: AnyGuidanceNetworks, facts: GuidanceFacts, folder: Path, rules: SteeringRules = RULES
@@ -48,8 +55,8 @@ def write_c(
             f"{LARGEST_PERIOD:g} TU: make it shorter"
         )
     (folder / "sailnet_guidance.h").write_text(_header(networks, facts, rules))
-    (folder / "sailnet_guidance.c").write_text(_flight(networks, facts))
-    (folder / "sailnet_guidance_host.c").write_text(_host(networks, facts))
+    (folder / "sailnet_guidance.c").write_text(_flight(networks, facts, rules))
+    (folder / "sailnet_guidance_host.c").write_text(_host(networks, facts, rules))
     for name in SIMULATION:
         (folder / name).write_text(filled(name, {}, in_space=facts.components > 3))
 
@@ -82,6 +89,8 @@ def _header(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: Steering
             "PATIENCE": literal(rules.patience(facts.phi_max, facts.turn_rate)),
             "REVERSAL_HOURS": _hours(reversal_time(facts.phi_max, facts.turn_rate)),
             "LARGEST_PATIENCE_HOURS": _hours(rules.largest_patience),
+            "LATE_BY_SHARE_TOLD": LATE_BY_SHARE_TOLD if rules.late_share else "",
+            "LATE_SHARE_DEFINED": LATE_SHARE_DEFINED.format(literal(rules.late_share)) if rules.late_share else "",
             "SLEW_RATE": literal(facts.turn_rate),
             "COSTATE_UNIT": literal(facts.costate_unit),
             "LARGEST_PERIOD": literal(LARGEST_PERIOD),
@@ -110,8 +119,12 @@ def _ageing(facts: GuidanceFacts) -> dict[str, str]:
     }
 
 
-def _ageing_part(facts: GuidanceFacts) -> str:
-    return '\n#include "ageing.inc"\n' if facts.degradation.loss > 0.0 else ""
+def _parts(facts: GuidanceFacts, rules: SteeringRules) -> dict[str, str]:
+    """What only some missions fly, and is not in the files of others."""
+    return {
+        "AGEING": '\n#include "ageing.inc"\n' if facts.degradation.loss > 0.0 else "",
+        "AND_LATE_BY_SHARE": AND_LATE_BY_SHARE if rules.late_share else "",
+    }
 
 
 def _hours(time: float) -> str:
@@ -122,13 +135,12 @@ def _days(time: float) -> str:
     return f"{time * units.TU / units.DAY:.0f}"
 
 
-def _flight(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> str:
-    values = {"PROVENANCE": _provenance(facts), "TABLES": flight_tables(networks, facts)}
-    values["AGEING"] = _ageing_part(facts)
+def _flight(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: SteeringRules) -> str:
+    values = {"PROVENANCE": _provenance(facts), "TABLES": flight_tables(networks, facts), **_parts(facts, rules)}
     return filled("sailnet_guidance.c.in", values, in_space=facts.components > 3)
 
 
-def _host(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> str:
+def _host(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: SteeringRules) -> str:
     flown = networks.all
     if networks.approach:
         # tau comes as a power of 2; the C gives those inputs first that are known first.
@@ -146,7 +158,7 @@ def _host(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> str:
         "LIMITS": limits(networks, facts),
         "CONSTANTS": constants(facts, networks.approach),
         "DOMAIN": domain_tables(facts),
-        "AGEING": _ageing_part(facts),
+        **_parts(facts, rules),
     }
     return filled("sailnet_guidance_host.c.in", values | stages, in_space=facts.components > 3)
 

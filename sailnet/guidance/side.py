@@ -28,7 +28,8 @@ class SideKeeping:
 
     If it is later than tolerated, a reversal is the last for some times as long as it is late: it leaves the
     edge, and comes back to the target from elsewhere. The reversal after that has no wait: one that waited on
-    both sides alike would circle.
+    both sides alike would circle. Far from the target networks err by as much, and to wait there costs a far
+    transfer its fastest way: so what is tolerated may grow with the time to go.
 
     Args:
         mission: what is flown.
@@ -62,6 +63,8 @@ class SideKeeping:
         stays = reverses & ((regret < self._patience) | (wait > 0.0)) & np.isfinite(size)
         turns = reverses & ~stays
         waits = (late > rules.late_tolerated) & (memory.waited <= 0.0)
+        if rules.late_share > 0.0:
+            waits &= late > rules.late_share * command.time_of_flight
         begun = np.where(waits, np.minimum(rules.wait * late, rules.largest_wait), 0.0)
         memory.stake = np.where(valid, np.where(stays, cost, -size), memory.stake)
         memory.regret = np.where(valid, np.where(turns, 0.0, regret), memory.regret)

@@ -291,6 +291,18 @@ def test_the_c_keeps_what_the_mission_says(exported: Exported, tmp_path: Path) -
         assert re.findall(r"slew rate, (\S+) hours, but no\s+more than\s+(\S+)\. ", header) == [hours]
 
 
+def test_only_a_mission_that_asks_by_its_time_to_go_who_is_late_has_that_in_its_c(
+    exported: Exported, tmp_path: Path
+) -> None:
+    flight = MISSION.flight.model_copy(update={"late_share": 0.15})
+    far = MISSION.model_copy(update={"flight": flight})
+    write_c(exported.networks, describe(exported.networks, MISSION), tmp_path, rules_for(far))
+    for name in ("sailnet_guidance.c", "sailnet_guidance_host.c", "sailnet_guidance.h"):
+        assert "LATE_SHARE" not in (exported.folder / name).read_text()
+        assert "LATE_SHARE" in (tmp_path / name).read_text()
+    assert "#define SAILNET_LATE_SHARE SAILNET_REAL(0.15)\n" in (tmp_path / "sailnet_guidance.h").read_text()
+
+
 def snapshot(folder: Path) -> dict[str, bytes]:
     return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
 

@@ -15,8 +15,13 @@ from sailnet.networks.guidance_in_space import GuidanceNetworksInSpace
 from sailnet.physics.optics import OPTICS
 
 MISSION = load_mission("earth_mars_3d")
-AGEING = MISSION.with_optics(OPTICS["jpl"]).model_copy(update={"degradation": Degradation(loss=0.2)})
-"""A sail that is not ideal, and known to age."""
+AGEING = MISSION.with_optics(OPTICS["jpl"]).model_copy(
+    update={
+        "degradation": Degradation(loss=0.2),
+        "flight": MISSION.flight.model_copy(update={"late_share": 0.1}),
+    }
+)
+"""A sail that is not ideal, and known to age; late by its time to go."""
 
 
 @dataclass(frozen=True)

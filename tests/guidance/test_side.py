@@ -118,9 +118,14 @@ def test_a_small_step_across_zero_is_no_reversal() -> None:
         assert steering.steer([(RADIUS, 0.0, 0.9)], PERIOD, ONE).cone_angle[0] == angle
 
 
-def of_a_late_sail(reversals: int, tau: list[float]) -> list[int]:
-    """Periods between reversals, asked for in every period, of a sail whose time to go is this, then this."""
+def of_a_late_sail(reversals: int, tau: list[float], share: float = 0.0) -> list[int]:
+    """Periods between reversals, asked for in every period, of a sail whose time to go is this, then this.
+
+    ``share``: of its time to go that it must have lost to be late, as its mission says it.
+    """
     told = Told(lambda_v=1e3)
+    flight = MISSION.flight.model_copy(update={"late_share": share})
+    told.mission = MISSION.model_copy(update={"flight": flight})
     steering, turned = ReferenceSteering(told, 1), []
     before = told.cone_angle
     for period in range(4000):
@@ -158,6 +163,15 @@ def test_a_wait_is_some_times_as_long_as_the_sail_is_late() -> None:
     alternating = [20.0 - 0.5 * PERIOD * k for k in range(4000)]
     waits = of_a_late_sail(60, alternating)
     assert max(waits[-20:]) * PERIOD == pytest.approx(min(RULES.wait * late, RULES.largest_wait), rel=0.02)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("time_to_go", "waits"), [(3.0, True), (4.1, False)])
+def test_who_lost_less_than_a_share_of_his_time_to_go_does_not_wait(time_to_go: float, waits: bool) -> None:
+    """The time to go never falls: late is the time over which that is forgotten, in the end, 0.5 TU."""
+    assert RULES.late_memory == 0.5
+    turned = of_a_late_sail(200, [time_to_go], share=0.125)
+    assert (max(turned) > 2) == waits
 
 
 def test_rules_without_a_wait_never_wait() -> None:

@@ -61,6 +61,7 @@ def test_sail_and_transfer_are_a_mission() -> None:
     assert (mission.name, mission.title) == ("my_sail_2", "1 AU to 0.9 AU")
     assert mission.departure_state == (1.0, 0.0, 1.0)
     assert mission.flight.largest_patience == 0.0015
+    assert mission.flight.late_share == 0.1
     assert mission.sail.smoothing == 1e-3
     assert mission.generalisation.r == (0.94, 1.0)
     assert mission.generalisation.u == (-0.1, 0.0)
