@@ -27,11 +27,11 @@ SIMULATION = ("sailnet_batch.h", "sailnet_batch.c")
 """Files that are the same for all networks of as many dimensions, for simulation."""
 
 LATE_BY_SHARE_TOLD = """
-   And only if it is late by more than the fifth times its time to go, of which networks err by some per cent."""
-LATE_SHARE_DEFINED = "\n#define SAILNET_LATE_SHARE SAILNET_REAL({})"
+   And only if it is late by more than the fifth times its time to go, of which networks err by as much."""
+LATE_SHARE_DEFINED = "\n#define SAILNET_LATE_SHARE SAILNET_REAL(%s)"
 AND_LATE_BY_SHARE = """ &&
                 (memory->late > SAILNET_LATE_SHARE * command->time_of_flight)"""
-"""What the header tells and defines, and what is asked, where who is late is a matter of the time to go too."""
+"""Told and defined in the header, and asked in the files, where who is late depends on the time to go too."""
 
 
 def write_c(
@@ -90,7 +90,7 @@ def _header(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: Steering
             "REVERSAL_HOURS": _hours(reversal_time(facts.phi_max, facts.turn_rate)),
             "LARGEST_PATIENCE_HOURS": _hours(rules.largest_patience),
             "LATE_BY_SHARE_TOLD": LATE_BY_SHARE_TOLD if rules.late_share else "",
-            "LATE_SHARE_DEFINED": LATE_SHARE_DEFINED.format(literal(rules.late_share)) if rules.late_share else "",
+            "LATE_SHARE_DEFINED": LATE_SHARE_DEFINED % literal(rules.late_share) if rules.late_share else "",
             "SLEW_RATE": literal(facts.turn_rate),
             "COSTATE_UNIT": literal(facts.costate_unit),
             "LARGEST_PERIOD": literal(LARGEST_PERIOD),
@@ -136,7 +136,8 @@ def _days(time: float) -> str:
 
 
 def _flight(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: SteeringRules) -> str:
-    values = {"PROVENANCE": _provenance(facts), "TABLES": flight_tables(networks, facts), **_parts(facts, rules)}
+    tables = flight_tables(networks, facts)
+    values = {"PROVENANCE": _provenance(facts), "TABLES": tables, **_parts(facts, rules)}
     return filled("sailnet_guidance.c.in", values, in_space=facts.components > 3)
 
 

@@ -151,7 +151,7 @@ def approach_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory
 
 @pytest.fixture(scope="session")
 def jpl_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Exported:
-    """Networks in approach coordinates for a sail that is not ideal, and known to age; late by its time to go."""
+    """Networks in approach coordinates for a sail that is not ideal, and known to age; and the late share."""
     flight = mission.flight.model_copy(update={"late_share": 0.1})
     ages = {"degradation": Degradation(loss=0.2), "flight": flight}
     jpl = mission.with_optics(OPTICS["jpl"]).model_copy(update=ages)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sailnet.expert.any_dimension import solve_states
-from sailnet.expert.neighbours import solve_among
+from sailnet.expert.neighbours import solve_among, spread
 from sailnet.expert.optima import Optima, sample_many
 from sailnet.expert.real_sails import own_optima
 from sailnet.flight.closed_loop import Flights
@@ -69,14 +69,20 @@ def own_optimal_times(
 def assumed_optima(mission: Mission, states: Array, *, anywhere: bool = False) -> Optima:
     """Optima of the sail as assumed from states of the mission, those that occur several times solved once.
 
+    Of many, what the search leaves out or finds too slow their neighbours show: to 2.77 AU 415 of 5,000 fast
+    starts, all of them, and 14 that it had up to 7 per cent too slow.
+
     Args:
         mission: poses the problem.
         states: (n, 3) rows r [AU], u, v [AU/TU], or (n, 5) r, latitude [rad], u, v, w.
         anywhere: these need not be of the generalisation set, which is otherwise indexed once for many.
     """
     distinct, which = np.unique(states, axis=0, return_inverse=True)
-    region = None if anywhere or len(distinct) <= FEW else mission.region
-    return solve_states(mission.problem, distinct, region=region).rows(which.ravel())
+    many = len(distinct) > FEW and not anywhere
+    optima = solve_states(mission.problem, distinct, region=mission.region if many else None)
+    if many:
+        spread(mission.problem, optima)
+    return optima.rows(which.ravel())
 
 
 def optima_beside_flights(mission: Mission, states: Array) -> Optima:

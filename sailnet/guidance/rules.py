@@ -55,7 +55,7 @@ class SteeringRules:
         largest_patience: staying may cost what it takes to turn from bound to bound, at most this [TU].
         late_memory: time over which it is forgotten that the time to go did not fall [TU].
         late_tolerated: a sail that is later than this [TU] waits after every other reversal,
-        late_share: if it is later than this share of its time to go, too, of which networks err by some per cent,
+        late_share: if it is later than this share of its time to go, too: of that networks err by per cents,
         wait: so many times as long as it is late,
         largest_wait: but no longer than this [TU]. Of four ways to wait (on both sides alike, on one side,
             each time longer, every other time), flown 3,000 to 6,000 times each with wander, drift and
@@ -112,8 +112,9 @@ RULES = SteeringRules()
 
 
 def rules_for(mission: "Mission") -> SteeringRules:
-    """What flies a mission, which may say itself what the law keeps back, how patient it is, and who is late."""
-    own = {name: getattr(mission.flight, name) for name in ("least_reserve", "largest_patience", "late_share")}
+    """What flies a mission, which may say itself what is kept back, how patient the law is, who is late."""
+    said_by_missions = ("least_reserve", "largest_patience", "late_share")
+    own = {name: getattr(mission.flight, name) for name in said_by_missions}
     return replace(RULES, **{name: said for name, said in own.items() if said is not None})
 
 

@@ -170,7 +170,7 @@ def test_a_wait_is_some_times_as_long_as_the_sail_is_late() -> None:
 def test_who_lost_less_than_a_share_of_his_time_to_go_does_not_wait(time_to_go: float, waits: bool) -> None:
     """The time to go never falls: late is the time over which that is forgotten, in the end, 0.5 TU."""
     assert RULES.late_memory == 0.5
-    turned = of_a_late_sail(200, [time_to_go], share=0.125)
+    turned = of_a_late_sail(80, [time_to_go], share=0.125)
     assert (max(turned) > 2) == waits
 
 
