@@ -28,28 +28,53 @@ class Own:
     """What a stranger says of his mission.
 
     Attributes:
-        target: radius of the target's orbit [AU]; the departure's is 1.
+        target: radius of the target's orbit [AU].
         beta: of the sail.
         max_cone_angle: [deg].
+        departure: radius of the orbit where it begins [AU].
+        optics: of the sail.
     """
 
     target: float
     beta: float
     max_cone_angle: float
+    departure: float = 1.0
+    optics: str = "ideal"
 
     @property
     def name(self) -> str:
         """Of its file and folder."""
-        return f"to_{self.target:g}_au".replace(".", "_")
+        begins = "" if self.departure == 1.0 else f"from_{self.departure:g}_"
+        return f"{begins}to_{self.target:g}_au".replace(".", "_")
 
     @property
     def title(self) -> str:
         """For people."""
-        return f"to {self.target:g} AU, β {self.beta:g}, {self.max_cone_angle:g}°"
+        begins = "" if self.departure == 1.0 else f"{self.departure:g} AU "
+        optics = "" if self.optics == "ideal" else f", {self.optics}"
+        return f"{begins}to {self.target:g} AU, β {self.beta:g}, {self.max_cone_angle:g}°{optics}"
 
 
 MISSIONS = (Own(0.9, 0.12, 55.0), Own(1.2, 0.15, 60.0), Own(2.0, 0.2, 65.0))
 """One inward and near, which is passed easily; one a little farther out; one beyond Mars."""
+
+OTHERS = (
+    Own(0.35, 0.25, 55.0),
+    Own(0.55, 0.12, 65.0),
+    Own(0.65, 0.08, 60.0),
+    Own(0.75, 0.2, 50.0),
+    Own(0.85, 0.05, 40.0),
+    Own(0.97, 0.15, 60.0),
+    Own(1.07, 0.1, 50.0),
+    Own(1.15, 0.07, 65.0),
+    Own(1.35, 0.13, 60.0, optics="jpl"),
+    Own(1.6, 0.1, 90.0),
+    Own(2.4, 0.12, 60.0),
+    Own(4.0, 0.2, 55.0),
+    Own(0.7, 0.2, 60.0, departure=1.6),
+)
+"""None was flown while the recipes were chosen: strong and weak sails, narrow bounds and none, targets beside
+the departure and far from it."""
 
 
 def fly(own: Own, folder: Path, size: str, seed: int, workers: int | None) -> dict[str, Any]:
@@ -72,9 +97,9 @@ def fly(own: Own, folder: Path, size: str, seed: int, workers: int | None) -> di
         return before
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / f"{own.name}.toml"
-    transfer = ["--target", f"{own.target}", "--beta", f"{own.beta}"]
-    bound = ["--max-cone-angle", f"{own.max_cone_angle}"]
-    _run(["mission", "new", *transfer, *bound, "--output", str(file), "--overwrite"])
+    transfer = ["--target", f"{own.target}", "--departure", f"{own.departure}"]
+    sail = ["--beta", f"{own.beta}", "--max-cone-angle", f"{own.max_cone_angle}", "--optics", own.optics]
+    _run(["mission", "new", *transfer, *sail, "--output", str(file), "--overwrite"])
     options = ["--size", size, "--seed", str(seed), "--output", str(base), "--json"]
     if workers is not None:
         options += ["--workers", str(workers)]
@@ -108,6 +133,28 @@ def table(flown: list[tuple[Own, dict[str, Any]]]) -> list[str]:
     return [*Table("", heads, cells).markdown(), "", *taken.markdown()]
 
 
+def line_by_line(flown: list[tuple[Own, dict[str, Any]]]) -> list[str]:
+    """The same with a line a mission, the numbers of its series side by side."""
+    rows, series = [], []
+    for own, result in flown:
+        scores = result["scores"]
+        series = [str(score["series"]) for score in scores]
+        late = [100.0 * score["time_above_own_optimum"]["mean"] for score in scores]
+        rows.append(
+            [
+                own.title,
+                ", ".join(str(score["flights"] - score["arrived"]) for score in scores),
+                ", ".join(f"{mean:.3g}" for mean in late),
+                ", ".join(f"{score['reversals']['0.99']:.0f}" for score in scores),
+                ", ".join(str(score["own_optimum_unknown"]) for score in scores),
+                f"{total(result):.0f}",
+            ]
+        )
+    told = f"Of {flown[0][1]['scores'][0]['flights']:,} flights each: {', '.join(series)}."
+    heads = ["mission", "do not arrive", "mean time above own optimum [%]", "reversals, 99 %"]
+    return [told, "", *Table("", [*heads, "optimum unknown", "all [s]"], rows).markdown()]
+
+
 def written_by(flown: list[tuple[Own, dict[str, Any]]]) -> str:
     """Where and when the flights of the last mission were flown, and the seeds of all, where they differ."""
     results = [open_results(Path(result["results"])) for _, result in flown]
@@ -133,16 +180,20 @@ def main() -> int:
     parser.add_argument("--size", choices=SIZES, default="quick", help="of the recipes (%(default)s)")
     parser.add_argument("--seed", type=int, default=31, help="of the flights (%(default)s)")
     parser.add_argument("--workers", type=int, help="processes (all cores)")
-    parser.add_argument("--text", type=Path, help="file with marks <!-- own-missions-SIZE --> for the tables")
+    parser.add_argument("--others", action="store_true", help="thirteen others, which are harder")
+    marks = "<!-- own-missions-SIZE -->, or <!-- own-missions-others-SIZE -->"
+    parser.add_argument("--text", type=Path, help=f"file with marks {marks}, for the tables")
     options = parser.parse_args()
+    missions, others = (OTHERS, "others-") if options.others else (MISSIONS, "")
     try:
         flown = [
-            (own, fly(own, options.folder, options.size, options.seed, options.workers)) for own in MISSIONS
+            (own, fly(own, options.folder, options.size, options.seed, options.workers)) for own in missions
         ]
-        lines = [f"{written_by(flown)} `python -m benchmarks.own_missions FOLDER --size {options.size}`.", ""]
-        lines += table(flown)
+        command = f"python -m benchmarks.own_missions FOLDER --size {options.size}"
+        lines = [f"{written_by(flown)} `{command}{' --others' if others else ''}`.", ""]
+        lines += line_by_line(flown) if others else table(flown)
         if options.text:
-            fill_block(options.text, f"own-missions-{options.size}", "\n".join(lines))
+            fill_block(options.text, f"own-missions-{others}{options.size}", "\n".join(lines))
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

@@ -55,8 +55,8 @@ PATIENCE = 0.0015
 """What keeping a side may cost [TU]: later reversals lose the fastest way to near targets."""
 
 LATE_SHARE = 0.1
-"""Who has lost less than this of his time to go is not late. Where a flight of 22 TU to 2.77 AU begins, networks
-err by some per cent of that; of 140 flights that took 2 per cent too long there 44 waited for nothing."""
+"""Who has lost less than this of his time to go is not late. Where a flight of 22 TU to 2.77 AU begins,
+networks err by some per cent; of 140 flights there that took 2 per cent too long 44 waited for nothing."""
 
 LATITUDE = 1.6
 """Its half-width in latitude in three dimensions, in inclinations of the departure orbit; that in w is the
@@ -223,7 +223,7 @@ def _approach_time(target: float) -> float:
     way: to 0.3 AU (beta 0.3, 60 degrees, quick) 24 of 1,000 flights were lost with 1.5 TU, one and a half
     orbits, and none with 0.31 TU, 0.003 % late on average.
     """
-    return max(0.8 * target**1.5, min(1.5, 0.4 * math.tau * target**1.5))
+    return float(max(0.8 * target**1.5, min(1.5, 0.4 * math.tau * target**1.5)))
 
 
 def _begun_with(orbits: Orbits) -> str:

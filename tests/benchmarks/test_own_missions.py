@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.own_missions import MISSIONS, Own, fly, table, total, written_by
+from benchmarks.own_missions import MISSIONS, OTHERS, Own, fly, line_by_line, table, total, written_by
 from sailnet.campaign.run import fly_plan
 from sailnet.errors import SailnetError
 from tests.campaign.small_plan import GUIDANCE, MISSION, plan_of
@@ -25,6 +25,21 @@ def test_the_tables_have_every_mission_series_and_step(tmp_path: Path) -> None:
         assert taken == f"| {own.title} | 40 | 80 | 20 | 70 | 211 |"
     assert total(flown[0][1]) == pytest.approx(210.6)
     assert written_by(flown).endswith(", seed 5; written by")
+
+
+def test_a_line_a_mission_has_the_numbers_of_all_series() -> None:
+    def score(name: str, arrived: int, late: float) -> dict[str, object]:
+        known = {"series": name, "flights": 1000, "arrived": arrived, "own_optimum_unknown": 1000 - arrived}
+        return known | {"time_above_own_optimum": {"mean": late}, "reversals": {"0.99": 4.2}}
+
+    scores = [score("nominal", 1000, 0.00123), score("noise", 997, 0.21)]
+    flown = [(own, {"scores": scores, "seconds": SECONDS}) for own in OTHERS]
+    told, _, heads, _, *rows = line_by_line(flown)
+    assert told == "Of 1,000 flights each: nominal, noise."
+    assert heads.startswith("| mission | do not arrive | mean time above own optimum [%] | ")
+    assert rows == [f"| {own.title} | 0, 3 | 0.123, 21 | 4, 4 | 0, 3 | 211 |" for own in OTHERS]
+    assert len({own.name for own in (*MISSIONS, *OTHERS)}) == len(MISSIONS) + len(OTHERS)
+    assert (OTHERS[-1].name, OTHERS[-1].title) == ("from_1_6_to_0_7_au", "1.6 AU to 0.7 AU, β 0.2, 60°")
 
 
 def test_what_was_finished_is_kept(tmp_path: Path) -> None:
