@@ -3,10 +3,10 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_ceres: do not edit.
  * mission   7c538274e6599f0fbe4a3919ac9b0169c1e77541c484c2367ee0409a067c2cff
- * networks  8ae621e42784edb40634e94925eefe4dbe971887da08c73d6ce3cc1979313b9f
- * data set  2933d04b883480a94edc6d187a36cf45a1a17f29d12aad849f5de671a9a804a9 (tau)
- * data set  2933d04b883480a94edc6d187a36cf45a1a17f29d12aad849f5de671a9a804a9 (alpha_pre)
- * data set  2933d04b883480a94edc6d187a36cf45a1a17f29d12aad849f5de671a9a804a9 (lambda_v)
+ * networks  3b45adbe77ed8cca3fd94fa11466b917edf7d47d4b897dc098d93df83b8d83fb
+ * data set  a84ae26e8dec9a19329fe58ac8fe83bb804086e744c8cf6640ff788b3e080ae4 (tau)
+ * data set  a84ae26e8dec9a19329fe58ac8fe83bb804086e744c8cf6640ff788b3e080ae4 (alpha_pre)
+ * data set  a84ae26e8dec9a19329fe58ac8fe83bb804086e744c8cf6640ff788b3e080ae4 (lambda_v)
  *
  * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
  *
@@ -36,7 +36,7 @@ extern "C" {
 #define SAILNET_MISSION "earth_ceres"
 #define SAILNET_SAIL "ideal"
 #define SAILNET_MISSION_DIGEST "7c538274e6599f0fbe4a3919ac9b0169c1e77541c484c2367ee0409a067c2cff"
-#define SAILNET_NETWORKS_DIGEST "8ae621e42784edb40634e94925eefe4dbe971887da08c73d6ce3cc1979313b9f"
+#define SAILNET_NETWORKS_DIGEST "3b45adbe77ed8cca3fd94fa11466b917edf7d47d4b897dc098d93df83b8d83fb"
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
@@ -72,7 +72,7 @@ typedef float sailnet_real;
 #define SAILNET_TARGET_U SAILNET_REAL(0.0)
 #define SAILNET_TARGET_V SAILNET_REAL(0.6008417681261097)
 /* The networks were trained on no longer time of flight [TU]. */
-#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(6191.410663180029)
+#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(6263.765238436272)
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */
@@ -122,18 +122,20 @@ typedef float sailnet_real;
 
 /* Where a step of the command changes its sign and is above the first [rad], the sail turns over. Instead, it
    keeps its side until that has cost it as much time [TU] as the second: what it takes to turn from one bound to
-   the other at the slew rate, 5.1 hours, but no more than 14.0. */
+   the other at the slew rate, 5.1 hours, but no more than 2.1. */
 #define SAILNET_REVERSAL SAILNET_REAL(0.35)
-#define SAILNET_PATIENCE SAILNET_REAL(0.00368616406038182)
+#define SAILNET_PATIENCE SAILNET_REAL(0.0015)
 
 /* A sail is late by how much its predicted time to go did not fall as time passed; that is forgotten over the first
    [TU]. If it is late by more than the second [TU], every other reversal is the last for as many times that as the
    third, but for no longer than the fourth [TU]: beside the target, where the time to go jumps, it would else turn
-   over for ever. */
+   over for ever.
+   And only if it is late by more than the fifth times its time to go, of which networks err by as much. */
 #define SAILNET_LATE_MEMORY SAILNET_REAL(0.5)
 #define SAILNET_LATE_TOLERATED SAILNET_REAL(0.1)
 #define SAILNET_WAIT SAILNET_REAL(3.0)
 #define SAILNET_LARGEST_WAIT SAILNET_REAL(1.5)
+#define SAILNET_LATE_SHARE SAILNET_REAL(0.1)
 
 /* Without a valid state the sail is steered for so long [TU], some 29 days, by where it must be. */
 #define SAILNET_LONGEST_RECKONING SAILNET_REAL(0.5)
