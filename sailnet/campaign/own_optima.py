@@ -38,9 +38,9 @@ def own_optimal_times(
 ) -> Array:
     """(n,) shortest times for sails other than the one assumed [TU]; NaN where none is known.
 
-    By continuation from the optima of the sail as assumed. Where that ends at a fold, in some half a per cent
-    of random states, very few flights are solved anew; of many, each would take longer than all others
-    together, and theirs stays unknown.
+    By continuation from the optima of the sail as assumed. Where that ends at a fold, very few flights are
+    solved anew; of many, each would take longer than all others together. Their neighbours show most of them,
+    and which family is faster; of a flight that none shows, some per cent to far targets, it stays unknown.
 
     Args:
         transfer: the problem with the sail as assumed.
@@ -61,6 +61,7 @@ def own_optimal_times(
             transfer.beta * (1.0 + beta_errors[others]),
             [optics[row] for row in others.tolist()],
             search=len(others) <= FEW,
+            among=len(others) > FEW,
         )
         times[others] = own.time_of_flight
     return times

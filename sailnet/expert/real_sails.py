@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from sailnet.expert.any_dimension import solve_states
 from sailnet.expert.continuation import follow
+from sailnet.expert.neighbours import exchange
 from sailnet.expert.optima import Optima, optima_of, put
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS, Optics
@@ -28,6 +29,7 @@ def own_optima(
     optics: Optics | Sequence[Optics] = OPTICS["ideal"],
     *,
     search: bool = True,
+    among: bool = False,
 ) -> tuple[Optima, NDArray[np.bool_]]:
     """Minimum-time extremals of many sails, one a state.
 
@@ -44,6 +46,7 @@ def own_optima(
         optics: of all the sails, or n, of each. If these or the nominal's are not ideal, the exact law is
             solved for, delta = 0.
         search: solve anew what cannot be followed, which takes many seconds a sail; else it is not found.
+        among: try neighbours' extremals too, of states that fill their region.
 
     Returns:
         The optima of the sails, ``searched`` NaN unless solved anew; and (n,) which of them were or would be.
@@ -60,7 +63,10 @@ def own_optima(
         return Transfers(common, transfer.beta + shares * (beta - transfer.beta), law)
 
     followed = follow(sails, states, arrival_costates, times_of_flight)
-    optima = optima_of(sails(np.ones(len(beta))), states, followed.shots)
+    own = sails(np.ones(len(beta)))
+    optima = optima_of(own, states, followed.shots)
+    if among:
+        exchange(own, optima)
     anew = ~optima.found
     for row in np.flatnonzero(anew) if search else ():
         very = replace(common, beta=float(beta[row]), optics=kinds[row])

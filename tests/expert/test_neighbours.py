@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from sailnet.expert.fastest import solve_some, solve_states
-from sailnet.expert.neighbours import solve_among
+from sailnet.expert.neighbours import exchange, solve_among
 from sailnet.expert.optima import Optima, nothing_found, optima_of
 from sailnet.expert.shooting import shoot
-from sailnet.physics.transfer import Transfer
+from sailnet.physics.transfer import AnyTransfer, Transfer, Transfers
 from tests.reference import Array
 
 REGION = (np.array([1.04, 0.08, 1.02]), np.array([1.06, 0.1, 1.04]))
@@ -26,7 +26,7 @@ def states_between(region: tuple[Array, Array], count: int, seed: int) -> Array:
     return np.asarray(low + (high - low) * np.random.default_rng(seed).random((count, 3)))
 
 
-def along(problem: Transfer, states: Array, direction: Array, tau: float) -> Optima:
+def along(problem: AnyTransfer, states: Array, direction: Array, tau: float) -> Optima:
     count = len(states)
     shots = shoot(problem, states, np.repeat(direction, count, axis=0), np.full(count, tau))
     return optima_of(problem, states, shots)
@@ -60,6 +60,31 @@ def test_the_faster_familyspreads_to_the_states_that_know_a_slower_one(problem: 
     optima = solve_among(problem, states, known)
     expected = faster if fast else slow
     np.testing.assert_allclose(optima.time_of_flight, expected.time_of_flight, rtol=0, atol=1e-8)
+
+
+@pytest.mark.parametrize("unknown", [0, 5])
+def test_the_faster_family_spreads_among_sails_that_all_differ(problem: Transfer, unknown: int) -> None:
+    """Of 24 sails around a state with two ways three know the fast one, and some none, as beyond a fold."""
+    rng = np.random.default_rng(5)
+    states = TWO_WAYS + states_between((np.full(3, -2e-3), np.full(3, 2e-3)), 24, seed=4)
+    sails = Transfers(problem, problem.beta * (1.0 + rng.uniform(-0.001, 0.001, 24)))
+    slow, faster = (along(sails, states, way, tau) for way, tau in ((TO_SLOW, SLOW), (TO_FAST, FAST)))
+    assert slow.found.all()
+    assert faster.found.all()
+    none = nothing_found(states)
+    parts = (faster.rows(slice(3)), none.rows(slice(3, 3 + unknown)), slow.rows(slice(3 + unknown, None)))
+    optima = Optima.join(parts)
+    assert (optima.time_of_flight[3 + unknown :] > faster.time_of_flight[3 + unknown :] + 1.0).all()
+    exchange(sails, optima)
+    np.testing.assert_allclose(optima.time_of_flight, faster.time_of_flight, rtol=0, atol=1e-8)
+    np.testing.assert_array_equal(optima.state, states)
+
+
+@pytest.mark.parametrize("rows", [0, 1])
+def test_who_has_no_neighbour_keeps_what_he_knows(problem: Transfer, rows: int) -> None:
+    optima = along(problem, TWO_WAYS[None], TO_SLOW, SLOW).rows(slice(rows))
+    exchange(Transfers(problem, np.full(rows, problem.beta)), optima)
+    assert optima.time_of_flight == pytest.approx([SLOW] * rows)
 
 
 def test_where_nothing_is_known_nothing_is_found(problem: Transfer) -> None:
