@@ -70,6 +70,17 @@ def test_sail_and_transfer_are_a_mission() -> None:
 
 
 @pytest.mark.parametrize(
+    ("target", "approach"), [(0.3, 0.41), (0.6, 1.2), (0.9, 1.5), (1.2, 1.5), (2.0, 2.3)]
+)
+def test_an_approach_is_an_eighth_of_an_orbit_and_never_half_of_one(target: float, approach: float) -> None:
+    recipe = parse_mission(short(target=target), "x.toml").dataset.wide
+    assert recipe.approach_time == approach
+    orbit = 2.0 * math.pi * target**1.5
+    assert recipe.approach_time <= 0.42 * orbit
+    assert recipe.approach_time >= 0.12 * orbit
+
+
+@pytest.mark.parametrize(
     ("shipped", "longest"), [("earth_mars", 60.0), ("earth_venus", 40.0), ("earth_mercury", 50.0)]
 )
 def test_what_is_derived_is_what_the_shipped_missions_say(shipped: str, longest: float) -> None:
