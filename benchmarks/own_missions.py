@@ -133,9 +133,9 @@ def table(flown: list[tuple[Own, dict[str, Any]]]) -> list[str]:
     return [*Table("", heads, cells).markdown(), "", *taken.markdown()]
 
 
-def line_by_line(flown: list[tuple[Own, dict[str, Any]]]) -> list[str]:
-    """The same with a line a mission, the numbers of its series side by side."""
-    rows, series = [], []
+def line_by_line(flown: list[tuple[Own, dict[str, Any]]], failed: list[Own]) -> list[str]:
+    """The same with a line a mission, the numbers of its series side by side, and one for what failed."""
+    rows, series = [[own.title, "the pipeline fails", "", "", "", ""] for own in failed], []
     for own, result in flown:
         scores = result["scores"]
         series = [str(score["series"]) for score in scores]
@@ -185,20 +185,28 @@ def main() -> int:
     parser.add_argument("--text", type=Path, help=f"file with marks {marks}, for the tables")
     options = parser.parse_args()
     missions, others = (OTHERS, "others-") if options.others else (MISSIONS, "")
+    flown: list[tuple[Own, dict[str, Any]]] = []
+    failed: list[Own] = []
     try:
-        flown = [
-            (own, fly(own, options.folder, options.size, options.seed, options.workers)) for own in missions
-        ]
+        for own in missions:
+            try:
+                made = fly(own, options.folder, options.size, options.seed, options.workers)
+                flown.append((own, made))
+            except SailnetError as error:
+                if not others:
+                    raise
+                print(f"error: {error}", file=sys.stderr)
+                failed.append(own)
         command = f"python -m benchmarks.own_missions FOLDER --size {options.size}"
         lines = [f"{written_by(flown)} `{command}{' --others' if others else ''}`.", ""]
-        lines += line_by_line(flown) if others else table(flown)
+        lines += line_by_line(flown, failed) if others else table(flown)
         if options.text:
             fill_block(options.text, f"own-missions-{others}{options.size}", "\n".join(lines))
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
     print("\n".join(lines))
-    return 0
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":
