@@ -89,8 +89,9 @@ Four layers leave the plateau of random weights within some hundred steps; three
 PAPER_TRAINING = {**WIDE_TRAINING, "train_samples": 150_000, "curvature_samples": 15_000, "epochs": 450}
 
 
-BEGUN_WITH = {"earth_mercury": 0.387, "earth_venus": 0.723, "earth_mars": 1.524, "earth_ceres": 2.77}
-"""Missions whose networks ship, by target over departure radius: training begins with the nearest one's."""
+BEGUN_WITH = {"earth_mercury": 0.387, "earth_venus": 0.723, "earth_mars": 1.524}
+"""Missions whose networks ship, by target over departure radius: training begins with the nearest one's.
+Those of earth_ceres have other layers."""
 
 
 def in_usual_units(content: Mapping[str, Any]) -> dict[str, Any]:

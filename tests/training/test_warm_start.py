@@ -8,6 +8,7 @@ from sailnet.guidance.backends import exported_folder, missions_with_networks
 from sailnet.mission.derived import BEGUN_WITH
 from sailnet.mission.mission import load_mission, parse_mission
 from sailnet.mission.recipes import CommandRecipe, TrainingRecipe
+from sailnet.mission.sizes import sized
 from sailnet.networks.network import Network, load_network
 from training.judged import network_of
 from training.layers import Layers
@@ -110,10 +111,13 @@ def test_missions_of_ones_own_begin_with_the_nearest_that_ships() -> None:
         assert orbits.target_radius / orbits.departure_radius == ratio
         assert name in missions_with_networks()
     sail = {"beta": 0.12, "max_cone_angle": 55.0}
-    nearest = {0.3: "mercury", 0.9: "venus", 1.2: "mars", 2.0: "mars", 2.7: "ceres"}
+    nearest = {0.3: "mercury", 0.9: "venus", 1.2: "mars", 2.0: "mars", 2.7: "mars"}
     for target, name in nearest.items():
         own = parse_mission({"sail": sail, "transfer": {"target_radius": target}}, "own")
         assert own.training.wide.start == f"earth_{name}"
+        quick = sized(own, "quick").training
+        for network in TARGETS["wide"].values():
+            assert f"earth_{name}, SHA-256" in begins_with(network, network.recipe(quick))
 
 
 def test_a_file_that_says_how_to_train_begins_as_it_says() -> None:
