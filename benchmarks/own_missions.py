@@ -197,6 +197,8 @@ def main() -> int:
                     raise
                 print(f"error: {error}", file=sys.stderr)
                 failed.append(own)
+        if not flown:
+            raise SailnetError("none of the missions could be flown: see above")
         command = f"python -m benchmarks.own_missions FOLDER --size {options.size}"
         lines = [f"{written_by(flown)} `{command}{' --others' if others else ''}`.", ""]
         lines += line_by_line(flown, failed) if others else table(flown)

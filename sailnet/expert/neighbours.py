@@ -99,14 +99,15 @@ def exchange(transfers: Transfers, optima: Optima) -> None:
     beside = _in_order(places, places, min(NEIGHBOURS + 1, len(places)))[:, 1:]
     tried = np.full(beside.shape, np.inf)
     for _ in range(ROUNDS):
-        before = optima.time_of_flight.copy()
+        asked = 0
         for nth, neighbours in enumerate(beside.T):
             theirs = optima.time_of_flight[neighbours]
             hopeless = theirs > TOO_SLOW * optima.time_of_flight
             rows = np.flatnonzero((theirs < tried[:, nth] - IMPROVED) & ~hopeless)
             tried[rows, nth] = theirs[rows]
             _try(transfers.rows(rows), optima, rows, optima, neighbours[rows])
-        if not (np.isfinite(optima.time_of_flight) & ~(optima.time_of_flight > before - IMPROVED)).any():
+            asked += len(rows)
+        if not asked:
             break
 
 
