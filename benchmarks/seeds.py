@@ -21,6 +21,7 @@ from sailnet.campaign.tables import Table
 from sailnet.dataset import open_dataset
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
+from sailnet.mission.mission import Mission, load_mission
 from sailnet.workers.executors import Workers, workers
 from training.fit_domain import ensure_domain
 from training.parallel import train_networks
@@ -34,7 +35,14 @@ MARK = "seeds"
 
 
 def measure(
-    dataset: Path, folder: Path, seed: int, flights: int, pool: Workers, optima: Path | None
+    dataset: Path,
+    folder: Path,
+    seed: int,
+    flights: int,
+    pool: Workers,
+    *,
+    flown: Mission | None = None,
+    optima: Path | None = None,
 ) -> dict[str, Any]:
     """Train from one seed (or take up what an earlier call finished), export, fly.
 
@@ -44,10 +52,11 @@ def measure(
         seed: of the training.
         flights: of a series.
         pool: who flies.
+        flown: the mission whose recipe trains and whose law flies; that of the data set where none is given.
         optima: results of the same flights with the networks of another seed.
     """
     with open_dataset(dataset) as data:
-        mission = data.mission.with_training(seed=seed)
+        mission = (flown or data.mission).with_training(seed=seed)
     networks = train_networks(
         dataset, mission, "wide", list(TARGETS["wide"]), folder,
         resume=True, overwrite=True,
@@ -125,18 +134,22 @@ def main() -> int:
     )
     parser.add_argument("dataset", type=Path, help="the wide data set")
     parser.add_argument("folder", type=Path, help="for the networks of each seed, and spread.json")
+    parser.add_argument("--mission", help="whose training and law, where the data set has older ones")
     parser.add_argument("--seeds", type=int, nargs="+", default=[7, 11, 12, 13, 15], help="(%(default)s)")
     parser.add_argument("--flights", type=int, default=10_000, help="of a series (%(default)s)")
     parser.add_argument("--text", type=Path, help=f"file with marks <!-- {MARK} --> for the table")
     parser.add_argument("--headline", type=Path, help="file with such marks for the worst row")
     options = parser.parse_args()
     try:
+        flown = load_mission(options.mission) if options.mission else None
         with workers(os.cpu_count() or 1) as pool:
             records: list[dict[str, Any]] = []
             optima: Path | None = None
             for seed in options.seeds:
                 folder = options.folder / f"seed{seed}"
-                records.append(measure(options.dataset, folder, seed, options.flights, pool, optima))
+                records.append(
+                    measure(options.dataset, folder, seed, options.flights, pool, flown=flown, optima=optima)
+                )
                 optima = folder / RESULTS
         text = json.dumps(records, indent=1)
         write_text(options.folder / "spread.json", text)
