@@ -5,10 +5,12 @@ slowest flights of sails that hardly get away; those the weakest is searched for
 """
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
-from sailnet.expert.any_dimension import solve_some, solve_states
+from sailnet.expert.any_dimension import solve_once, solve_some
 from sailnet.expert.neighbours import next_optima, solve_among, spread
 from sailnet.expert.optima import Optima, put
 from sailnet.mission.mission import Mission
@@ -18,8 +20,9 @@ from sailnet.physics.transfer import Transfer
 SEEDS = 256
 """States of the middle one that are searched for by an index; the others begin at neighbours."""
 
-WORTH_A_SEARCH = 12
-"""States of the weakest without an extremal from which on an index is made for them, one to two minutes."""
+WORTH_A_SEARCH = 12, 0.02
+"""States of the weakest without an extremal, and their share of all, from which on an index is made for them:
+ten to thirty seconds."""
 
 STEPS = 4
 """From one sail to the next when slow flights lead on: of 1.7 % of beta at once Newton's method takes few."""
@@ -48,7 +51,8 @@ def solve_neighbouring_sails(sails: list[Transfer], states: list[Array]) -> list
         For each the optima, as of :func:`sailnet.expert.neighbours.solve_among`.
     """
     optima = _outward(sails, states)
-    if np.count_nonzero(~optima[0].found) >= WORTH_A_SEARCH:
+    least, share = WORTH_A_SEARCH
+    if np.count_nonzero(~optima[0].found) >= max(least, share * len(states[0])):
         _search_what_is_left(sails, optima)
     return optima
 
@@ -65,18 +69,22 @@ def _outward(sails: list[Transfer], states: list[Array]) -> list[Optima]:
 
 
 def _search_what_is_left(sails: list[Transfer], optima: list[Optima]) -> None:
-    """Put in what a search finds for the weakest, and for each other one what then leads on from there."""
-    left = np.flatnonzero(~optima[0].found)
-    states = optima[0].state[left]
+    """Put in what a search finds for the weakest, and what then leads from each to the next one."""
+    left = [np.flatnonzero(~known.found) for known in optima]
     # Not their region's: to 1.35 AU with JPL's optics that index took 17 GB and more, for 41 states 0.8.
-    found = solve_states(sails[0], states)
-    for level, (sail, known) in enumerate(zip(sails, optima, strict=True)):
-        if level:
-            left = np.flatnonzero(~known.found)
-            found = solve_among(sail, known.state[left], _led(sails[level - 1], sail, found))
-        put(known, left[found.found], found, found.found)
-        spread(sail, known)
-        found = known.rows(left)
+    _put_in(sails[0], optima[0], left[0], solve_once(sails[0], optima[0].state[left[0]]))
+    # What one search of the weakest misses, the second leads back to.
+    back = [(1, 0)] if len(sails) > 1 else []
+    for one, other in [*pairwise(range(len(sails))), *back]:
+        led = _led(sails[one], sails[other], optima[one].rows(left[one]))
+        still = np.flatnonzero(~optima[other].found)
+        found = solve_among(sails[other], optima[other].state[still], led)
+        _put_in(sails[other], optima[other], still, found)
+
+
+def _put_in(sail: Transfer, optima: Optima, rows: NDArray[np.intp], found: Optima) -> None:
+    put(optima, rows[found.found], found, found.found)
+    spread(sail, optima)
 
 
 def _led(one: Transfer, other: Transfer, optima: Optima) -> Optima:

@@ -38,3 +38,10 @@ def solve_some(transfer: Transfer, states: Array) -> Optima:
         return fastest.solve_some(transfer, states)
     optima = fastest_in_space.solve_states(transfer, states, (states.min(axis=0), states.max(axis=0)))
     return optima.rows(optima.found)
+
+
+def solve_once(transfer: Transfer, states: Array) -> Optima:
+    """The fastest extremals that one search from some states finds."""
+    if states.shape[1] == 3:
+        return fastest.solve_once(transfer, states)
+    return fastest_in_space.solve_states(transfer, states)

@@ -133,6 +133,16 @@ def solve_some(transfer: Transfer, states: Array) -> Optima:
     return best.rows(best.complete)
 
 
+def solve_once(transfer: Transfer, states: Array) -> Optima:
+    """The fastest extremals that one search from (n, 3) states finds; what it misses is not sought again.
+
+    A second search, of the few that are left, takes as long as the first.
+    """
+    best = nothing_found(states)
+    _search(transfer, best, nothing_found(states), np.arange(len(states)), None, 1.0)
+    return best
+
+
 def _scaled(transfer: Transfer, states: ArrayLike) -> Array:
     """States in units of the target orbit."""
     size = transfer.target_radius

@@ -10,7 +10,7 @@ Size = Literal["quick", "full"]
 SIZES: tuple[Size, ...] = get_args(Size)
 
 QUICK: Mapping[str, Mapping[str, int]] = {
-    "dataset": {"levels": 7, "starts": 192, "approaches": 300, "around": 0, "crossings": 0},
+    "dataset": {"levels": 7, "starts": 192, "approaches": 300, "around": 128, "crossings": 0},
     "training": {"epochs": 90},
 }
 """At most so much of [dataset.wide] and [training.wide], and no larger network of |alpha|: one or two

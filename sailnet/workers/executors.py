@@ -7,6 +7,7 @@ import logging
 import os
 import re
 import signal
+import sys
 import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -26,6 +27,8 @@ from sailnet.workers.stages import make_importable
 Result = TypeVar("Result")
 
 GONE = "the scheduler is gone: start it and its workers again"
+
+AGAIN = "a worker was lost (killed, or short of memory): what it was at is begun again"
 
 LOSSES = 4
 """Workers lost in a row, without a result in between, after which the work is given up."""
@@ -101,6 +104,7 @@ class Workers:
                             f"workers were lost {LOSSES} times in a row ({error}): find out what kills "
                             "them, or let fewer work at once if memory is short"
                         ) from error
+                    print(AGAIN, file=sys.stderr, flush=True)
                     self.executor = self._start()
                     for task in tasks:
                         task.future = task.future if task.succeeded() else None

@@ -16,6 +16,7 @@ import pytest
 
 from sailnet.dataset import open_dataset
 from sailnet.mission.mission import load_mission
+from sailnet.workers.executors import AGAIN
 from tests.gate import gate
 from tests.paths import ROOT
 from tests.processes import alive, children
@@ -133,7 +134,7 @@ def test_a_killed_worker_is_replaced(tmp_path: Path, expected: str) -> None:
     until_shards(output, 3, run)
     os.kill(children(run)[0], signal.SIGKILL)
     closed.unlink()
-    assert finish(run) == (0, "")
+    assert finish(run) == (0, f"{AGAIN}\n")
     with open_dataset(output) as found:
         found.verify()
         assert found.digest == expected

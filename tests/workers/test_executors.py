@@ -27,7 +27,7 @@ from sailnet.dataset import open_dataset, write_dataset
 from sailnet.errors import SailnetError
 from sailnet.guidance.backends import load_guidance
 from sailnet.mission.mission import Mission
-from sailnet.workers.executors import GONE, LOSSES, Workers, cluster, processes
+from sailnet.workers.executors import AGAIN, GONE, LOSSES, Workers, cluster, processes
 from tests.paths import ROOT
 from tests.small_datasets import Inline, invented_shard, undisturbed
 
@@ -87,11 +87,12 @@ class Fragile(Executor):
         return future
 
 
-def test_what_was_lost_is_done_again_and_nothing_else() -> None:
+def test_what_was_lost_is_done_again_and_nothing_else_and_told(capsys: pytest.CaptureFixture[str]) -> None:
     called: list[int] = []
     results = list(Workers(lambda: Fragile(called), 3).map(square, range(20)))
     assert results == [n * n for n in range(20)]
     assert len(called) - 20 == len(called) // 4  # one repetition a loss
+    assert capsys.readouterr().err.splitlines() == [AGAIN] * (len(called) // 4)
 
 
 def test_a_failed_function_is_not_tried_again() -> None:
