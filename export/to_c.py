@@ -13,6 +13,7 @@ from export.domain import domain_tables
 from export.errors import ExportError
 from export.flight_tables import flight_tables
 from export.host_tables import constants, stage_tables
+from export.lateness import asked_of_lateness, told_of_lateness
 from export.limits import ORDER, limits
 from export.numbers import literal
 from export.templates import filled
@@ -25,13 +26,6 @@ from sailnet.physics.optics import Optics
 
 SIMULATION = ("sailnet_batch.h", "sailnet_batch.c")
 """Files that are the same for all networks of as many dimensions, for simulation."""
-
-LATE_BY_SHARE_TOLD = """
-   And only if it is late by more than the fifth times its time to go, of which networks err by as much."""
-LATE_SHARE_DEFINED = "\n#define SAILNET_LATE_SHARE SAILNET_REAL(%s)"
-AND_LATE_BY_SHARE = """ &&
-                (memory->late > SAILNET_LATE_SHARE * command->time_of_flight)"""
-"""Told and defined in the header, and asked in the files, where who is late depends on the time to go too."""
 
 
 def write_c(
@@ -89,8 +83,7 @@ def _header(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: Steering
             "PATIENCE": literal(rules.patience(facts.phi_max, facts.turn_rate)),
             "REVERSAL_HOURS": _hours(reversal_time(facts.phi_max, facts.turn_rate)),
             "LARGEST_PATIENCE_HOURS": _hours(rules.largest_patience),
-            "LATE_BY_SHARE_TOLD": LATE_BY_SHARE_TOLD if rules.late_share else "",
-            "LATE_SHARE_DEFINED": LATE_SHARE_DEFINED % literal(rules.late_share) if rules.late_share else "",
+            **told_of_lateness(rules, r),
             "SLEW_RATE": literal(facts.turn_rate),
             "COSTATE_UNIT": literal(facts.costate_unit),
             "LARGEST_PERIOD": literal(LARGEST_PERIOD),
@@ -123,7 +116,7 @@ def _parts(facts: GuidanceFacts, rules: SteeringRules) -> dict[str, str]:
     """What only some missions fly, and is not in the files of others."""
     return {
         "AGEING": '\n#include "ageing.inc"\n' if facts.degradation.loss > 0.0 else "",
-        "AND_LATE_BY_SHARE": AND_LATE_BY_SHARE if rules.late_share else "",
+        **asked_of_lateness(rules),
     }
 
 

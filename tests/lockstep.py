@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.interface import Commands, Steered
 from sailnet.guidance.memory import TILTS, Memory
+from sailnet.guidance.rules import rules_for
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.arrays import Array
 
@@ -100,6 +101,8 @@ class Lockstep:
         # When a sail is nearest: of what is missing, far from the target, hardly any lies along a step, and
         # what is rounded of the rest is some times as much of the step. These networks end flights anywhere.
         self._scales["hold"] = self._scales["memory.held"] = 1.0
+        flown = guidance.mission
+        self._after_miss = rules_for(flown).wait_after_a_miss(flown.problem.target_radius)
         self.compared = self.undecided = 0
 
     def memory(self) -> Memory:
@@ -123,6 +126,9 @@ class Lockstep:
         """
         shown = np.asarray(states, self._precision).astype(float)
         before = self.memory()
+        # A multiple of the golden section is rounded before its whole turns are taken off.
+        turned = self._after_miss * before.periods.max()
+        self._scales["memory.waited"] = self._scales["memory.wait"] = turned
         measured = None if attitudes is None else np.asarray(attitudes, self._precision).astype(float)
         told = self._c.steer(shown, period, sails, measured)
         self._double.seen = np.isfinite(shown).all(axis=1)

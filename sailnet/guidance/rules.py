@@ -55,8 +55,10 @@ class SteeringRules:
         largest_patience: staying may cost what it takes to turn from bound to bound, at most this [TU].
         late_memory: time over which it is forgotten that the time to go did not fall [TU].
         late_tolerated: a sail that is later than this [TU] waits after every other reversal,
-        late_share: if it is later than this share of its time to go, too: of that networks err by per cents,
-        wait: so many times as long as it is late,
+        late_share: if it is later than this share of its time to go, too: of that networks err by per cents;
+        missed_wait: after a miss, which makes it that late, for up to so much of the target's orbit, and each
+            time for another share of it,
+        wait: else so many times as long as it is late,
         largest_wait: but no longer than this [TU]. Of four ways to wait (on both sides alike, on one side,
             each time longer, every other time), flown 3,000 to 6,000 times each with wander, drift and
             everything twice by the networks of two sails, this cost the least.
@@ -84,6 +86,7 @@ class SteeringRules:
     late_memory: float = 0.5
     late_tolerated: float = 0.1
     late_share: float = 0.0
+    missed_wait: float = 0.0
     wait: float = 3.0
     largest_wait: float = 1.5
     foresight: float = 0.15
@@ -106,14 +109,25 @@ class SteeringRules:
         """
         return min(reversal_time(phi_max, turn_rate), self.largest_patience)
 
+    def wait_after_a_miss(self, target_radius: float) -> float:
+        """How long it is at most [TU].
+
+        Args:
+            target_radius: of the target's orbit [AU].
+        """
+        return float(self.missed_wait * math.tau * target_radius**1.5)
+
+
+GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
+"""Multiples of it, less whole numbers, come nowhere near each other again: so no two waits are alike."""
 
 RULES = SteeringRules()
 """What flies, where the mission says nothing else."""
 
 
 def rules_for(mission: "Mission") -> SteeringRules:
-    """What flies a mission, which may say itself what is kept back, how patient the law is, who is late."""
-    said_by_missions = ("least_reserve", "largest_patience", "late_share")
+    """What flies a mission, which may say itself what is kept back, when it turns over, who is late."""
+    said_by_missions = ("least_reserve", "largest_patience", "late_share", "missed_wait")
     own = {name: getattr(mission.flight, name) for name in said_by_missions}
     return replace(RULES, **{name: said for name, said in own.items() if said is not None})
 

@@ -58,6 +58,9 @@ LATE_SHARE = 0.1
 """Who has lost less than this of his time to go is not late. Where a flight of 22 TU to 2.77 AU begins,
 networks err by some per cent; of 140 flights there that took 2 per cent too long 44 waited for nothing."""
 
+MISSED_WAIT = 0.5
+"""Of the target's orbit: after a miss the next reversal waits up to as long, each time for another share."""
+
 LATITUDE = 1.6
 """Its half-width in latitude in three dimensions, in inclinations of the departure orbit; that in w is the
 speed with which an orbit of such an inclination crosses the plane."""
@@ -187,6 +190,7 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
             "longest": min(10.0 * math.ceil(0.5 * (time + rounding)), LONGEST),
             "largest_patience": PATIENCE,
             "late_share": LATE_SHARE,
+            "missed_wait": MISSED_WAIT,
         },
         "generalisation": {
             "r": _interval(departure, departure + outward * depth),

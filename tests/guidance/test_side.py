@@ -118,13 +118,13 @@ def test_a_small_step_across_zero_is_no_reversal() -> None:
         assert steering.steer([(RADIUS, 0.0, 0.9)], PERIOD, ONE).cone_angle[0] == angle
 
 
-def of_a_late_sail(reversals: int, tau: list[float], share: float = 0.0) -> list[int]:
+def of_a_late_sail(reversals: int, tau: list[float], **said: float) -> list[int]:
     """Periods between reversals, asked for in every period, of a sail whose time to go is this, then this.
 
-    ``share``: of its time to go that it must have lost to be late, as its mission says it.
+    ``said``: of the flight, by its mission.
     """
     told = Told(lambda_v=1e3)
-    flight = MISSION.flight.model_copy(update={"late_share": share})
+    flight = MISSION.flight.model_copy(update=said)
     told.mission = MISSION.model_copy(update={"flight": flight})
     steering, turned = ReferenceSteering(told, 1), []
     before = told.cone_angle
@@ -170,8 +170,30 @@ def test_a_wait_is_some_times_as_long_as_the_sail_is_late() -> None:
 def test_who_lost_less_than_a_share_of_his_time_to_go_does_not_wait(time_to_go: float, waits: bool) -> None:
     """The time to go never falls: late is the time over which that is forgotten, in the end, 0.5 TU."""
     assert RULES.late_memory == 0.5
-    turned = of_a_late_sail(80, [time_to_go], share=0.125)
+    turned = of_a_late_sail(80, [time_to_go], late_share=0.125)
     assert (max(turned) > 2) == waits
+
+
+@pytest.mark.parametrize("missed", [40, 41, 47])
+def test_after_a_miss_the_next_reversal_waits_for_a_share_of_an_orbit(missed: int) -> None:
+    """The time to go falls as time passes, but for one leap, by which the sail is late."""
+    tau = [20.0 + (period >= missed) - PERIOD * period for period in range(4000)]
+    share = 0.6180339887498949 * missed % 1.0
+    wait = share * 0.5 * 2.0 * np.pi * MISSION.transfer.target_radius**1.5
+    turned = of_a_late_sail(missed // 2 + 3, tau, missed_wait=0.5)
+    waits = [(first, time) for first, time in enumerate(turned) if time > 2]
+    assert waits[0][0] == pytest.approx(missed / 2, abs=1)
+    assert waits[0][1] * PERIOD == pytest.approx(wait, abs=2 * PERIOD)
+    assert turned[waits[0][0] + 1] == 2  # the reversal after it has no wait
+    without = [time for time in of_a_late_sail(missed // 2 + 3, tau) if time > 2]
+    assert without[0] * PERIOD == pytest.approx(RULES.largest_wait, abs=4 * PERIOD)
+
+
+def test_who_was_late_before_has_missed_nothing_anew() -> None:
+    """The time to go never falls, so that the sail grows late once and stays so."""
+    turned = of_a_late_sail(40, [1.0], missed_wait=0.5)
+    longest = round(RULES.largest_wait / PERIOD)
+    assert sorted(turned[-20:]) == pytest.approx([2] * 10 + [longest] * 10, abs=1)
 
 
 def test_rules_without_a_wait_never_wait() -> None:

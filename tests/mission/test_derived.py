@@ -62,6 +62,7 @@ def test_sail_and_transfer_are_a_mission() -> None:
     assert mission.departure_state == (1.0, 0.0, 1.0)
     assert mission.flight.largest_patience == 0.0015
     assert mission.flight.late_share == 0.1
+    assert mission.flight.missed_wait == 0.5
     assert mission.sail.smoothing == 1e-3
     assert mission.generalisation.r == (0.94, 1.0)
     assert mission.generalisation.u == (-0.1, 0.0)

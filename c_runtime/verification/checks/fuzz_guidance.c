@@ -4,6 +4,8 @@
  */
 #include "sailnet_guidance.h"
 
+#include "../longest_wait.h"
+
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -384,7 +386,7 @@ static void check_steer(sailnet_memory *memory, const sailnet_state *state, sail
         PROMISED(!valid || is_same(&memory->state, state, sizeof *state));
         PROMISED(memory->regret >= SAILNET_REAL(0.0) && memory->regret <= SAILNET_LARGEST_PERIOD);
         PROMISED(memory->late >= SAILNET_REAL(0.0) && memory->late <= SAILNET_LARGEST_PERIOD);
-        PROMISED(memory->wait >= SAILNET_REAL(0.0) && memory->wait <= SAILNET_LARGEST_WAIT);
+        PROMISED(memory->wait >= SAILNET_REAL(0.0) && memory->wait <= LONGEST_WAIT);
         PROMISED(isfinite(memory->slewing) || isinf(before.slewing) || isnan(before.slewing));
 #ifdef SAILNET_IN_SPACE
         PROMISED(isfinite(memory->stake));

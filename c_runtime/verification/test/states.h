@@ -8,6 +8,8 @@
 
 #include "../tested.h"
 
+#include "../longest_wait.h"
+
 /* How many random cases most tests try. */
 #ifndef CASES
 #define CASES 100000
