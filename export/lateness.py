@@ -22,9 +22,7 @@ WAITED_TOLD = "; below 0: for so long the next one waits, after a miss"
 BEFORE = """    const sailnet_real before = memory->late;
 """
 MISSED = """
-    const int32_t missed =
-        (before <= SAILNET_LATE_TOLERATED) && (memory->late > SAILNET_LATE_TOLERATED)%s ? 1 : 0;
-    if (missed != 0) {
+    if ((before <= SAILNET_LATE_TOLERATED) && (memory->late > SAILNET_LATE_TOLERATED)%s) {
         /* Of multiples of the golden section, less whole numbers, no two are alike. */
         const sailnet_real turns = R(%s) * (sailnet_real)memory->periods;
         const sailnet_real whole = (sailnet_real)(uint32_t)turns;
@@ -60,7 +58,7 @@ def asked_of_lateness(rules: SteeringRules) -> dict[str, str]:
         "AND_LATE_BY_SHARE": by_share.replace(" (", "\n                ("),
         "LONGEST": "LONGEST" if rules.missed_wait else "LARGEST",
         "LATE_BEFORE": BEFORE if rules.missed_wait else "",
-        "AFTER_A_MISS": MISSED % (by_share.replace(" (", "\n            ("), literal(GOLDEN))
+        "AFTER_A_MISS": MISSED % (by_share.replace(" (", "\n        ("), literal(GOLDEN))
         if rules.missed_wait
         else "",
         "WAITS_AFTER_A_MISS": WAITS if rules.missed_wait else "",
