@@ -13,6 +13,7 @@ time to go advances in windows, and a bin whose states are all held by a prism i
 
 import itertools
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -56,6 +57,13 @@ RIM = 0.02
 HOLD = 0.1
 """How far outside a prism a test point may lie for its bin to count as filled."""
 
+TOGETHER = 4096
+"""Prisms whose bins are listed together: of real sails near the target half a million meet some hundred
+bins each, and all of that at once was 13 GB."""
+
+STATES, LOOKED_AT = 200, 4_000_000
+"""States that are looked up together, as many as stay in the processor's cache; and prisms of their bins."""
+
 INNERMOST, OUTERMOST = 0.6, 4.5
 """Extremals are followed as long as they are bound and their radius stays above this share of the
 smallest radius among states and target, and below this or 1.5 times the largest."""
@@ -87,9 +95,18 @@ class Index:
         columns = zip(*(vars(part).values() for part in prisms), strict=True)
         self._prisms = Prisms(*(np.concatenate(column) for column in columns))
         self._grid, self._directions, self._searched = grid, directions, searched
-        prism, bins = grid.listing(self._prisms.lowest, self._prisms.highest)
-        self._listed = prism[np.argsort(bins, kind="stable")]
-        self._first = np.append(0, np.cumsum(np.bincount(bins, minlength=len(grid))))
+        count = np.zeros(len(grid), int)
+        for _, _, bins in _listing(grid, self._prisms):
+            count += np.bincount(bins, minlength=len(grid))
+        self._first = np.append(0, np.cumsum(count))
+        self._listed = np.empty(self._first[-1], np.int32)
+        filled = self._first[:-1].copy()
+        for start, prism, bins in _listing(grid, self._prisms):
+            order = np.argsort(bins, kind="stable")
+            count = np.bincount(bins, minlength=len(grid))
+            among = enumerate_rows(count)[1]
+            self._listed[filled[bins[order]] + among] = start + prism[order]
+            filled += count
 
     def __len__(self) -> int:
         return len(self._prisms.column)
@@ -100,9 +117,13 @@ class Index:
 
     def look_up(self, states: Array) -> Guesses:
         """Everything that passes through or near (n, 3) states in the bins asked for."""
+        bins = self._grid.numbers(states)
+        prisms = np.cumsum(self._first[bins + 1] - self._first[bins])
+        begins = np.diff(np.arange(len(states)) // STATES) + np.diff(prisms // LOOKED_AT)
+        starts = [0, *(np.flatnonzero(begins) + 1), len(states)]
         parts = []
-        for start in range(0, len(states), 200):  # as much as stays in the processor's cache
-            part = self._look_up(states[start : start + 200])
+        for start, stop in itertools.pairwise(starts):
+            part = self._look_up(states[start:stop])
             parts.append(replace(part, state=part.state + start))
         return Guesses(*(np.concatenate(c) for c in zip(*(vars(p).values() for p in parts), strict=True)))
 
@@ -197,11 +218,18 @@ def _test_points(grid: Grid) -> Array:
 
 def _hold(grid: Grid, points: Array, held: NDArray[np.bool_], prisms: Prisms) -> None:
     """Mark the test points that lie in one of the prisms."""
-    prism, bins = grid.listing(prisms.lowest, prisms.highest)
-    for point in range(points.shape[1]):
-        missing = ~held[bins, point]
-        inside = prisms.weigh(prism[missing], points[bins[missing], point])[1] <= HOLD
-        held[bins[missing][inside], point] = True
+    for start, prism, bins in _listing(grid, prisms):
+        for point in range(points.shape[1]):
+            missing = ~held[bins, point]
+            inside = prisms.weigh(start + prism[missing], points[bins[missing], point])[1] <= HOLD
+            held[bins[missing][inside], point] = True
+
+
+def _listing(grid: Grid, prisms: Prisms) -> Iterator[tuple[int, Rows, Rows]]:
+    """All pairs of a prism and a bin that meet, some prisms after the others, and the row of their first."""
+    for start in range(0, len(prisms.column), TOGETHER):
+        part = slice(start, start + TOGETHER)
+        yield start, *grid.listing(prisms.lowest[part], prisms.highest[part])
 
 
 def _near(

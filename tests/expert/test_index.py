@@ -120,3 +120,21 @@ def test_far_apart_bins_need_no_more_memory_than_near_ones() -> None:
     box, number = grid.listing(np.full((50, 3), -9.0), np.full((50, 3), 9.0))
     np.testing.assert_array_equal(np.bincount(box), np.full(50, 2))
     np.testing.assert_array_equal(np.bincount(number), [50, 50])
+
+
+@pytest.mark.slow
+def test_few_prisms_and_states_together_are_listed_as_all_at_once(
+    index: Index, unit: Transfer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of real sails all at once does not fit into memory."""
+    numbers = np.argwhere(np.ones((4, 4, 4), bool)) - 2
+    bins = tuple(map(tuple, (bins_of(CENTRE)[None] + numbers).tolist()))
+    rng = np.random.default_rng(3)
+    states = BIN * (bins_of(CENTRE) - 2 + rng.uniform(0.0, 4.0, (40, 3)))
+    at_once = index.look_up(states)
+    for name, value in (("TOGETHER", 7), ("STATES", 6), ("LOOKED_AT", 50)):
+        monkeypatch.setattr(f"sailnet.expert.index.{name}", value)
+    assert len(index) > 10 * 7
+    in_parts = build_index.__wrapped__(unit, bins).look_up(states)
+    for one, other in zip(vars(at_once).values(), vars(in_parts).values(), strict=True):
+        np.testing.assert_array_equal(one, other)
