@@ -128,18 +128,23 @@ def solve_some(transfer: Transfer, states: Array) -> Optima:
 
     Most of a search goes into the slow and the rare. What it leaves out has neighbours that it does not.
     """
-    best, every = nothing_found(states), np.arange(len(states))
-    _search(transfer, best, nothing_found(states), every, None, 1.0, SHORT, tries=TRIES)
+    best = solve_once(transfer, states, SHORT, TRIES)
     return best.rows(best.complete)
 
 
-def solve_once(transfer: Transfer, states: Array) -> Optima:
+def solve_once(transfer: Transfer, states: Array, effort: float = 1.0, tries: int = sys.maxsize) -> Optima:
     """The fastest extremals that one search from (n, 3) states finds; what it misses is not sought again.
 
     A second search, of the few that are left, takes as long as the first.
+
+    Args:
+        transfer: the problem.
+        states: (n, 3) r [AU], u, v [AU/TU].
+        effort: how many times its usual budget of directions the search may take.
+        tries: guesses of a state that are followed at most.
     """
     best = nothing_found(states)
-    _search(transfer, best, nothing_found(states), np.arange(len(states)), None, 1.0)
+    _search(transfer, best, nothing_found(states), np.arange(len(states)), None, 1.0, effort, tries=tries)
     return best
 
 

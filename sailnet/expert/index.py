@@ -123,12 +123,11 @@ class Index:
         starts = [0, *(np.flatnonzero(begins) + 1), len(states)]
         parts = []
         for start, stop in itertools.pairwise(starts):
-            part = self._look_up(states[start:stop])
+            part = self._look_up(states[start:stop], bins[start:stop])
             parts.append(replace(part, state=part.state + start))
         return Guesses(*(np.concatenate(c) for c in zip(*(vars(p).values() for p in parts), strict=True)))
 
-    def _look_up(self, states: Array) -> Guesses:
-        bins = self._grid.numbers(states)
+    def _look_up(self, states: Array, bins: Rows) -> Guesses:
         row, number = enumerate_rows(self._first[bins + 1] - self._first[bins])
         prism = self._listed[self._first[bins][row] + number]
         # Comparisons first: most prisms that meet a bin do not come near the state.

@@ -13,8 +13,8 @@ QUICK: Mapping[str, Mapping[str, int]] = {
     "dataset": {"levels": 7, "starts": 192, "approaches": 300, "around": 128, "crossings": 0},
     "training": {"epochs": 90},
 }
-"""At most so much of [dataset.wide] and [training.wide], and no larger network of |alpha|: one or two
-minutes on 2 cores."""
+"""At most so much of [dataset.wide] and [training.wide], and no larger network of |alpha|: two or
+three minutes on 2 cores."""
 
 FLIGHTS: Mapping[Size, int] = {"quick": 1_000, "full": 10_000}
 """That accept the networks, a series."""
