@@ -18,7 +18,6 @@ from sailnet.campaign.own_optima import (
 from sailnet.campaign.plan import Plan, Starts
 from sailnet.campaign.random_flights import BATCH
 from sailnet.campaign.time_to_go import time_to_go
-from sailnet.expert.optima import Optima
 from sailnet.flight.closed_loop import Flights, History, fly, fly_recorded
 from sailnet.flight.drawn_optics import optics_of_flights
 from sailnet.flight.plant import components_of, constant_errors, rules
@@ -26,6 +25,7 @@ from sailnet.guidance.by_expert.pilot import ExpertGuidance
 from sailnet.guidance.interface import Guidance
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
+from sailnet.physics.optics import Optics
 
 EXPERT_BATCH = 20
 """Flights side by side where the expert steers: half a minute or so of work."""
@@ -173,22 +173,27 @@ class Job:
         turns = optimal_turns(self.mission.problem, optima, self.mission.flight.period)
         columns |= {"optimal_slew": turns.slew, "optimal_reversals": turns.reversals}
         columns |= zip(costates_of(components_of(self.mission)), optima.arrival_costates.T, strict=True)
+        solved: dict[object, Array] = {}
         for number in sharing:
             known = max(0, min(batch.count, whole[number].known - batch.first))
-            own = np.full(batch.count, np.nan)
-            own[:known] = self._own(number, batch.first, optima.rows(slice(known)))
-            columns[own_column(number)] = own
+            errors, optics = self._sails(number, range(batch.first, batch.first + known))
+            # Series that differ in noise alone fly the same sails.
+            key = errors.tobytes(), optics
+            if key not in solved:
+                solved[key] = own_optimal_times(
+                    self.mission.problem, optima.rows(slice(known)), errors, optics
+                )
+            columns[own_column(number)] = np.append(solved[key], np.full(batch.count - known, np.nan))
         return columns
 
-    def _own(self, number: int, first: int, assumed: Optima) -> Array:
-        """Optimal times of the sails of a series, from flight ``first`` on [TU]."""
+    def _sails(self, number: int, flights: range) -> tuple[Array, tuple[Optics, ...]]:
+        """Constant relative errors of beta, and optics, of the sails of some flights of a series."""
         series = self.plan.whole[number]
         disturbance = series.disturbances(self.mission, self.plan.seed)
         period = self.plan.periods_of(series, self.mission)[0]
         given = rules(self.mission, disturbance, period, self.guidance.beta_range)
-        numbers = range(first, first + len(assumed.time_of_flight))
-        optics = optics_of_flights(self.mission, disturbance, numbers)
-        return own_optimal_times(self.mission.problem, assumed, constant_errors(given, numbers), optics)
+        optics = optics_of_flights(self.mission, disturbance, flights)
+        return constant_errors(given, flights), tuple(optics)
 
 
 def own_column(series: int) -> str:

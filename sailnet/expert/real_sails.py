@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from sailnet.expert.any_dimension import solve_states
 from sailnet.expert.continuation import follow
-from sailnet.expert.neighbours import exchange
+from sailnet.expert.neighbours import spread
 from sailnet.expert.optima import Optima, optima_of, put
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS, Optics
@@ -66,7 +66,7 @@ def own_optima(
     own = sails(np.ones(len(beta)))
     optima = optima_of(own, states, followed.shots)
     if among:
-        exchange(own, optima)
+        spread(own, optima)
     anew = ~optima.found
     for row in np.flatnonzero(anew) if search else ():
         very = replace(common, beta=float(beta[row]), optics=kinds[row])

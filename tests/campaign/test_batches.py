@@ -5,16 +5,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from sailnet.campaign import batches
 from sailnet.campaign.batches import MOST_RECORDS
+from sailnet.campaign.own_optima import own_optimal_times
 from sailnet.campaign.random_flights import BATCH
 from sailnet.campaign.results import Results
 from sailnet.campaign.run import fly_plan
 from sailnet.campaign.scores import scores_of
 from sailnet.expert.fastest import solve
+from sailnet.expert.optima import Optima
 from sailnet.flight.closed_loop import fly, fly_recorded
 from sailnet.flight.starts import random_starts
 from sailnet.mission.disturbances import Disturbance
+from sailnet.physics.optics import Optics
+from sailnet.physics.transfer import Transfer
 from tests.campaign.small_plan import CASE, GUIDANCE, MISSION, assert_same, plan_of, short
+from tests.reference import Array
 
 
 @pytest.mark.slow
@@ -99,6 +105,34 @@ def test_optima_go_to_series_with_the_same_starts_alone(tmp_path: Path) -> None:
     nan = float("nan")
     expected = [first, second, first, nan, second, first, nan, nan]
     np.testing.assert_allclose(optimal, expected, rtol=1e-12)
+
+
+def test_series_that_differ_in_noise_alone_have_their_sails_solved_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And one that flies others, or more of them, has its own."""
+    solved = []
+
+    def counted(transfer: Transfer, assumed: Optima, errors: Array, optics: tuple[Optics, ...]) -> Array:
+        solved.append(errors)
+        return own_optimal_times(transfer, assumed, errors, optics)
+
+    monkeypatch.setattr(batches, "own_optimal_times", counted)
+    starts = {"starts": [CASE, CASE, CASE], "optima": 3}
+    series = [
+        {"name": "biased", **starts, "disturbance": {"beta_spread": 0.15}},
+        {"name": "noisy", **starts, "disturbance": {"beta_spread": 0.15, "beta_noise": 0.15}},
+        {"name": "less", **starts, "disturbance": {"beta_spread": 0.05}},
+        {"name": "of less", **starts, "optima": 2, "disturbance": {"beta_spread": 0.05}},
+    ]
+    plan = plan_of(series=series, periods=[0.05], sample=0, failures=0)
+    results = fly_plan(short(0.1), GUIDANCE, plan, tmp_path / "x.h5")
+    own = [results.flights["own_optimal_time"][results.rows(number, 0.05)] for number in range(4)]
+    assert [len(errors) for errors in solved] == [3, 3, 2]
+    np.testing.assert_array_equal(own[1], own[0])
+    np.testing.assert_array_equal(own[3], [*own[2][:2], np.nan])
+    np.testing.assert_allclose(solved[1], solved[0] / 3.0)
+    assert (np.abs(own[2] - own[0]) > 0.01).all()
 
 
 @pytest.mark.slow

@@ -5,10 +5,11 @@ import dataclasses
 import numpy as np
 import pytest
 
+from sailnet.expert import neighbours
 from sailnet.expert.fastest import solve_some, solve_states
-from sailnet.expert.neighbours import exchange, solve_among
+from sailnet.expert.neighbours import solve_among, spread
 from sailnet.expert.optima import Optima, nothing_found, optima_of
-from sailnet.expert.shooting import shoot
+from sailnet.expert.shooting import Shots, shoot
 from sailnet.physics.transfer import AnyTransfer, Transfer, Transfers
 from tests.reference import Array
 
@@ -75,15 +76,32 @@ def test_the_faster_family_spreads_among_sails_that_all_differ(problem: Transfer
     parts = (faster.rows(slice(3)), none.rows(slice(3, 3 + unknown)), slow.rows(slice(3 + unknown, None)))
     optima = Optima.join(parts)
     assert (optima.time_of_flight[3 + unknown :] > faster.time_of_flight[3 + unknown :] + 1.0).all()
-    exchange(sails, optima)
+    spread(sails, optima)
     np.testing.assert_allclose(optima.time_of_flight, faster.time_of_flight, rtol=0, atol=1e-8)
     np.testing.assert_array_equal(optima.state, states)
+
+
+def test_of_one_family_few_neighbours_are_asked(problem: Transfer, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their costates, and those of the sails, say that all 24 have the same; each has eight neighbours."""
+    states = TWO_WAYS + states_between((np.full(3, -2e-3), np.full(3, 2e-3)), 24, seed=4)
+    sails = Transfers(problem, problem.beta * (1.0 + np.random.default_rng(6).uniform(-0.01, 0.01, 24)))
+    optima = along(sails, states, TO_FAST, FAST)
+    asked = []
+
+    def counted(sails: AnyTransfer, states: Array, ways: Array, tau: Array, iterations: int) -> Shots:
+        asked.append(len(states))
+        return shoot(sails, states, ways, tau, iterations=iterations)
+
+    monkeypatch.setattr(neighbours, "shoot", counted)
+    spread(sails, optima)
+    assert optima.found.all()
+    assert sum(asked) < 2 * 24
 
 
 @pytest.mark.parametrize("rows", [0, 1])
 def test_who_has_no_neighbour_keeps_what_he_knows(problem: Transfer, rows: int) -> None:
     optima = along(problem, TWO_WAYS[None], TO_SLOW, SLOW).rows(slice(rows))
-    exchange(Transfers(problem, np.full(rows, problem.beta)), optima)
+    spread(Transfers(problem, np.full(rows, problem.beta)), optima)
     assert optima.time_of_flight == pytest.approx([SLOW] * rows)
 
 
