@@ -27,20 +27,22 @@ stronger are a few Newton steps away."""
 
 
 def wide_shard(mission: Mission, shard: int) -> Block:
-    """Flights and approaches of some neighbouring values of beta, or flights of all from around the target.
+    """Flights of all sails from around the target, or flights and approaches of some neighbouring sails.
 
     Args:
         mission: its ``dataset.wide`` section is the recipe.
-        shard: number of the first of those values, in units of ``TOGETHER``, the last for those of all; with
-            the recipe's seed it fixes everything.
+        shard: its number, that from around the target first if there is any; with the recipe's seed it
+            fixes everything.
     """
     # scipy.stats takes longer to load than all of this package.
     from scipy.stats.qmc import Sobol
 
     recipe = mission.dataset.wide
-    levels = range(shard * TOGETHER, min((shard + 1) * TOGETHER, recipe.levels))
-    if not levels:
+    # Weaker sails take longer, and what takes long comes first, or who is done waits for it.
+    first = (shard - (recipe.around > 0)) * TOGETHER
+    if first < 0:
         return from_around(mission)
+    levels = range(first, min(first + TOGETHER, recipe.levels))
     sails = sails_of(mission, levels)
     streams = [np.random.default_rng([recipe.seed, level]) for level in levels]
     low, high = widened(mission, recipe.margin)

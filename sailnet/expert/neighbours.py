@@ -79,7 +79,7 @@ def next_optima(transfer: AnyTransfer, before: Optima) -> Optima:
     return optima
 
 
-def spread(transfer: AnyTransfer, optima: Optima) -> None:
+def spread(transfer: AnyTransfer, optima: Optima, new: NDArray[np.intp] | None = None) -> None:
     """Try neighbours' extremals where they are of another family, or there is none, until none is faster.
 
     What was followed from one sail to others keeps to its family and ends at folds. Of 1,000 random starts to
@@ -88,6 +88,7 @@ def spread(transfer: AnyTransfer, optima: Optima) -> None:
     Args:
         transfer: the problem, or one a row.
         optima: of states that are close together; what is faster is put in.
+        new: rows that were put in since it was spread the last time: others need not ask each other again.
     """
     if len(optima.state) < 2:
         return
@@ -95,6 +96,11 @@ def spread(transfer: AnyTransfer, optima: Optima) -> None:
     beside = _in_order(places, places, min(NEIGHBOURS + 1, len(places)))[:, 1:]
     coordinates, costates = _coordinates(transfer, optima), _costates(transfer, optima)
     tried = np.full(beside.shape, np.inf)
+    if new is not None:
+        old = np.ones(len(places), bool)
+        old[new] = False
+        asked = old[:, None] & (old & optima.found)[beside]
+        tried[asked] = optima.time_of_flight[beside[asked]]
     for _ in range(ROUNDS):
         predicted = _predicted(optima.time_of_flight, coordinates, costates, beside)
         predicted[~(optima.time_of_flight[beside] < tried - IMPROVED)] = np.inf

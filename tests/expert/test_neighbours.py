@@ -8,7 +8,7 @@ import pytest
 from sailnet.expert import neighbours
 from sailnet.expert.fastest import solve_some, solve_states
 from sailnet.expert.neighbours import solve_among, spread
-from sailnet.expert.optima import Optima, nothing_found, optima_of
+from sailnet.expert.optima import Optima, nothing_found, optima_of, put
 from sailnet.expert.shooting import Shots, shoot
 from sailnet.physics.transfer import AnyTransfer, Transfer, Transfers
 from tests.reference import Array
@@ -79,6 +79,22 @@ def test_the_faster_family_spreads_among_sails_that_all_differ(problem: Transfer
     spread(sails, optima)
     np.testing.assert_allclose(optima.time_of_flight, faster.time_of_flight, rtol=0, atol=1e-8)
     np.testing.assert_array_equal(optima.state, states)
+
+
+@pytest.mark.parametrize("unknown", [0, 5])
+def test_what_is_put_in_spreads_though_the_others_have_asked_each_other(
+    problem: Transfer, unknown: int
+) -> None:
+    """The one of 24 that knows the fast way now shows it, also to those that no way was known from."""
+    states = TWO_WAYS + states_between((np.full(3, -2e-3), np.full(3, 2e-3)), 24, seed=4)
+    slow, faster = (along(problem, states, way, tau) for way, tau in ((TO_SLOW, SLOW), (TO_FAST, FAST)))
+    optima = Optima.join([nothing_found(states[:unknown]), slow.rows(slice(unknown, None))])
+    put(optima, 7, faster, 7)
+    before = optima.time_of_flight.copy()
+    spread(problem, optima, np.empty(0, int))
+    np.testing.assert_array_equal(optima.time_of_flight[unknown:], before[unknown:])
+    spread(problem, optima, np.array([7]))
+    np.testing.assert_allclose(optima.time_of_flight, faster.time_of_flight, rtol=0, atol=1e-8)
 
 
 def test_of_one_family_few_neighbours_are_asked(problem: Transfer, monkeypatch: pytest.MonkeyPatch) -> None:
