@@ -54,12 +54,18 @@ def told_of_lateness(rules: SteeringRules, target_radius: float) -> dict[str, st
 def asked_of_lateness(rules: SteeringRules) -> dict[str, str]:
     """What the flight file asks and does."""
     by_share = BY_SHARE if rules.late_share else ""
-    return {
+    asked = {
         "AND_LATE_BY_SHARE": by_share.replace(" (", "\n                ("),
-        "LONGEST": "LONGEST" if rules.missed_wait else "LARGEST",
-        "LATE_BEFORE": BEFORE if rules.missed_wait else "",
-        "AFTER_A_MISS": MISSED % (by_share.replace(" (", "\n        ("), literal(GOLDEN))
-        if rules.missed_wait
-        else "",
-        "WAITS_AFTER_A_MISS": WAITS if rules.missed_wait else "",
+        "LONGEST": "LARGEST",
+        "LATE_BEFORE": "",
+        "AFTER_A_MISS": "",
+        "WAITS_AFTER_A_MISS": "",
     }
+    if rules.missed_wait:
+        asked |= {
+            "LONGEST": "LONGEST",
+            "LATE_BEFORE": BEFORE,
+            "AFTER_A_MISS": MISSED % (by_share.replace(" (", "\n        ("), literal(GOLDEN)),
+            "WAITS_AFTER_A_MISS": WAITS,
+        }
+    return asked

@@ -16,19 +16,17 @@ BOUNDS = (0.5, 50.0)
 """A sample's cost counts for no less and no more; of wide data to 0.9 AU 16 and 0.14 % lie beyond."""
 
 
-def costs_of_error(data: Dataset, rows_read: int) -> Array:
+def costs_of_error(data: Dataset) -> Array:
     """(samples,) |lambda| beta / r^2 of each, within ``BOUNDS``.
 
     Args:
         data: with costates, and beta of each sample.
-        rows_read: rows held at once.
     """
     speeds = [f"lambda_{name}" for name in data.states[len(data.states) // 2 :]]
     found = np.empty(data.samples)
-    for start in range(0, data.samples, rows_read):
-        columns = data.read(("r", "beta", *speeds), start, min(start + rows_read, data.samples))
+    for rows, columns in data.blocks(("r", "beta", *speeds)):
         size = np.linalg.norm([columns[name] for name in speeds], axis=0)
-        found[start : start + rows_read] = size * columns["beta"] / columns["r"] ** 2
+        found[rows] = size * columns["beta"] / columns["r"] ** 2
     return np.clip(np.nan_to_num(found, nan=BOUNDS[0]), *BOUNDS)
 
 

@@ -32,7 +32,7 @@ from sailnet.networks.trained_domain import (
 from sailnet.physics.arrays import Array
 from sailnet.physics.geometry import lengths_of, target_of
 from sailnet.workers.interruption import run_command
-from training.samples import ROWS_READ, crossings, split_trajectories
+from training.samples import crossings, split_trajectories
 
 MARGIN = 0.01
 """Margin of the bounds on the direction, whose components are at most 1, and, relative, of the ranges of
@@ -142,11 +142,9 @@ def _samples(data: Dataset, trajectories: NDArray[np.bool_]) -> Iterator[tuple[A
     target = target_of(data.mission.problem, len(data.states))
     lengths, tolerance = lengths_of(target), data.mission.flight.arrival_tolerance
     wanted = np.repeat(trajectories, np.diff(data.first_sample))
-    for start in range(0, data.samples, ROWS_READ):
-        stop = min(start + ROWS_READ, data.samples)
-        columns = data.read([*data.states, "beta"], start, stop)
+    for rows, columns in data.blocks([*data.states, "beta"]):
         states = np.column_stack([columns[name] for name in data.states])
-        kept = wanted[start:stop] & (np.abs((states - target) * lengths) > tolerance).any(axis=1)
+        kept = wanted[rows] & (np.abs((states - target) * lengths) > tolerance).any(axis=1)
         yield states[kept], columns["beta"][kept]
 
 

@@ -15,9 +15,6 @@ from training.targets import Target
 PARTS = ("train", "validation", "test")
 SHARES = (0.70, 0.15, 0.15)
 
-ROWS_READ = 1 << 20
-"""Rows of the data set held at once."""
-
 
 @dataclass(frozen=True)
 class Part:
@@ -139,7 +136,7 @@ def load_samples(
     if not target.crossings:
         learnt = np.where(np.repeat(crossings(data), np.diff(data.first_sample)), -1, part_of_row)
     rng = np.random.default_rng([seed, 1])
-    costs = costs_of_error(data, ROWS_READ) if emphasis and target.size is not None else None
+    costs = costs_of_error(data) if emphasis and target.size is not None else None
     drawn = [
         draw(rng, np.flatnonzero(learnt == part), limit, costs, emphasis)
         for part, limit in enumerate((train_samples, validation_samples, data.samples))
@@ -147,17 +144,16 @@ def load_samples(
     collected: list[list[Mapping[str, Array]]] = [[] for _ in PARTS]
     ranges, read = (*target.inputs, "value", *data.states), len(target.inputs)
     low, high = np.full(len(ranges), np.inf), np.full(len(ranges), -np.inf)
-    for start in range(0, data.samples, ROWS_READ):
-        stop = min(start + ROWS_READ, data.samples)
+    for at, columns in data.blocks(target.reads(data.states)):
         # The arrivals of approach targets, which no part holds, have no logarithm.
         with np.errstate(divide="ignore"):
-            block = target.complete(data.read(target.reads(data.states), start, stop), data.mission.problem)
+            block = target.complete(columns, data.mission.problem)
         ranged = np.stack([block[name] for name in ranges])
-        ranged = ranged[:, part_of_row[start:stop] == 0]
+        ranged = ranged[:, part_of_row[at] == 0]
         if ranged.size:
             low, high = np.minimum(low, ranged.min(axis=1)), np.maximum(high, ranged.max(axis=1))
         for rows, kept in zip(drawn, collected, strict=True):
-            here = rows[np.searchsorted(rows, start) : np.searchsorted(rows, stop)] - start
+            here = rows[slice(*np.searchsorted(rows, (at.start, at.stop)))] - at.start
             kept.append({name: column[here] for name, column in block.items()})
     parts = [_assemble(target, kept) for kept in collected]
     order = rng.permutation(len(parts[0].values))

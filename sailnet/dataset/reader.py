@@ -17,6 +17,9 @@ from sailnet.mission.mission import Mission, parse_mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.geometry import geometry_of
 
+ROWS_AT_ONCE = 1 << 20
+"""Rows of the samples in memory when all are read: of ten columns 80 MB."""
+
 
 class Dataset:
     """An open data set. Made by :func:`open_dataset`.
@@ -80,6 +83,19 @@ class Dataset:
                     "generate it again"
                 )
         return columns
+
+    def blocks(
+        self, names: Sequence[str], most: int = ROWS_AT_ONCE
+    ) -> Iterator[tuple[slice, dict[str, Array]]]:
+        """:meth:`read` all samples, some at a time: the rows of each block, and their columns.
+
+        Args:
+            names: of the columns.
+            most: rows of a block.
+        """
+        for start in range(0, self.samples, most):
+            rows = slice(start, min(start + most, self.samples))
+            yield rows, self.read(names, rows.start, rows.stop)
 
     def read_trajectories(self, names: Sequence[str]) -> dict[str, Array]:
         """Read whole columns of the trajectories."""

@@ -46,6 +46,10 @@ def test_what_was_written_is_read(small: Mission, shard: Block, stored: Path) ->
         part = found.read(["tau", "r"], 40, 50)
         np.testing.assert_array_equal(part["tau"], columns["tau"][40:50])
         assert list(part) == ["tau", "r"]
+        blocks = list(found.blocks(["tau", "r"], most=100))
+        assert [rows for rows, _ in blocks] == [slice(a, min(a + 100, 372)) for a in (0, 100, 200, 300)]
+        whole = np.concatenate([block["r"] for _, block in blocks])
+        np.testing.assert_array_equal(whole, columns["r"])
 
 
 def test_a_data_set_prints_its_columns_with_units_where_they_have_any(stored: Path) -> None:

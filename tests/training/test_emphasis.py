@@ -1,6 +1,7 @@
 """The network of |alpha| learns from more samples where a wrong angle costs more."""
 
 from collections.abc import Iterator
+from functools import partialmethod
 from pathlib import Path
 from typing import Any
 
@@ -71,9 +72,22 @@ def share(values: Array) -> float:
 
 
 def test_the_cost_is_the_costate_of_velocity_times_the_acceleration(data: Dataset) -> None:
-    costs = costs_of_error(data, rows_read=777)
+    costs = costs_of_error(data)
     alpha = data.read(("alpha",), 0, data.samples)["alpha"]
     np.testing.assert_allclose(costs, np.where(alpha == THERE, TIMES, 1.0).astype(float), rtol=1e-5)
+
+
+def test_samples_are_the_same_however_many_rows_are_read_at_once(
+    data: Dataset, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    costs, samples = costs_of_error(data), drawn(data, "alpha_pre", 0.5)
+    monkeypatch.setattr(Dataset, "blocks", partialmethod(Dataset.blocks, most=777))
+    np.testing.assert_array_equal(costs_of_error(data), costs)
+    again = drawn(data, "alpha_pre", 0.5)
+    np.testing.assert_array_equal(again.input_max, samples.input_max)
+    for one, other in ((again.train, samples.train), (again.test, samples.test)):
+        np.testing.assert_array_equal(one.inputs, other.inputs)
+        np.testing.assert_array_equal(one.values, other.values)
 
 
 def test_what_the_formula_says_is_what_a_wrong_angle_loses() -> None:
@@ -127,7 +141,7 @@ def test_a_cost_counts_for_no_more_and_no_less_than_its_bounds(
         return {k: v * (factor if k.startswith("lambda") else 1.0) for k, v in read(*given).items()}
 
     monkeypatch.setattr(Dataset, "read", scaled)
-    assert np.all(costs_of_error(data, 500) == bound)
+    assert np.all(costs_of_error(data) == bound)
 
 
 def test_where_there_are_no_more_all_are_taken() -> None:
