@@ -8,11 +8,12 @@ from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from sailnet.expert.any_dimension import solve_once, solve_some
-from sailnet.expert.neighbours import next_optima, solve_among, spread
-from sailnet.expert.optima import Optima, put
+from sailnet.expert.any_dimension import solve_some
+from sailnet.expert.neighbours import solve_among
+from sailnet.expert.optima import Optima
+from sailnet.expert.real_sails import own_optima
+from sailnet.expert.what_is_left import put_in, search_what_is_left, worth_a_search
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.transfer import Transfer
@@ -20,13 +21,6 @@ from sailnet.physics.transfer import Transfer
 SEEDS = 256
 """States of the middle one that are searched for by an index; the others begin at neighbours. 64 saved some
 seconds and left 26 of 7,168 flights to Venus slower or out."""
-
-WORTH_A_SEARCH = 12, 0.02
-"""States of the weakest without an extremal, and their share of all, from which on an index is made for them:
-ten to thirty seconds."""
-
-STEPS = 4
-"""From one sail to the next when slow flights lead on: of 1.7 % of beta at once Newton's method takes few."""
 
 
 def sails_of(mission: Mission, levels: range) -> list[Transfer]:
@@ -53,9 +47,8 @@ def solve_neighbouring_sails(sails: list[Transfer], states: list[Array], seeds: 
         For each the optima, as of :func:`sailnet.expert.neighbours.solve_among`.
     """
     optima = _outward(sails, states, seeds)
-    least, share = WORTH_A_SEARCH
-    if np.count_nonzero(~optima[0].found) >= max(least, share * len(states[0])):
-        _search_what_is_left(sails, optima)
+    if worth_a_search(optima[0]):
+        _search_and_lead(sails, optima)
     return optima
 
 
@@ -70,27 +63,21 @@ def _outward(sails: list[Transfer], states: list[Array], count: int) -> list[Opt
     return [optima[level] for level in range(len(sails))]
 
 
-def _search_what_is_left(sails: list[Transfer], optima: list[Optima]) -> None:
-    """Put in what a search finds for the weakest, and what then leads from each to the next one."""
+def _search_and_lead(sails: list[Transfer], optima: list[Optima]) -> None:
+    """Put in what a search finds for the weakest, and what then leads from each to the next one and back."""
     left = [np.flatnonzero(~known.found) for known in optima]
-    # Not their region's: to 1.35 AU with JPL's optics that index took 17 GB and more, for 41 states 0.8.
-    _put_in(sails[0], optima[0], left[0], solve_once(sails[0], optima[0].state[left[0]]))
-    # What one search of the weakest misses, the second leads back to.
-    back = [(1, 0)] if len(sails) > 1 else []
-    for one, other in [*pairwise(range(len(sails))), *back]:
-        led = _led(sails[one], sails[other], optima[one].rows(left[one]))
-        still = np.flatnonzero(~optima[other].found)
-        found = solve_among(sails[other], optima[other].state[still], led)
-        _put_in(sails[other], optima[other], still, found)
+    search_what_is_left(sails[0], optima[0])
+    levels = range(len(sails))
+    for one, other in [*pairwise(levels), *pairwise(levels[::-1])]:
+        # Back there is little to find, but where the weaker ones' search has failed: to 4 AU an eighth.
+        if other > one or worth_a_search(optima[other]):
+            _lead(sails[one], sails[other], optima[one].rows(left[one]), optima[other])
 
 
-def _put_in(sail: Transfer, optima: Optima, rows: NDArray[np.intp], found: Optima) -> None:
-    put(optima, rows[found.found], found, found.found)
-    spread(sail, optima, rows[found.found])
-
-
-def _led(one: Transfer, other: Transfer, optima: Optima) -> Optima:
-    """Of another sail from the same states, by some steps of beta: slow flights change much with it."""
-    for beta in np.linspace(one.beta, other.beta, STEPS + 1)[1:-1]:
-        optima = next_optima(replace(one, beta=float(beta)), optima.rows(optima.found))
-    return optima
+def _lead(one: Transfer, other: Transfer, known: Optima, optima: Optima) -> None:
+    """Put in what extremals of one sail lead to by continuation: slow flights change much with beta."""
+    known = known.rows(known.found)
+    beta, ways = np.full(len(known.state), other.beta), (known.arrival_costates, known.time_of_flight)
+    led, _ = own_optima(one, known.state, *ways, beta, one.optics, search=False)
+    still = np.flatnonzero(~optima.found)
+    put_in(other, optima, still, solve_among(other, optima.state[still], led))

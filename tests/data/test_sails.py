@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from data import sails
+from sailnet.expert import what_is_left
 from sailnet.expert.fastest import solve, solve_once
 from sailnet.expert.optima import Optima, nothing_found, put
 from sailnet.mission.mission import load_mission
@@ -25,7 +26,7 @@ def test_what_neighbours_leave_out_is_searched_for_and_led_on(monkeypatch: pytes
     states = [rng.uniform([1.13, 0.03, 1.19], [1.18, 0.13, 1.23], (STARTS, 3)) for _ in weak]
 
     def solved(worth: int) -> list[Optima]:
-        monkeypatch.setattr(sails, "WORTH_A_SEARCH", (worth, 0.0))
+        monkeypatch.setattr(what_is_left, "WORTH_A_SEARCH", (worth, 0.0))
         return sails.solve_neighbouring_sails(weak, states)
 
     before, after = solved(STARTS + 1), solved(1)
@@ -38,8 +39,8 @@ def test_what_neighbours_leave_out_is_searched_for_and_led_on(monkeypatch: pytes
             assert two.time_of_flight[row] == pytest.approx(best.time_of_flight, abs=1e-6)
 
     # What the search of the weakest misses, here two of three, the next one leads back to.
-    monkeypatch.setattr(sails, "solve_once", _every_third)
-    monkeypatch.setattr(sails, "spread", lambda *_: None)
+    monkeypatch.setattr(what_is_left, "solve_once", _every_third)
+    monkeypatch.setattr(what_is_left, "spread", lambda *_: None)
     led_back = solved(1)[0]
     sought = np.count_nonzero(after[0].found & ~before[0].found)
     assert np.count_nonzero(led_back.found & ~before[0].found) > sought / 2
@@ -49,18 +50,3 @@ def _every_third(transfer: Transfer, states: Array) -> Optima:
     found, some = nothing_found(states), np.arange(0, len(states), 3)
     put(found, some, solve_once(transfer, states[some]), np.ones(len(some), bool))
     return found
-
-
-@pytest.mark.parametrize(
-    ("states", "missing", "sought"), [(192, 11, 0), (192, 12, 1), (1024, 20, 0), (1024, 21, 1)]
-)
-def test_a_search_is_made_for_many_and_for_a_share_of_more(
-    monkeypatch: pytest.MonkeyPatch, states: int, missing: int, sought: int
-) -> None:
-    known = nothing_found(np.ones((states, 3)))
-    known.time_of_flight[missing:] = 1.0
-    calls: list[int] = []
-    monkeypatch.setattr(sails, "_outward", lambda *_: [known])
-    monkeypatch.setattr(sails, "_search_what_is_left", lambda *_: calls.append(1))
-    sails.solve_neighbouring_sails([MISSION.problem], [known.state])
-    assert len(calls) == sought
