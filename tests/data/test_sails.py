@@ -46,6 +46,20 @@ def test_what_neighbours_leave_out_is_searched_for_and_led_on(monkeypatch: pytes
     assert np.count_nonzero(led_back.found & ~before[0].found) > sought / 2
 
 
+def test_one_sail_leads_to_the_next_by_continuation_where_anything_is_known_or_left() -> None:
+    """To what a search finds, a tenth of beta away; and nowhere, without an error."""
+    one, states = MISSION.problem, np.array([[1.05, 0.09, 1.03], [1.0, 0.0, 1.0]])
+    other, known, nothing = replace(one, beta=0.9 * one.beta), solve_once(one, states), nothing_found(states)
+    optima = nothing_found(states)
+    sails._lead(one, other, nothing, optima)
+    assert not optima.found.any()
+    for _ in range(2):
+        sails._lead(one, other, known, optima)
+        for row, state in enumerate(states):
+            best = solve(other, state).time_of_flight
+            assert optima.time_of_flight[row] == pytest.approx(best, abs=1e-8)
+
+
 def _every_third(transfer: Transfer, states: Array) -> Optima:
     found, some = nothing_found(states), np.arange(0, len(states), 3)
     put(found, some, solve_once(transfer, states[some]), np.ones(len(some), bool))
