@@ -18,11 +18,13 @@ MISSED_DEFINED = """
    second [TU]. */
 #define SAILNET_MISSED_WAIT SAILNET_REAL(%s)
 #define SAILNET_LONGEST_WAIT SAILNET_REAL(%s)"""
+WAS_NOT = """
+            || (before <= SAILNET_LATE_SHARE * command->time_of_flight)"""
 WAITED_TOLD = "; below 0: for so long the next one waits, after a miss"
 BEFORE = """    const sailnet_real before = memory->late;
 """
 MISSED = """
-    if ((before <= SAILNET_LATE_TOLERATED) && (memory->late > SAILNET_LATE_TOLERATED)%s) {
+    if ((memory->late > SAILNET_LATE_TOLERATED)%s && ((before <= SAILNET_LATE_TOLERATED)%s)) {
         /* Of multiples of the golden section, less whole numbers, no two are alike. */
         const sailnet_real turns = R(%s) * (sailnet_real)memory->periods;
         const sailnet_real whole = (sailnet_real)(uint32_t)turns;
@@ -62,10 +64,11 @@ def asked_of_lateness(rules: SteeringRules) -> dict[str, str]:
         "WAITS_AFTER_A_MISS": "",
     }
     if rules.missed_wait:
+        missed = by_share.replace(" (", "\n        ("), WAS_NOT if rules.late_share else ""
         asked |= {
             "LONGEST": "LONGEST",
             "LATE_BEFORE": BEFORE,
-            "AFTER_A_MISS": MISSED % (by_share.replace(" (", "\n        ("), literal(GOLDEN)),
+            "AFTER_A_MISS": MISSED % (*missed, literal(GOLDEN)),
             "WAITS_AFTER_A_MISS": WAITS,
         }
     return asked

@@ -10,7 +10,7 @@ from sailnet.expert.any_dimension import solve_states
 from sailnet.expert.neighbours import solve_among, spread
 from sailnet.expert.optima import Optima, sample_many
 from sailnet.expert.real_sails import own_optima
-from sailnet.expert.what_is_left import search_what_is_left, worth_a_search
+from sailnet.expert.what_is_left import search_what_is_left
 from sailnet.flight.closed_loop import Flights
 from sailnet.flight.drawn_optics import forces, optics_of_flights
 from sailnet.flight.plant import REVERSAL
@@ -85,8 +85,7 @@ def assumed_optima(mission: Mission, states: Array, *, anywhere: bool = False) -
     optima = solve_states(mission.problem, distinct, region=mission.region if many else None)
     if many:
         spread(mission.problem, optima)
-        if worth_a_search(optima):
-            search_what_is_left(mission.problem, optima)
+        search_what_is_left(mission.problem, optima)
     return optima.rows(which.ravel())
 
 

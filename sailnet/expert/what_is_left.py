@@ -15,6 +15,10 @@ from sailnet.physics.transfer import Transfer
 WORTH_A_SEARCH = 12, 0.02
 """States without an extremal, and their share of all, from which on they are sought: 5 to 30 s."""
 
+FEW = 8
+"""So many are sought where all of them at once are too many: to 4 AU none was found from 50, and from 8 all,
+which led to 38 others."""
+
 
 def worth_a_search(optima: Optima) -> bool:
     """Whether so many of some states are left that they are sought alone."""
@@ -23,7 +27,7 @@ def worth_a_search(optima: Optima) -> bool:
 
 
 def search_what_is_left(transfer: Transfer, optima: Optima) -> None:
-    """Put in what one search finds from the states that there is no extremal from, and what it shows others.
+    """Put in what searches find from the states that there is no extremal from, and what it shows others.
 
     Not their whole region is indexed: to 1.35 AU with JPL's optics that takes twenty times the memory.
 
@@ -31,8 +35,10 @@ def search_what_is_left(transfer: Transfer, optima: Optima) -> None:
         transfer: the problem.
         optima: of states that fill a region.
     """
-    left = np.flatnonzero(~optima.found)
-    put_in(transfer, optima, left, solve_once(transfer, optima.state[left]))
+    for most in (len(optima.state), FEW):
+        if worth_a_search(optima):
+            left = np.flatnonzero(~optima.found)[:most]
+            put_in(transfer, optima, left, solve_once(transfer, optima.state[left]))
 
 
 def put_in(transfer: Transfer, optima: Optima, rows: NDArray[np.intp], found: Optima) -> None:

@@ -68,10 +68,9 @@ class SideKeeping:
         # What staying costs must be known.
         stays = reverses & ((regret < self._patience) | (wait > 0.0)) & np.isfinite(size)
         turns = reverses & ~stays
-        is_late = late > rules.late_tolerated
-        if rules.late_share > 0.0:
-            is_late &= late > rules.late_share * command.time_of_flight
-        waited = self._missed(memory, is_late)
+        tolerated = np.maximum(rules.late_tolerated, rules.late_share * command.time_of_flight)
+        is_late = late > tolerated
+        waited = self._missed(memory, is_late & (memory.late <= tolerated))
         begun = np.where(is_late & (waited <= 0.0), np.minimum(rules.wait * late, rules.largest_wait), 0.0)
         begun = np.where(waited < 0.0, np.minimum(-waited, self._after_miss), begun)
         memory.stake = np.where(valid, np.where(stays, cost, -size), memory.stake)
@@ -82,11 +81,10 @@ class SideKeeping:
         kept = stays if wanted.ndim == 1 else stays[:, None]
         return np.where(kept, in_direction(memory.cone_angle, wanted), wanted)
 
-    def _missed(self, memory: Memory, is_late: NDArray[np.bool_]) -> Array:
+    def _missed(self, memory: Memory, missed: NDArray[np.bool_]) -> Array:
         """What is known of waiting [TU]; below 0 for how long the next reversal waits after a miss."""
         if not self._after_miss:
             return memory.waited
-        missed = is_late & (memory.late <= self._rules.late_tolerated)
         turns = GOLDEN * memory.periods
         return np.where(missed, (np.floor(turns) - turns) * self._after_miss, memory.waited)
 

@@ -58,6 +58,11 @@ LATE_SHARE = 0.1
 """Who has lost less than this of his time to go is not late. Where a flight of 22 TU to 2.77 AU begins,
 networks err by some per cent; of 140 flights there that took 2 per cent too long 44 waited for nothing."""
 
+LATE_BESIDE = 0.45
+"""And no more than this [TU] of the time that a sail beside the target takes, 1 / (2 pi) of its orbit. Who
+gets no nearer is late by ``late_memory``, 0.5 TU, in the end: to 4 AU, with a share of 0.1, 22 of 500 sails
+turned over for ever where they saw 7.7 TU to go."""
+
 MISSED_WAIT = 0.5
 """Of the target's orbit: after a miss the next reversal waits up to as long, each time for another share."""
 
@@ -189,7 +194,7 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
             "arrival_tolerance": 1e-3,
             "longest": min(10.0 * math.ceil(0.5 * (time + rounding)), LONGEST),
             "largest_patience": PATIENCE,
-            "late_share": LATE_SHARE,
+            "late_share": min(LATE_SHARE, _rounded(LATE_BESIDE / target**1.5)),
             "missed_wait": MISSED_WAIT,
         },
         "generalisation": {

@@ -189,6 +189,14 @@ def test_after_a_miss_the_next_reversal_waits_for_a_share_of_an_orbit(missed: in
     assert without[0] * PERIOD == pytest.approx(RULES.largest_wait, abs=4 * PERIOD)
 
 
+def test_who_gets_no_nearer_beside_a_far_target_has_missed_it() -> None:
+    """The time to go never falls: the sail grows late little by little, and once by more than the share."""
+    turned = of_a_late_sail(80, [3.0], late_share=0.125, missed_wait=0.5)
+    assert sum(time * PERIOD > 1.2 * RULES.largest_wait for time in turned) == 1
+    turned = of_a_late_sail(80, [4.1], late_share=0.125, missed_wait=0.5)
+    assert max(turned) == 2
+
+
 def test_who_was_late_before_has_missed_nothing_anew() -> None:
     """The time to go never falls, so that the sail grows late once and stays so."""
     turned = of_a_late_sail(40, [1.0], missed_wait=0.5)

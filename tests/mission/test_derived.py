@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from sailnet.errors import MissionError
 from sailnet.expert.fastest import solve
+from sailnet.guidance.rules import RULES
 from sailnet.mission.derived import estimated_time
 from sailnet.mission.mission import derived_for, load_mission, parse_mission, shipped_missions
 from sailnet.mission.sections import Orbits, Sail
@@ -54,6 +55,15 @@ def test_of_a_shipped_mission_nothing_is_derived(name: str) -> None:
     inclined = load_mission(name).inclined
     # What data and networks in three dimensions need is not known yet.
     assert all(inclined and key.startswith(("dataset.", "training.")) for key in derived_for(name))
+
+
+@pytest.mark.parametrize(("target", "share"), [(0.9, 0.1), (2.0, 0.1), (4.0, 0.056), (5.2, 0.038)])
+def test_beside_a_far_target_a_sail_is_late_sooner(target: float, share: float) -> None:
+    """Within what it can be late by, 0.5 TU, of the time that it takes there."""
+    sail = {"beta": 0.2, "max_cone_angle": 55.0}
+    mission = parse_mission(short(sail, target), "there.toml")
+    assert mission.flight.late_share == share
+    assert share * target**1.5 < RULES.late_memory
 
 
 def test_sail_and_transfer_are_a_mission() -> None:
