@@ -68,7 +68,9 @@ class SideKeeping:
         # What staying costs must be known.
         stays = reverses & ((regret < self._patience) | (wait > 0.0)) & np.isfinite(size)
         turns = reverses & ~stays
-        tolerated = np.maximum(rules.late_tolerated, rules.late_share * command.time_of_flight)
+        tolerated = np.full(len(late), rules.late_tolerated)
+        if rules.late_share > 0.0:  # else of a time without bound it would be no number
+            tolerated = np.maximum(tolerated, rules.late_share * command.time_of_flight)
         is_late = late > tolerated
         waited = self._missed(memory, is_late & (memory.late <= tolerated))
         begun = np.where(is_late & (waited <= 0.0), np.minimum(rules.wait * late, rules.largest_wait), 0.0)

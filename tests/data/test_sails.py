@@ -8,6 +8,7 @@ import pytest
 from data import sails
 from sailnet.expert import what_is_left
 from sailnet.expert.fastest import solve, solve_once
+from sailnet.expert.neighbours import solve_among
 from sailnet.expert.optima import Optima, nothing_found, put
 from sailnet.mission.mission import load_mission
 from sailnet.physics.arrays import Array
@@ -58,6 +59,19 @@ def test_one_sail_leads_to_the_next_by_continuation_where_anything_is_known_or_l
         for row, state in enumerate(states):
             best = solve(other, state).time_of_flight
             assert optima.time_of_flight[row] == pytest.approx(best, abs=1e-8)
+
+
+@pytest.mark.slow
+def test_slow_flights_lead_where_newtons_method_does_not() -> None:
+    """A fast start to 4 AU, and the time that a search of its own finds with a weaker sail."""
+    one = Transfer(beta=0.2, phi_max=np.radians(55.0), delta=1e-3, target_radius=4.0)
+    weaker, states = replace(one, beta=0.1867), np.array([[1.112, 0.044, 1.144]])
+    known = solve_once(one, states)
+    assert known.found.all()
+    assert not solve_among(weaker, states, known).found.any()
+    optima = nothing_found(states)
+    sails._lead(one, weaker, known, optima)
+    assert optima.time_of_flight == pytest.approx([45.0510275], abs=1e-6)
 
 
 def _every_third(transfer: Transfer, states: Array) -> Optima:
