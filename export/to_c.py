@@ -12,6 +12,7 @@ import numpy as np
 from export.domain import domain_tables
 from export.errors import ExportError
 from export.flight_tables import flight_tables
+from export.homing_parts import flown_of_homing, told_of_homing
 from export.host_tables import constants, stage_tables
 from export.lateness import asked_of_lateness, told_of_lateness
 from export.limits import ORDER, limits
@@ -84,6 +85,7 @@ def _header(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: Steering
             "REVERSAL_HOURS": _hours(reversal_time(facts.phi_max, facts.turn_rate)),
             "LARGEST_PATIENCE_HOURS": _hours(rules.largest_patience),
             **told_of_lateness(rules, r),
+            **told_of_homing(rules, r),
             "SLEW_RATE": literal(facts.turn_rate),
             "COSTATE_UNIT": literal(facts.costate_unit),
             "LARGEST_PERIOD": literal(LARGEST_PERIOD),
@@ -117,6 +119,7 @@ def _parts(facts: GuidanceFacts, rules: SteeringRules) -> dict[str, str]:
     return {
         "AGEING": '\n#include "ageing.inc"\n' if facts.degradation.loss > 0.0 else "",
         **asked_of_lateness(rules),
+        **flown_of_homing(rules),
     }
 
 

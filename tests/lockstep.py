@@ -6,14 +6,14 @@ answers the C's must lie, and where they differ in kind (a status, or a sign tha
 be of one of those kinds.
 """
 
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.interface import Commands, Steered
-from sailnet.guidance.memory import TILTS, Memory
+from sailnet.guidance.memory import COUNTS, PLAN_NUMBERS, PLANS, TILTS, Memory
 from sailnet.guidance.rules import rules_for
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.arrays import Array
@@ -25,20 +25,27 @@ NUDGES = 16
 """Networks round within too, in float by more than a nudge: the farthest of eight fell short once."""
 
 
-def memory_type(precision: str, ages: bool = False, components: int = 3) -> np.dtype[np.void]:
+def memory_type(
+    precision: str, ages: bool = False, components: int = 3, homes: bool = False
+) -> np.dtype[np.void]:
     """``sailnet_memory``: the members of the reference's, in order; in space a normal in place of tilts.
 
     Args:
         precision: of its numbers.
         ages: whether the sail is known to.
         components: of a state.
+        homes: whether the mission flies its model ahead.
     """
-    shapes = {"state": (precision, components), "normal": (precision, 3), "periods": ("u4",)}
-    known = [item.name for item in fields(Memory) if ages or item.name != "worn"]
+    shapes = {"state": (precision, components), "normal": (precision, 3)}
+    shapes |= {name: (precision, *shape) for name, shape in PLANS.items()}
+    left_out = set() if ages else {"worn"}
+    if not homes:
+        left_out |= {*PLANS, *PLAN_NUMBERS, *COUNTS} - {"periods"}
+    known = [item.name for item in fields(Memory) if item.name not in left_out]
     if components > 3:
         known = [name for name in known if name not in TILTS]
         known.insert(known.index("state") + 1, "normal")
-    members = [(name, *shapes.get(name, (precision,))) for name in known]
+    members = [(name, *shapes.get(name, ("u4" if name in COUNTS else precision,))) for name in known]
     return np.dtype(members, align=True)
 
 
@@ -48,13 +55,13 @@ class Nudged:
 
     Attributes:
         size: of the largest nudge, relative.
-        seen: (n,) states that are exact, as both were shown them.
+        shown: (n, 3) or (n, 5) states that are exact, as both were shown them.
     """
 
     guidance: CGuidance
     rng: np.random.Generator
     size: float = 0.0
-    seen: NDArray[np.bool_] = field(default_factory=lambda: np.empty(0, bool))
+    shown: Array = field(default_factory=lambda: np.empty((0, 0)))
 
     def __post_init__(self) -> None:
         self.mission, self.beta_range = self.guidance.mission, self.guidance.beta_range
@@ -64,7 +71,8 @@ class Nudged:
         nudged = asked * (1.0 + self.size * self.rng.uniform(-1.0, 1.0, asked.shape))
         sails = np.asarray(beta, float) * (1.0 + self.size * self.rng.uniform(-1.0, 1.0, len(asked)))
         sails = np.clip(sails, *self.beta_range)
-        return self.guidance.command(np.where(self.seen[:, None], asked, nudged), sails)
+        exact = (asked[:, None] == self.shown).all(axis=2).any(axis=1)
+        return self.guidance.command(np.where(exact[:, None], asked, nudged), sails)
 
 
 class Lockstep:
@@ -82,7 +90,9 @@ class Lockstep:
     def __init__(self, guidance: CGuidance, count: int) -> None:
         self._c = guidance.steering(count)
         components = guidance.mission.components
-        self._kind = memory_type(guidance.precision, guidance.mission.degradation.loss > 0.0, components)
+        flown = guidance.mission
+        self._homes = bool(flown.flight.homing)
+        self._kind = memory_type(guidance.precision, flown.degradation.loss > 0.0, components, self._homes)
         assert self._c.memories.shape == (count, self._kind.itemsize)
         self._precision = guidance.precision
         self._epsilon = float(np.finfo(guidance.precision).eps)
@@ -101,7 +111,6 @@ class Lockstep:
         # When a sail is nearest: of what is missing, far from the target, hardly any lies along a step, and
         # what is rounded of the rest is some times as much of the step. These networks end flights anywhere.
         self._scales["hold"] = self._scales["memory.held"] = 1.0
-        flown = guidance.mission
         self._after_miss = rules_for(flown).wait_after_a_miss(flown.problem.target_radius)
         self.compared = self.undecided = 0
 
@@ -112,9 +121,10 @@ class Lockstep:
         if "normal" in wide:
             tilt = _tilt_of_normal(wide.pop("normal"))
             wide |= {"cone_angle": tilt, "attitude": tilt} | dict.fromkeys(("measured", "offset"), 0.0 * tilt)
-        return Memory(
-            **{"worn": np.zeros(len(packed))} | wide | {"periods": packed["periods"].astype(np.int64)}
-        )
+        counts = {name: packed[name].astype(np.int64) for name in COUNTS if name in wide}
+        # What the C has not is as it was at the start.
+        started = Memory.started(len(packed), 0.0, wide["state"].shape[1])
+        return replace(started, **wide | counts)
 
     def steer(
         self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None
@@ -131,7 +141,7 @@ class Lockstep:
         self._scales["memory.waited"] = self._scales["memory.wait"] = turned
         measured = None if attitudes is None else np.asarray(attitudes, self._precision).astype(float)
         told = self._c.steer(shown, period, sails, measured)
-        self._double.seen = np.isfinite(shown).all(axis=1)
+        self._double.shown = shown
         sizes = [0.0] + [ROUNDINGS * self._epsilon] * NUDGES
         answers = [self._answer(before, shown, period, sails, measured, size) for size in sizes]
         self._compare(_numbers(told, self.memory().rows(sails)), answers)
@@ -149,7 +159,7 @@ class Lockstep:
         """Of the reference, with a memory that is nudged."""
         memory, rng = before.rows(np.arange(len(before.held))), self._double.rng
         for item in fields(Memory):
-            if item.name not in ("state", "periods", "cone_angle", "attitude", "measured"):
+            if item.name not in ("state", *COUNTS, "cone_angle", "attitude", "measured"):
                 value = getattr(memory, item.name)
                 setattr(memory, item.name, value * (1.0 + size * rng.uniform(-1.0, 1.0, value.shape)))
         # The C rounds of a state by how much it changed, the reference, in double precision, the state.

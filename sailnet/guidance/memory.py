@@ -1,6 +1,7 @@
 """What steering remembers from one period to the next."""
 
 from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,6 +9,11 @@ from numpy.typing import NDArray
 from sailnet.physics.arrays import Array
 
 TILTS = ("cone_angle", "attitude", "measured", "offset")
+ARCS = 8
+"""Of a plan, see :mod:`sailnet.guidance.homing`."""
+PLANS = {"arc_angle": (ARCS,), "arc_time": (ARCS,), "ahead": (3,)}
+PLAN_NUMBERS = ("looked", "promised", "nearest", "nearest_time")
+COUNTS = ("periods", "homing", "arc", "corrections")
 
 
 @dataclass
@@ -38,6 +44,16 @@ class Memory:
     waited: Array
     unseen: Array
     worn: Array
+    arc_angle: Array
+    arc_time: Array
+    ahead: Array
+    looked: Array
+    promised: Array
+    nearest: Array
+    nearest_time: Array
+    homing: NDArray[np.int64]
+    arc: NDArray[np.int64]
+    corrections: NDArray[np.int64]
     periods: NDArray[np.int64]
 
     @classmethod
@@ -45,12 +61,11 @@ class Memory:
         """Of ``count`` sails that know nothing but a beta; a state has so many components, 3 or 5."""
         tilt = (count,) if components == 3 else (count, 2)
         shapes = {"state": (count, components), **dict.fromkeys(TILTS, tilt)}
-        names = [item.name for item in fields(cls) if item.name not in ("beta", "periods")]
-        return cls(
-            beta=np.full(count, beta),
-            periods=np.zeros(count, np.int64),
-            **{name: np.zeros(shapes.get(name, (count,))) for name in names},
-        )
+        shapes |= {name: (count, *shape) for name, shape in PLANS.items()}
+        names = [item.name for item in fields(cls) if item.name not in ("beta", *COUNTS)]
+        counts: Any = {name: np.zeros(count, np.int64) for name in COUNTS}
+        numbers: Any = {name: np.zeros(shapes.get(name, (count,))) for name in names}
+        return cls(beta=np.full(count, beta), **numbers, **counts)
 
     def rows(self, sails: NDArray[np.intp]) -> "Memory":
         """Copies of some of them."""

@@ -62,6 +62,8 @@ class SteeringRules:
         largest_wait: but no longer than this [TU]. Of four ways to wait (on both sides alike, on one side,
             each time longer, every other time), flown 3,000 to 6,000 times each with wander, drift and
             everything twice by the networks of two sails, this cost the least.
+        homing: from a time to go of so much of the target's orbit on the model is flown ahead, see
+            :mod:`sailnet.guidance.homing`.
         foresight: of a sail that is known to age, the share of the time to go after which it is as old as
             it is planned with. Of 0, 0.08, 0.15, 0.3 and 0.5, flown 2,000 times each with losses of 10 and
             20 %, this had the shortest tail: a plan is made anew each period, and what is next counts most.
@@ -87,6 +89,7 @@ class SteeringRules:
     late_tolerated: float = 0.1
     late_share: float = 0.0
     missed_wait: float = 0.0
+    homing: float = 0.0
     wait: float = 3.0
     largest_wait: float = 1.5
     foresight: float = 0.15
@@ -117,6 +120,14 @@ class SteeringRules:
         """
         return float(self.missed_wait * math.tau * target_radius**1.5)
 
+    def homing_horizon(self, target_radius: float) -> float:
+        """From which time to go on the model is flown ahead [TU].
+
+        Args:
+            target_radius: of the target's orbit [AU].
+        """
+        return float(self.homing * math.tau * target_radius**1.5)
+
 
 GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 """Multiples of it, less whole numbers, come nowhere near each other again: so no two waits are alike."""
@@ -127,7 +138,7 @@ RULES = SteeringRules()
 
 def rules_for(mission: "Mission") -> SteeringRules:
     """What flies a mission, which may say itself what is kept back, when it turns over, who is late."""
-    said_by_missions = ("least_reserve", "largest_patience", "late_share", "missed_wait")
+    said_by_missions = ("least_reserve", "largest_patience", "late_share", "missed_wait", "homing")
     own = {name: getattr(mission.flight, name) for name in said_by_missions}
     return replace(RULES, **{name: said for name, said in own.items() if said is not None})
 

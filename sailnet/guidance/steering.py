@@ -11,6 +11,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from sailnet.guidance.homing import NO_PLAN, Homing
 from sailnet.guidance.interface import (
     Commands,
     Guidance,
@@ -55,7 +56,8 @@ class ReferenceSteering:
     *Age.* If the mission says how its sail ages, the estimate does so with it, and the networks read the
     share of it that is left after some part of the time to go.
 
-    *A side.* See :class:`sailnet.guidance.side.SideKeeping`.
+    *A side.* See :class:`sailnet.guidance.side.SideKeeping`; and
+    *the last part* of a flight :mod:`sailnet.guidance.homing`.
 
     *The end.* The flight ends when the predicted time of flight is no longer than a period or the mission's
     threshold, the longer of both: the last command is held until, on the straight line of one such step, the
@@ -75,6 +77,7 @@ class ReferenceSteering:
         self._force: Coefficients = mission.sail.optics.force
         self._degradation = mission.degradation
         self._side = SideKeeping(mission, rules)
+        self._homing = Homing(guidance, rules)
         components = mission.components
         self._target = target_of(mission.problem, components)
         self._lengths = lengths_of(self._target)
@@ -98,14 +101,17 @@ class ReferenceSteering:
             plan = memory.beta * (1.0 - rules.reserve_tangential * np.maximum(memory.tangential, 0.0))
             plan *= 1.0 - self._reserve(memory, hold)
             plan *= share
-        command = self._command(known, np.clip(plan, *self._guidance.beta_range), hold, sails)
-        status = command.status.copy()
-        valid = status != GuidanceStatus.INVALID_INPUT
-        tilt = tilt_of(command.cone_angle, command.clock_angle)
+        read = np.clip(plan, *self._guidance.beta_range)
+        command = self._command(known, read, hold, sails)
+        valid = command.status != GuidanceStatus.INVALID_INPUT
+        tilt, status = tilt_of(command.cone_angle, command.clock_angle), command.status.copy()
+        memory.homing[~valid] = NO_PLAN
         if change is not None:
             with np.errstate(all="ignore"):
-                tilt = self._side.kept(memory, change, command, tilt, valid)
-            status, hold = self._end(memory, known, command, status, hold)
+                homes = self._homing.flown(memory, known, command, read, valid)
+                tilt = self._side.kept(memory, change, command, tilt, valid & ~homes)
+                tilt, command = self._homing.commanded(memory, tilt, command, homes)
+            status, hold = self._end(memory, known, command, command.status.copy(), hold)
         low, high = self._guidance.beta_range
         left = valid & (status != GuidanceStatus.ARRIVED)
         unseen = left & (memory.unseen > 0.0)

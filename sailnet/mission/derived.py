@@ -66,6 +66,9 @@ turned over for ever where they saw 7.7 TU to go."""
 MISSED_WAIT = 0.5
 """Of the target's orbit: after a miss the next reversal waits up to as long, each time for another share."""
 
+HOMING = 0.5
+"""Of the target's orbit: from such a time to go on the model is flown ahead, so that it is not missed."""
+
 LATITUDE = 1.6
 """Its half-width in latitude in three dimensions, in inclinations of the departure orbit; that in w is the
 speed with which an orbit of such an inclination crosses the plane."""
@@ -196,6 +199,7 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
             "largest_patience": PATIENCE,
             "late_share": min(LATE_SHARE, _rounded(LATE_BESIDE / target**1.5)),
             "missed_wait": MISSED_WAIT,
+            "homing": HOMING if orbits.inclination == 0.0 else 0.0,
         },
         "generalisation": {
             "r": _interval(departure, departure + outward * depth),

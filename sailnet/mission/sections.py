@@ -153,8 +153,9 @@ class FlightRules(Section):
     ``least_reserve`` is the share of its thrust that the sail keeps in reserve at least; without it the
     law's own (:attr:`sailnet.guidance.rules.SteeringRules.least_reserve`). ``largest_patience`` [TU] is what
     it may cost at most to keep a side that is no longer the faster one, ``late_share`` what share of its
-    time to go a sail must have lost to count as late, and ``missed_wait`` for how much of the target's orbit
-    it waits at most after a miss; without them the law's own, likewise.
+    time to go a sail must have lost to count as late, ``missed_wait`` for how much of the target's orbit it
+    waits at most after a miss, and ``homing`` from a time to go of how much of that orbit on the model is
+    flown ahead (in the plane); without them the law's own, likewise.
     """
 
     instead = {"period": ("period_hours",)}
@@ -167,6 +168,7 @@ class FlightRules(Section):
     largest_patience: Annotated[float, Field(ge=0.0, le=0.1)] | None = None
     late_share: Annotated[float, Field(ge=0.0, le=1.0)] | None = None
     missed_wait: Annotated[float, Field(ge=0.0, le=2.0)] | None = None
+    homing: Annotated[float, Field(ge=0.0, le=1.0)] | None = None
 
     @model_validator(mode="after")
     def _comes_to_an_end(self) -> "FlightRules":
