@@ -46,7 +46,7 @@ HOMES = """        if (sailnet_homes(memory, known, sailnet_limited(&plan, SAILN
 NO_PLAN = """
         memory->homing = SAILNET_NO_PLAN;"""
 NUMBERS = {
-    plans: ("HIT", "HURRY", "DAMPING", "MOST"),
+    plans: ("HIT", "HURRY", "DAMPING", "SHARE", "STEEPEST", "MOST"),
     homing: ("FARTHEST", "SLOWER", "LATER", "BRIEF", "THREATENED", "SOONER", "LOST", "FAR"),
 }
 COUNTS = {plans: ("ROUNDS",), homing: ("CORRECTIONS", "LOOKS", "SELDOM")}

@@ -152,7 +152,7 @@ def approach_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory
 @pytest.fixture(scope="session")
 def jpl_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Exported:
     """In approach coordinates, of a sail that is not ideal and ages; with all that own missions say."""
-    flight = mission.flight.model_copy(update={"late_share": 0.1, "missed_wait": 0.5})
+    flight = mission.flight.model_copy(update={"late_share": 0.1, "missed_wait": 0.5, "homing": 0.5})
     ages = {"degradation": Degradation(loss=0.2), "flight": flight}
     jpl = mission.with_optics(OPTICS["jpl"]).model_copy(update=ages)
     return _export("jpl", random_guidance(approach=True, mission=jpl), jpl, tmp_path_factory)

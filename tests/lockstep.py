@@ -6,14 +6,19 @@ answers the C's must lie, and where they differ in kind (a status, or a sign tha
 be of one of those kinds.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, fields, replace
+from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet.guidance.exported_c import CGuidance
+from sailnet.guidance.homing import FLOWN
 from sailnet.guidance.interface import Commands, Steered
 from sailnet.guidance.memory import COUNTS, PLAN_NUMBERS, PLANS, TILTS, Memory
+from sailnet.guidance.plans import ANGLE, SMALL, Sails
 from sailnet.guidance.rules import rules_for
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.physics.arrays import Array
@@ -112,6 +117,20 @@ class Lockstep:
         # what is rounded of the rest is some times as much of the step. These networks end flights anywhere.
         self._scales["hold"] = self._scales["memory.held"] = 1.0
         self._after_miss = rules_for(flown).wait_after_a_miss(flown.problem.target_radius)
+        # What a plan is corrected by comes of small differences, and of rounding it has as much the more.
+        self._scales |= {
+            "memory.arc_angle": ANGLE / SMALL,
+            "memory.arc_time": ANGLE / SMALL,
+            "memory.nearest": 1.0,
+        }
+        self._planned = {
+            "cone_angle": ANGLE / SMALL,
+            "memory.cone_angle": ANGLE / SMALL,
+            "memory.attitude": ANGLE / SMALL,
+            "memory.slewing": ANGLE / SMALL / rate,
+            "time_of_flight": ANGLE / SMALL,
+            "memory.time_of_flight": ANGLE / SMALL,
+        }
         self.compared = self.undecided = 0
 
     def memory(self) -> Memory:
@@ -167,7 +186,18 @@ class Lockstep:
         rounded = size * changed + 2.0 * np.finfo(float).eps * abs(memory.state[sails]) * (size > 0.0)
         memory.state[sails] += rounded * rng.uniform(-1.0, 1.0, changed.shape)
         self._double.size, self._reference._memory = size, memory
-        return _numbers(self._reference.steer(shown, period, sails, measured), memory.rows(sails))
+        with patch.object(Sails, "after", self._rounded(size)):
+            return _numbers(self._reference.steer(shown, period, sails, measured), memory.rows(sails))
+
+    def _rounded(self, size: float) -> Callable[..., Array]:
+        """Where the model flies ahead, in the C's precision: of small differences rounding takes the more."""
+        exact, rng = Sails.after, self._double.rng
+
+        def after(*asked: Any) -> Array:
+            states = exact(*asked)
+            return states + 0.5 * size * states * rng.uniform(-1.0, 1.0, states.shape)
+
+        return after
 
     def _compare(self, told: dict[str, Array], answers: list[dict[str, Array]]) -> None:
         exact, *nudged = answers
@@ -179,6 +209,8 @@ class Lockstep:
         for name, value in exact.items():
             spread = np.max([abs(answer[name] - value) for answer in nudged], axis=0)
             least = self._scales.get(name, 0.0)
+            if name in self._planned:
+                least = np.where(exact["memory.homing"] == FLOWN, self._planned[name], least)
             bound = 4.0 * (spread + self._epsilon * np.maximum(abs(value), least))
             wrong = ~(abs(told[name] - value) <= bound)[decided]
             numbers = (numbers[decided][wrong] for numbers in (told[name], value, bound))
@@ -198,7 +230,10 @@ def _kinds(answer: dict[str, Array]) -> NDArray[np.int64]:
     """(n, k) what of an answer is no matter of degree."""
     signs = [np.sign(answer[name]) for name in ("cone_angle", "lambda_v", "memory.stake", "memory.regret")]
     signs += [np.sign(answer["lambda_w"])] if "lambda_w" in answer else []
-    return np.stack([answer["status"], *signs, answer["memory.unseen"] > 0.0], axis=1).astype(np.int64)
+    plans = [answer[f"memory.{name}"] for name in COUNTS]
+    return np.stack([answer["status"], *signs, answer["memory.unseen"] > 0.0, *plans], axis=1).astype(
+        np.int64
+    )
 
 
 def _tilt_of_normal(normal: Array) -> Array:

@@ -1,11 +1,11 @@
 """Homing: how the last part of a flight is flown where the networks would miss the target.
 
 A transfer that ends at its bound can be missed by hundredths of a TU, and who misses a near target goes
-around it once more: for a whole orbit. Networks err by as much. So the model is flown ahead on board: a *plan*
-of a few arcs of constant cone angle, first as the networks would fly, then corrected by steps of Newton's method
-until it ends at the target (:mod:`sailnet.guidance.plans`). As long as it does, from wherever the networks
-lead, they steer. Where it soon could no longer, or where the target comes no nearer though the plan says that
-it might, the plan is flown.
+around it once more: for a whole orbit. Networks err by as much. So the model is flown ahead on board: a
+*plan* of a few arcs of constant cone angle, first as the networks would fly, then corrected by steps of
+Newton's method until it ends at the target (:mod:`sailnet.guidance.plans`). As long as it does, from wherever
+the networks lead, they steer. Where it soon could no longer, or where the target comes no nearer though the
+plan says that it might, the plan is flown.
 """
 
 from dataclasses import replace

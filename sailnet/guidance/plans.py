@@ -34,6 +34,12 @@ MOST = 1.0
 DAMPING = 0.02
 """Added to the squares: what hardly changes where a plan ends is hardly changed."""
 
+SHARE = 2.0**-16
+"""Of the sum of the squares, which is added too: equations that are alike are solved in single precision."""
+
+STEEPEST = 1e6
+"""Arrival tolerances per unit of a correction: a plan that would miss by as much, or more, is not corrected."""
+
 ROUNDS = 3
 """In which what came to a bound in the one before is left there."""
 
@@ -114,14 +120,19 @@ class Correction:
         values = np.concatenate([angles, times], axis=1)
         there = np.tile(times > 0.0, 2)
         weight, step = np.where(there, self._unit**2, 0.0), np.zeros_like(values)
-        worst = np.abs(missed).max(axis=1)
+        worst = np.maximum(np.abs(missed).max(axis=1), np.abs(jacobian).max(axis=(1, 2)))
+        wild = ~(worst <= STEEPEST)
+        missed[wild], jacobian[wild] = 0.0, 0.0
+        worst = np.where(wild, STEEPEST, np.abs(missed).max(axis=1))
         hurries = there & (worst < HIT)[:, None]
         hurries[:, :ARCS] = False
         shorter = np.clip(values - self._hurry, self._lowest, self._highest)
         step = np.where(hurries, shorter - values, step)
         for _ in range(ROUNDS):
             weighted = jacobian * weight[:, None, :]
-            square = weighted @ jacobian.transpose(0, 2, 1) + DAMPING * np.eye(3)
+            square = weighted @ jacobian.transpose(0, 2, 1)
+            damping = DAMPING + SHARE * np.trace(square, axis1=1, axis2=2)
+            square += damping[:, None, None] * np.eye(3)
             right: Array = (missed + _times(jacobian, step))[:, :, None]
             wanted = -_times(
                 weighted.transpose(0, 2, 1), np.asarray(np.linalg.solve(square, right)[:, :, 0], float)
@@ -131,8 +142,8 @@ class Correction:
             free = (taken == wanted) & (bounded == values + step + taken)
             step = np.where(weight > 0.0, bounded - values, step)
             weight = np.where(free, weight, 0.0)
-        values = values + step
-        left = np.abs(missed + _times(jacobian, step)).max(axis=1)
+        values = values + np.where(wild[:, None], 0.0, step)
+        left = np.where(wild, STEEPEST, np.abs(missed + _times(jacobian, step)).max(axis=1))
         return Corrected(values[:, :ARCS], values[:, ARCS:], worst, left)
 
     def _missed(self, states: Array, angles: Array, times: Array, sails: Sails) -> tuple[Array, Array]:
