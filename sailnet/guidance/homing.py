@@ -45,7 +45,8 @@ THREATENED, LOST = 0.5, 1.0
 """Arrival tolerances off the target that cannot be corrected: a plan must be flown; it is given up."""
 
 SOONER, BRIEF = 0.3, 0.6
-"""A plan is flown if it is sooner at the target by so many steps, but not if so few are left of it."""
+"""A plan is flown if it is sooner at the target by so many steps than the networks would be without their
+reserve, but not if so few are left of it."""
 
 FAR = 1e9
 """Off the target: nothing was nearer yet."""
@@ -93,7 +94,11 @@ class Homing:
         due = (memory.homing >= CORRECTED) & ((memory.homing != READY) | (memory.periods % SELDOM == 0))
         planned = np.flatnonzero(due)
         if len(planned):
-            self._judge(memory, planned, known[planned], sails.rows(planned), promised[planned])
+            # The reserve that the networks keep costs time, about in proportion.
+            fair = promised * plan / memory.beta
+            self._judge(
+                memory, planned, known[planned], sails.rows(planned), promised[planned], fair[planned]
+            )
         return np.asarray(memory.homing == FLOWN)
 
     def commanded(
@@ -180,7 +185,13 @@ class Homing:
         self._past(memory, sails, memory.looked[sails])
 
     def _judge(
-        self, memory: Memory, sails: NDArray[np.intp], known: Array, of: Sails, promised: Array
+        self,
+        memory: Memory,
+        sails: NDArray[np.intp],
+        known: Array,
+        of: Sails,
+        promised: Array,
+        fair: Array,
     ) -> None:
         """Correct plans, and say what they are good for."""
         now = self._correction.of(known, memory.arc_angle[sails], memory.arc_time[sails], of)
@@ -190,7 +201,7 @@ class Homing:
         plan, time = memory.homing[sails], now.times.sum(axis=1)
         soon = time <= SLOWER * promised + LATER * self._step
         plan = np.where((plan == CORRECTED) & (now.missed < HIT) & soon, READY, plan)
-        flies = (now.left > THREATENED) | (time < promised - SOONER * self._step)
+        flies = (now.left > THREATENED) | (time < fair - SOONER * self._step)
         plan = np.where((plan == READY) & flies & soon & (time > BRIEF * self._step), FLOWN, plan)
         given_up = (plan == CORRECTED) & (corrections > CORRECTIONS)
         given_up |= (plan == READY) & ~soon

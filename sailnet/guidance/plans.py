@@ -38,7 +38,7 @@ SHARE = 2.0**-16
 """Of the sum of the squares, which is added too: equations that are alike are solved in single precision."""
 
 STEEPEST = 1e6
-"""Arrival tolerances per unit of a correction: a plan that would miss by as much, or more, is not corrected."""
+"""Arrival tolerances per unit of a correction: a plan that misses by more is not corrected."""
 
 ROUNDS = 3
 """In which what came to a bound in the one before is left there."""
@@ -142,7 +142,8 @@ class Correction:
             free = (taken == wanted) & (bounded == values + step + taken)
             step = np.where(weight > 0.0, bounded - values, step)
             weight = np.where(free, weight, 0.0)
-        values = values + np.where(wild[:, None], 0.0, step)
+        corrected = np.clip(values + step, self._lowest, self._highest)  # for what rounding adds
+        values = np.where(there & ~wild[:, None], corrected, values)
         left = np.where(wild, STEEPEST, np.abs(missed + _times(jacobian, step)).max(axis=1))
         return Corrected(values[:, :ARCS], values[:, ARCS:], worst, left)
 

@@ -67,7 +67,9 @@ MISSED_WAIT = 0.5
 """Of the target's orbit: after a miss the next reversal waits up to as long, each time for another share."""
 
 HOMING = 0.5
-"""Of the target's orbit: from such a time to go on the model is flown ahead, so that it is not missed."""
+"""Of the target's orbit, or of the departure's if that is smaller: from such a time to go on the model is
+flown ahead, so that the target is not missed. A sail that is still far below it flies around the Sun faster
+than the arcs of a plan are fine: with 0.5 of the target's orbit sails to 2 AU were 0.21 % late, not 0.04."""
 
 LATITUDE = 1.6
 """Its half-width in latitude in three dimensions, in inclinations of the departure orbit; that in w is the
@@ -199,7 +201,7 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
             "largest_patience": PATIENCE,
             "late_share": min(LATE_SHARE, _rounded(LATE_BESIDE / target**1.5)),
             "missed_wait": MISSED_WAIT,
-            "homing": HOMING if orbits.inclination == 0.0 else 0.0,
+            "homing": _homing(departure, target) if orbits.inclination == 0.0 else 0.0,
         },
         "generalisation": {
             "r": _interval(departure, departure + outward * depth),
@@ -228,6 +230,10 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
         },
         "training": {"paper": PAPER_TRAINING, "wide": WIDE_TRAINING},
     }
+
+
+def _homing(departure: float, target: float) -> float:
+    return _rounded(HOMING * min(1.0, (departure / target) ** 1.5))
 
 
 def _approach_time(target: float) -> float:

@@ -13,6 +13,9 @@
 #endif
 #include "batch.inc"
 #include "ageing.inc"
+#ifdef SAILNET_HOMING_HORIZON
+#include "homing.inc"
+#endif
 
 int main(void)
 {
@@ -27,6 +30,9 @@ int main(void)
 #endif
     test_batches();
     test_ageing();
+#ifdef SAILNET_HOMING_HORIZON
+    test_homing();
+#endif
     test_a_flight_ends_at_once_where_the_sail_is_there_and_no_nearer();
     printf("%s, %s: %s\n", SAILNET_MISSION, sizeof(sailnet_real) == 8 ? "float64" : "float32",
            failures == 0 ? "all passed" : "FAILED");
