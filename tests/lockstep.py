@@ -209,7 +209,7 @@ class Lockstep:
         for name, value in exact.items():
             spread = np.max([abs(answer[name] - value) for answer in nudged], axis=0)
             least: Array | float = self._scales.get(name, 0.0)
-            if name in self._planned:
+            if self._homes and name in self._planned:
                 least = np.where(exact["memory.homing"] == FLOWN, self._planned[name], least)
             bound = 4.0 * (spread + self._epsilon * np.maximum(abs(value), least))
             wrong = ~(abs(told[name] - value) <= bound)[decided]

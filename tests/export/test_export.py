@@ -292,20 +292,22 @@ def test_the_c_keeps_what_the_mission_says(exported: Exported, tmp_path: Path) -
         assert re.findall(r"slew rate, (\S+) hours, but no\s+more than\s+(\S+)\. ", header) == [hours]
 
 
-def test_only_a_mission_that_asks_by_its_time_to_go_who_is_late_has_that_in_its_c(
+def test_only_a_mission_that_asks_who_is_late_or_flies_ahead_has_that_in_its_c(
     exported: Exported, tmp_path: Path
 ) -> None:
-    flight = MISSION.flight.model_copy(update={"late_share": 0.15, "missed_wait": 0.25})
+    flight = MISSION.flight.model_copy(update={"late_share": 0.15, "missed_wait": 0.25, "homing": 0.125})
     far = MISSION.model_copy(update={"flight": flight})
     write_c(exported.networks, describe(exported.networks, MISSION), tmp_path, rules_for(far))
     for name in ("sailnet_guidance.c", "sailnet_guidance_host.c", "sailnet_guidance.h"):
-        for only in ("LATE_SHARE", "MISSED_WAIT", "LONGEST_WAIT"):
+        for only in ("LATE_SHARE", "MISSED_WAIT", "LONGEST_WAIT", "HOMING"):
             assert only not in (exported.folder / name).read_text()
             assert only in (tmp_path / name).read_text()
     header = (tmp_path / "sailnet_guidance.h").read_text()
     assert "#define SAILNET_LATE_SHARE SAILNET_REAL(0.15)\n" in header
     waits = re.findall(r"#define SAILNET_(?:MISSED|LONGEST)_WAIT SAILNET_REAL\((\S+)\)\n", header)
     orbit = math.tau * MISSION.transfer.target_radius**1.5
+    horizon = re.findall(r"#define SAILNET_HOMING_HORIZON SAILNET_REAL\((\S+)\)\n", header)
+    assert [float(time) for time in horizon] == pytest.approx([0.125 * orbit], rel=1e-12)
     assert [float(wait) for wait in waits] == pytest.approx([0.25 * orbit, 0.25 * orbit], rel=1e-12)
 
 

@@ -66,6 +66,23 @@ def test_beside_a_far_target_a_sail_is_late_sooner(target: float, share: float) 
     assert share * target**1.5 < RULES.late_memory
 
 
+@pytest.mark.parametrize(
+    ("target", "share"), [(0.5, 0.5), (0.9, 0.5), (1.2, 0.38), (2.0, 0.18), (4.0, 0.062)]
+)
+def test_the_model_is_flown_ahead_from_half_of_the_smaller_orbit_on(target: float, share: float) -> None:
+    sail = {"beta": 0.2, "max_cone_angle": 55.0}
+    assert parse_mission(short(sail, target), "there.toml").flight.homing == share
+
+
+def test_in_three_dimensions_the_model_is_not_flown_ahead() -> None:
+    assert load_mission("earth_mars_3d").flight.homing == 0.0
+    content = short()
+    content["transfer"]["inclination"] = 2.0
+    assert parse_mission(content, "there.toml").flight.homing == 0.0
+    with pytest.raises(MissionError, match="homing is of the plane so far"):
+        parse_mission({**content, "flight": {"homing": 0.5}}, "there.toml")
+
+
 def test_sail_and_transfer_are_a_mission() -> None:
     mission = parse_mission(short(), "there/My-Sail 2.toml")
     assert (mission.name, mission.title) == ("my_sail_2", "1 AU to 0.9 AU")
@@ -73,6 +90,7 @@ def test_sail_and_transfer_are_a_mission() -> None:
     assert mission.flight.largest_patience == 0.0015
     assert mission.flight.late_share == 0.1
     assert mission.flight.missed_wait == 0.5
+    assert mission.flight.homing == 0.5
     assert mission.sail.smoothing == 1e-3
     assert mission.generalisation.r == (0.94, 1.0)
     assert mission.generalisation.u == (-0.1, 0.0)

@@ -103,6 +103,8 @@ def test_earth_mars_is_the_paper_s_problem() -> None:
         ("flight.late_share", 1.1, "less than or equal to 1"),
         ("flight.missed_wait", -0.1, "greater than or equal to 0"),
         ("flight.missed_wait", 2.1, "less than or equal to 2"),
+        ("flight.homing", -0.1, "greater than or equal to 0"),
+        ("flight.homing", 1.1, "less than or equal to 1"),
         ("dataset.box.lambda_r", [-20.0, -23.0], "lower bound"),
         ("dataset.box.lambda_u", [5.0, 5.0], "lower bound"),
         ("generalisation.v", [1.2, 0.8], "lower bound"),
