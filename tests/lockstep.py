@@ -21,6 +21,7 @@ from sailnet.guidance.memory import COUNTS, PLAN_NUMBERS, PLANS, TILTS, Memory
 from sailnet.guidance.plans import ANGLE, SMALL, Sails
 from sailnet.guidance.rules import rules_for
 from sailnet.guidance.steering import ReferenceSteering
+from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 
 ROUNDINGS = 8.0
@@ -30,21 +31,18 @@ NUDGES = 16
 """Networks round within too, in float by more than a nudge: the farthest of eight fell short once."""
 
 
-def memory_type(
-    precision: str, ages: bool = False, components: int = 3, homes: bool = False
-) -> np.dtype[np.void]:
+def memory_type(precision: str, mission: Mission) -> np.dtype[np.void]:
     """``sailnet_memory``: the members of the reference's, in order; in space a normal in place of tilts.
 
     Args:
         precision: of its numbers.
-        ages: whether the sail is known to.
-        components: of a state.
-        homes: whether the mission flies its model ahead.
+        mission: of which it depends what is remembered.
     """
+    components = mission.components
     shapes = {"state": (precision, components), "normal": (precision, 3)}
     shapes |= {name: (precision, *shape) for name, shape in PLANS.items()}
-    left_out = set() if ages else {"worn"}
-    if not homes:
+    left_out = set() if mission.degradation.loss > 0.0 else {"worn"}
+    if not mission.flight.homing:
         left_out |= {*PLANS, *PLAN_NUMBERS, *COUNTS} - {"periods"}
     known = [item.name for item in fields(Memory) if item.name not in left_out]
     if components > 3:
@@ -97,7 +95,7 @@ class Lockstep:
         components = guidance.mission.components
         flown = guidance.mission
         self._homes = bool(flown.flight.homing)
-        self._kind = memory_type(guidance.precision, flown.degradation.loss > 0.0, components, self._homes)
+        self._kind = memory_type(guidance.precision, flown)
         assert self._c.memories.shape == (count, self._kind.itemsize)
         self._precision = guidance.precision
         self._epsilon = float(np.finfo(guidance.precision).eps)

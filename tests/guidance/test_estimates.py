@@ -48,7 +48,7 @@ def test_the_shipped_c_finds_the_force_along_the_surface(precision: Precision) -
     for _ in range(1000):
         steered = steering.steer(state[[0, 2, 3]].T, 0.005, ONE)
         state = runge_kutta_step(state, steered.cone_angle, 0.97 * BETA, 0.005, 0.08)
-    found = steering.memories.view(memory_type(precision))["tangential"].item()
+    found = steering.memories.view(memory_type(precision, MISSION))["tangential"].item()
     assert found == pytest.approx(0.08, rel=0.03)
     assert steered.beta[0] == pytest.approx(0.97 * BETA, rel=2e-3)
 
@@ -111,9 +111,8 @@ def test_the_exported_c_knows_the_optics_of_its_mission(
         guidance = load_guidance(made.networks.mission, "c", precision, made.folder)
         assert isinstance(guidance, CGuidance)
         steering = guidance.steering(1)
-        ages = guidance.mission.degradation.loss > 0.0
-        packed = memory_type(precision, ages)
-        if ages:
+        packed = memory_type(precision, guidance.mission)
+        if guidance.mission.degradation.loss > 0.0:
             steering.memories.view(packed)["worn"] = 1.0  # it will not age any more
         memory = estimates_of(steering, lambda: steering.memories.view(packed)[0], "jpl", 300)  # noqa: B023
         found.append((abs(memory["beta"].item() / BETA - 1.0), abs(memory["tangential"].item())))

@@ -225,7 +225,7 @@ def test_any_bits_leave_steering_bounded(
             assert steered.status[0] != GuidanceStatus.OK
         if steered.status[0] == GuidanceStatus.INVALID_INPUT:
             assert steered.cone_angle[0] == 0.0
-        left = memories.view(memory_type(precision))[0, 0]
+        left = memories.view(memory_type(precision, guidance.mission))[0, 0]
         assert abs(left["offset"]) <= np.array(RULES.largest_offset, precision)
         assert abs(left["tangential"]) <= np.array(RULES.largest_tangential, precision)
         assert max(abs(left["variance"]), abs(left["slow"])) <= 1.3
