@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus
 from sailnet.guidance.memory import ARCS, Memory
-from sailnet.guidance.plans import HIT, Correction, Sails
+from sailnet.guidance.plans import HIT, LEAST_ARC, Correction, Sails
 from sailnet.guidance.rules import SteeringRules
 from sailnet.physics.arrays import Array
 
@@ -149,7 +149,7 @@ class Homing:
         """Fly the networks one step ahead, and remember it in the arc they are in."""
         ahead = memory.ahead[sails]
         command = self._guidance.command(ahead, plan[sails])
-        angle, time = command.cone_angle, np.minimum(self._step, command.time_of_flight)
+        angle, time = command.cone_angle, np.clip(command.time_of_flight, LEAST_ARC, self._step)
         arc = memory.arc[sails]
         so_far, mean = memory.arc_time[sails, arc], memory.arc_angle[sails, arc]
         another = (so_far > 0.0) & ((mean * angle < 0.0) | (so_far >= self._longest_arc))

@@ -18,7 +18,7 @@ COUNTS = ("periods", "homing", "arc", "corrections")
 
 @dataclass
 class Memory:
-    """Of n sails, as in ``sailnet_memory`` of one that ages, in order.
+    """Of n sails, as in ``sailnet_memory`` of one that ages and flies its model ahead, in order.
 
     States are (n, 3) or (n, 5); ``cone_angle``, ``attitude``, ``measured`` and ``offset`` are tilts of
     :mod:`sailnet.guidance.tilts`; all others are (n,).
