@@ -17,11 +17,10 @@ DEFINED = """
 #define SAILNET_ARCS %d
 #define SAILNET_LONGEST_ARC SAILNET_REAL(%s)
 
-/* In a correction of the plan the first of a cone angle [rad] weighs as much as the second of a time [TU].
-   An arc stays as long as the third at least [TU], is flown in so many steps, and what comes of a change is
+/* In a correction of the plan the first of a cone angle [rad] weighs as much as one of these steps of a time.
+   An arc stays as long as the second at least [TU], is flown in so many steps, and what comes of a change is
    seen by one as small as the last. */
 #define SAILNET_ANGLE_WEIGHT SAILNET_REAL(%s)
-#define SAILNET_TIME_WEIGHT SAILNET_REAL(%s)
 #define SAILNET_LEAST_ARC SAILNET_REAL(%s)
 #define SAILNET_SUBSTEPS %d
 #define SAILNET_SMALL SAILNET_REAL(%s)"""
@@ -46,7 +45,7 @@ HOMES = """        if (sailnet_homes(memory, known, sailnet_limited(&plan, SAILN
 NO_PLAN = """
         memory->homing = SAILNET_NO_PLAN;"""
 NUMBERS = {
-    plans: ("HIT", "HURRY", "DAMPING", "SHARE", "STEEPEST", "MOST"),
+    plans: ("HIT", "HURRY", "DAMPING", "SHARE", "STEEPEST"),
     homing: ("FARTHEST", "SLOWER", "LATER", "BRIEF", "THREATENED", "SOONER", "LOST", "FAR"),
 }
 COUNTS = {plans: ("ROUNDS",), homing: ("CORRECTIONS", "LOOKS", "SELDOM")}
@@ -64,7 +63,7 @@ def told_of_homing(rules: SteeringRules, target_radius: float) -> dict[str, str]
         return {"HOMING_DEFINED": "", "HOMING_REMEMBERED": ""}
     step = horizon / homing.STEPS
     first = literal(horizon), literal(step), ARCS, literal(homing.longest_arc(horizon))
-    weights = literal(plans.ANGLE), literal(plans.TIME * step), literal(plans.LEAST_ARC)
+    weights = literal(plans.ANGLE), literal(plans.LEAST_ARC)
     defined = DEFINED % (*first, *weights, plans.SUBSTEPS, literal(plans.SMALL))
     return {"HOMING_DEFINED": defined, "HOMING_REMEMBERED": REMEMBERED}
 

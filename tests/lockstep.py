@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.homing import FLOWN
 from sailnet.guidance.interface import Commands, Steered
-from sailnet.guidance.memory import COUNTS, PLAN_NUMBERS, PLANS, TILTS, Memory
+from sailnet.guidance.memory import COUNTS, PLANS, TILTS, Memory
 from sailnet.guidance.plans import ANGLE, SMALL, Sails
 from sailnet.guidance.rules import rules_for
 from sailnet.guidance.steering import ReferenceSteering
@@ -26,6 +26,9 @@ from sailnet.physics.arrays import Array
 
 ROUNDINGS = 8.0
 """How far a nudge goes, in rounding errors: C rounds less often in any one number."""
+
+PLAN_NUMBERS = ("looked", "promised", "nearest", "nearest_time")
+"""Of a memory, beside ``PLANS``: only what flies its model ahead has them."""
 
 NUDGES = 16
 """Networks round within too, in float by more than a nudge: the farthest of eight fell short once."""

@@ -12,7 +12,6 @@ TILTS = ("cone_angle", "attitude", "measured", "offset")
 ARCS = 8
 """Of a plan, see :mod:`sailnet.guidance.homing`."""
 PLANS = {"arc_angle": (ARCS,), "arc_time": (ARCS,), "ahead": (3,)}
-PLAN_NUMBERS = ("looked", "promised", "nearest", "nearest_time")
 COUNTS = ("periods", "homing", "arc", "corrections")
 
 

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 from sailnet.guidance.memory import ARCS
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
-from sailnet.physics.dynamics import Coefficients, runge_kutta_change
+from sailnet.physics.dynamics import Coefficients, runge_kutta_step
+from sailnet.physics.geometry import target_of
 
 SUBSTEPS = 2
 """Of Runge and Kutta's method in one arc; a third changed no flight."""
@@ -25,11 +26,9 @@ SUBSTEPS = 2
 SMALL = 2.0**-10
 """By so much states [AU, AU/TU], cone angles [rad] and times [TU] are changed to see what comes of it."""
 
-ANGLE, TIME = 0.1, 1.0
-"""What weighs the same in a correction: of a cone angle [rad], of a time [steps of the look ahead]."""
-
-MOST = 1.0
-"""Of that one correction changes no angle or time by more; with three times it more sails miss."""
+ANGLE = 0.1
+"""Of a cone angle [rad]: in a correction it weighs as much as a step of the look ahead in a time, and neither
+changes by more than that; with three times as much more sails miss."""
 
 DAMPING = 0.02
 """Added to the squares: what hardly changes where a plan ends is hardly changed."""
@@ -78,7 +77,7 @@ class Sails:
         polar[[0, 2, 3]] = states.T
         beta, tangential = np.tile(self.beta, many), np.tile(self.tangential, many)
         for _ in range(steps):
-            polar += runge_kutta_change(polar, angles, beta, times / steps, tangential, self.force)
+            polar = runge_kutta_step(polar, angles, beta, times / steps, tangential, self.force)
         return np.asarray(polar[[0, 2, 3]].T)
 
 
@@ -108,9 +107,9 @@ class Correction:
     """
 
     def __init__(self, mission: Mission, horizon: float, step: float) -> None:
-        self.target = np.array([mission.problem.target_radius, 0.0, mission.problem.target_radius**-0.5])
+        self.target = target_of(mission.problem, 3)
         self._tolerance, self._hurry = mission.flight.arrival_tolerance, HURRY * step
-        self._unit = np.repeat([ANGLE, TIME * step], ARCS)
+        self._unit = np.repeat([ANGLE, step], ARCS)
         self._lowest = np.repeat([-mission.problem.phi_max, LEAST_ARC], ARCS)
         self._highest = np.repeat([mission.problem.phi_max, horizon], ARCS)
 
@@ -137,7 +136,7 @@ class Correction:
             wanted = -_times(
                 weighted.transpose(0, 2, 1), np.asarray(np.linalg.solve(square, right)[:, :, 0], float)
             )
-            taken = np.clip(wanted, -MOST * self._unit, MOST * self._unit)
+            taken = np.clip(wanted, -self._unit, self._unit)
             bounded = np.clip(values + step + taken, self._lowest, self._highest)
             free = (taken == wanted) & (bounded == values + step + taken)
             step = np.where(weight > 0.0, bounded - values, step)

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from sailnet.errors import GuidanceError
+from sailnet.physics.geometry import orbital_period
 from sailnet.physics.units import DAY, TU
 
 if TYPE_CHECKING:
@@ -118,7 +119,7 @@ class SteeringRules:
         Args:
             target_radius: of the target's orbit [AU].
         """
-        return float(self.missed_wait * math.tau * target_radius**1.5)
+        return float(self.missed_wait * orbital_period(target_radius))
 
     def homing_horizon(self, target_radius: float) -> float:
         """From which time to go on the model is flown ahead [TU].
@@ -126,7 +127,7 @@ class SteeringRules:
         Args:
             target_radius: of the target's orbit [AU].
         """
-        return float(self.homing * math.tau * target_radius**1.5)
+        return float(self.homing * orbital_period(target_radius))
 
 
 GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0

@@ -22,6 +22,7 @@ from sailnet.errors import SailnetError
 from sailnet.mission.other_units import flight_in_tu, sail_in_beta
 from sailnet.mission.sections import Orbits, Sail
 from sailnet.physics.force_facts import force_at
+from sailnet.physics.geometry import orbital_period
 from sailnet.physics.optics import OPTICS, Optics, optics_from
 
 CONE_ANGLE = 60.0
@@ -243,7 +244,7 @@ def _approach_time(target: float) -> float:
     way: to 0.3 AU (beta 0.3, 60 degrees, quick) 24 of 1,000 flights were lost with 1.5 TU, one and a half
     orbits, and none with 0.31 TU, 0.003 % late on average.
     """
-    return float(max(0.8 * target**1.5, min(1.5, 0.4 * math.tau * target**1.5)))
+    return float(max(0.8 * target**1.5, min(1.5, 0.4 * orbital_period(target))))
 
 
 def _begun_with(orbits: Orbits) -> str:

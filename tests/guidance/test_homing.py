@@ -13,7 +13,7 @@ from sailnet.guidance import homing
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.homing import CORRECTED, FLOWN, NO_PLAN, READY, Homing
 from sailnet.guidance.interface import Commands, GuidanceStatus
-from sailnet.guidance.memory import ARCS, PLAN_NUMBERS, PLANS, Memory
+from sailnet.guidance.memory import ARCS, PLANS, Memory
 from sailnet.guidance.plans import HIT, LEAST_ARC, STEEPEST, Correction, Sails
 from sailnet.guidance.rules import RULES
 from sailnet.guidance.steering import ReferenceSteering
@@ -22,6 +22,7 @@ from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS
 from tests.guidance.pilots import ONE, PERIOD, Told
 from tests.held_angle import hold_angle
+from tests.lockstep import PLAN_NUMBERS
 from tests.pilots import MISSION, Pilot
 
 LOW, HIGH = MISSION.generalisation.corners
