@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from sailnet.flight.closed_loop import fly, fly_recorded
 from sailnet.guidance import homing
 from sailnet.guidance.backends import load_guidance
-from sailnet.guidance.homing import CORRECTED, FLOWN, NO_PLAN, READY, Homing
+from sailnet.guidance.homing import CORRECTED, FLOWN, LOOKING, NO_PLAN, READY, Homing
 from sailnet.guidance.interface import Commands, GuidanceStatus
 from sailnet.guidance.memory import ARCS, PLANS, Memory
 from sailnet.guidance.plans import HIT, LEAST_ARC, STEEPEST, Correction, Sails
@@ -189,14 +189,17 @@ def test_the_networks_are_flown_ahead_from_the_horizon_on(tau: float, looks: boo
     assert (memory.arc_time[0].sum() > 0.0) == looks
 
 
-def test_without_a_state_there_is_no_plan() -> None:
+@pytest.mark.parametrize("state", [LOOKING, CORRECTED, READY, FLOWN])
+def test_without_a_state_there_is_no_plan(state: int) -> None:
     steering = ReferenceSteering(Told(), 1, HOMES)
-    for shown in (BESIDE, [np.nan] * 3):
-        steering._memory.homing[:], steering._memory.held[:] = FLOWN, 0.0
-        steering._memory.arc_time[:], steering._memory.arc_angle[:] = STEP, 0.3
-        told = steering.steer([shown], PERIOD, ONE)
+    steering.steer([BESIDE], PERIOD, ONE)
+    memory = steering._memory
+    # Nor is one corrected then that is ready, which would give it up too.
+    memory.homing[:], memory.held[:], memory.periods[:] = state, 0.0, homing.SELDOM + 1
+    memory.arc_time[:], memory.arc_angle[:] = STEP, 0.3
+    told = steering.steer([[np.nan] * 3], PERIOD, ONE)
     assert told.status[0] == GuidanceStatus.INVALID_INPUT
-    assert steering._memory.homing[0] == NO_PLAN
+    assert memory.homing[0] == NO_PLAN
 
 
 def plan_of(state: int) -> dict[str, object]:
