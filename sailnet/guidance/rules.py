@@ -5,8 +5,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from sailnet.errors import GuidanceError
-from sailnet.physics.geometry import orbital_period
-from sailnet.physics.units import DAY, TU
+from sailnet.physics.units import DAY, TU, orbital_period
 
 if TYPE_CHECKING:
     from sailnet.mission.mission import Mission

@@ -22,8 +22,8 @@ from sailnet.errors import SailnetError
 from sailnet.mission.other_units import flight_in_tu, sail_in_beta
 from sailnet.mission.sections import Orbits, Sail
 from sailnet.physics.force_facts import force_at
-from sailnet.physics.geometry import orbital_period
 from sailnet.physics.optics import OPTICS, Optics, optics_from
+from sailnet.physics.units import orbital_period
 
 CONE_ANGLE = 60.0
 """Bound of a sail that says none [deg]: the paper's."""

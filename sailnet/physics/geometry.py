@@ -12,7 +12,6 @@ jumps. In space the length is taken as sqrt(lambda_v^2 + lambda_w^2 + BLUR^2), s
 itself is a very fast one too, of some 1e-13 TU: half a microsecond.
 """
 
-import math
 from dataclasses import dataclass
 
 import heyoka as hy
@@ -141,11 +140,6 @@ def lengths_of(target: ArrayLike) -> Array:
     if len(given) == 5:
         lengths[1] = given[0]
     return lengths
-
-
-def orbital_period(radius: float) -> float:
-    """Of a circular orbit about the Sun [TU], by Kepler's third law; the radius in AU."""
-    return float(math.tau * radius**1.5)
 
 
 def orbit_units(radius: float, components: int) -> Array:

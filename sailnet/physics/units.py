@@ -19,3 +19,8 @@ HOUR = 3_600.0
 
 DAY = 24.0 * HOUR
 """[s]"""
+
+
+def orbital_period(radius: float) -> float:
+    """Of a circular orbit about the Sun [TU], by Kepler's third law; the radius in AU."""
+    return float(math.tau * radius**1.5)
