@@ -85,7 +85,7 @@ def _header(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: Steering
             "REVERSAL_HOURS": _hours(reversal_time(facts.phi_max, facts.turn_rate)),
             "LARGEST_PATIENCE_HOURS": _hours(rules.largest_patience),
             **told_of_lateness(rules, r),
-            **told_of_homing(rules, r),
+            **told_of_homing(rules, r, facts.components > 3),
             "SLEW_RATE": literal(facts.turn_rate),
             "COSTATE_UNIT": literal(facts.costate_unit),
             "LARGEST_PERIOD": literal(LARGEST_PERIOD),
@@ -119,7 +119,7 @@ def _parts(facts: GuidanceFacts, rules: SteeringRules) -> dict[str, str]:
     return {
         "AGEING": '\n#include "ageing.inc"\n' if facts.degradation.loss > 0.0 else "",
         **asked_of_lateness(rules),
-        **flown_of_homing(rules),
+        **flown_of_homing(rules, facts.components > 3),
     }
 
 

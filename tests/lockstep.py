@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.homing import FLOWN
 from sailnet.guidance.interface import Commands, Steered
-from sailnet.guidance.memory import COUNTS, PLANS, TILTS, Memory
+from sailnet.guidance.memory import ARCS, COUNTS, TILTS, Memory
 from sailnet.guidance.plans import ANGLE, SMALL, Sails
 from sailnet.guidance.rules import rules_for
 from sailnet.guidance.steering import ReferenceSteering
@@ -27,8 +27,8 @@ from sailnet.physics.arrays import Array
 ROUNDINGS = 8.0
 """How far a nudge goes, in rounding errors: C rounds less often in any one number."""
 
-PLAN_NUMBERS = ("looked", "promised", "nearest", "nearest_time")
-"""Of a memory, beside ``PLANS``: only what flies its model ahead has them."""
+PLANS = ("arc_tilt", "arc_time", "ahead", "looked", "promised", "nearest", "nearest_time")
+"""Of a memory: only what flies its model ahead has them."""
 
 NUDGES = 16
 """Networks round within too, in float by more than a nudge: the farthest of eight fell short once."""
@@ -43,10 +43,11 @@ def memory_type(precision: str, mission: Mission) -> np.dtype[np.void]:
     """
     components = mission.components
     shapes = {"state": (precision, components), "normal": (precision, 3)}
-    shapes |= {name: (precision, *shape) for name, shape in PLANS.items()}
+    shapes |= {"arc_tilt": (precision, ARCS if components == 3 else (ARCS, 2))}
+    shapes |= {"arc_time": (precision, ARCS), "ahead": (precision, components)}
     left_out = set() if mission.degradation.loss > 0.0 else {"worn"}
     if not mission.flight.homing:
-        left_out |= {*PLANS, *PLAN_NUMBERS, *COUNTS} - {"periods"}
+        left_out |= {*PLANS, *COUNTS} - {"periods"}
     known = [item.name for item in fields(Memory) if item.name not in left_out]
     if components > 3:
         known = [name for name in known if name not in TILTS]
@@ -120,12 +121,13 @@ class Lockstep:
         self._after_miss = rules_for(flown).wait_after_a_miss(flown.problem.target_radius)
         # What a plan is corrected by comes of small differences, and of rounding it has as much the more.
         self._scales |= {
-            "memory.arc_angle": ANGLE / SMALL,
+            "memory.arc_tilt": ANGLE / SMALL,
             "memory.arc_time": ANGLE / SMALL,
             "memory.nearest": 1.0,
         }
         self._planned = {
             "cone_angle": ANGLE / SMALL,
+            "clock_angle": ANGLE / SMALL,
             "memory.cone_angle": ANGLE / SMALL,
             "memory.attitude": ANGLE / SMALL,
             "memory.slewing": ANGLE / SMALL / rate,
@@ -145,6 +147,12 @@ class Lockstep:
         # What the C has not is as it was at the start.
         started = Memory.started(len(packed), 0.0, wide["state"].shape[1])
         return replace(started, **wide | counts)
+
+    def put(self, **values: ArrayLike) -> None:
+        """Into the memory of the C, by the reference's names."""
+        packed = self._c.memories.view(self._kind)[:, 0]
+        for name, value in values.items():
+            packed[name] = value
 
     def steer(
         self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None
@@ -211,7 +219,8 @@ class Lockstep:
             spread = np.max([abs(answer[name] - value) for answer in nudged], axis=0)
             least: Array | float = self._scales.get(name, 0.0)
             if self._homes and name in self._planned:
-                least = np.where(exact["memory.homing"] == FLOWN, self._planned[name], least)
+                flown = exact["memory.homing"] == FLOWN
+                least = np.where(flown if value.ndim == 1 else flown[:, None], self._planned[name], least)
             bound = 4.0 * (spread + self._epsilon * np.maximum(abs(value), least))
             wrong = ~(abs(told[name] - value) <= bound)[decided]
             numbers = (numbers[decided][wrong] for numbers in (told[name], value, bound))

@@ -2,7 +2,7 @@
 
 A transfer that ends at its bound can be missed by hundredths of a TU, and who misses a near target goes
 around it once more: for a whole orbit. Networks err by as much. So the model is flown ahead on board: a
-*plan* of a few arcs of constant cone angle, first as the networks would fly, then corrected by steps of
+*plan* of a few arcs of constant tilt, first as the networks would fly, then corrected by steps of
 Newton's method until it ends at the target (:mod:`sailnet.guidance.plans`). As long as it does, from wherever
 the networks lead, they steer. Where it soon could no longer, or where the target comes no nearer though the
 plan says that it might, the plan is flown.
@@ -17,6 +17,7 @@ from sailnet.guidance.interface import Commands, Guidance, GuidanceStatus
 from sailnet.guidance.memory import ARCS, Memory
 from sailnet.guidance.plans import HIT, LEAST_ARC, Correction, Sails
 from sailnet.guidance.rules import SteeringRules
+from sailnet.guidance.tilts import along, spread, tilt_of
 from sailnet.physics.arrays import Array
 
 NO_PLAN, LOOKING, CORRECTED, READY, FLOWN = range(5)
@@ -75,7 +76,7 @@ class Homing:
 
         Args:
             memory: of n sails.
-            known: (n, 3) where they are.
+            known: (n, 3) or (n, 5) where they are.
             command: the networks', there.
             plan: (n,) betas that the networks read.
             valid: (n,) where there is a command.
@@ -111,7 +112,7 @@ class Homing:
             setattr(memory, name, np.where(homes, 0.0, getattr(memory, name)))
         time = np.where(homes, memory.arc_time.sum(axis=1), command.time_of_flight)
         status = np.where(homes, GuidanceStatus.OK, command.status).astype(np.int32)
-        tilt = np.where(homes, memory.arc_angle[:, 0], tilt)
+        tilt = np.where(spread(homes, tilt), memory.arc_tilt[:, 0], tilt)
         return tilt, replace(command, time_of_flight=time, status=status)
 
     def _time_passes(self, memory: Memory) -> None:
@@ -122,23 +123,23 @@ class Homing:
 
     def _past(self, memory: Memory, sails: NDArray[np.intp], time: Array) -> None:
         """So much of plans is over; arcs that are few are halved."""
-        angles, times = memory.arc_angle[sails], memory.arc_time[sails]
+        tilts, times = memory.arc_tilt[sails], memory.arc_time[sails]
         for _ in range(ARCS):
             over = np.minimum(times[:, 0], time)
             time = time - over
             times[:, 0] -= over
             gone = times[:, 0] <= 0.0
-            angles[gone] = np.roll(angles[gone], -1, axis=1)
+            tilts[gone] = np.roll(tilts[gone], -1, axis=1)
             times[gone] = np.roll(times[gone], -1, axis=1)
         few = (times[:, ARCS // 2 :] <= 0.0).all(axis=1)
-        angles[few] = np.repeat(angles[few, : ARCS // 2], 2, axis=1)
+        tilts[few] = np.repeat(tilts[few, : ARCS // 2], 2, axis=1)
         times[few] = np.repeat(0.5 * times[few, : ARCS // 2], 2, axis=1)
-        memory.arc_angle[sails], memory.arc_time[sails] = angles, times
+        memory.arc_tilt[sails], memory.arc_time[sails] = tilts, times
         memory.homing[sails] = np.where(times.sum(axis=1) <= 0.0, NO_PLAN, memory.homing[sails])
 
     def _begin(self, memory: Memory, begins: NDArray[np.bool_], known: Array, promised: Array) -> None:
         memory.homing[begins] = LOOKING
-        memory.arc_angle[begins] = memory.arc_time[begins] = 0.0
+        memory.arc_tilt[begins] = memory.arc_time[begins] = 0.0
         memory.ahead[begins] = known[begins]
         memory.promised[begins] = promised[begins]
         memory.nearest[begins] = FAR
@@ -149,24 +150,26 @@ class Homing:
         """Fly the networks one step ahead, and remember it in the arc they are in."""
         ahead = memory.ahead[sails]
         command = self._guidance.command(ahead, plan[sails])
-        angle, time = command.cone_angle, np.clip(command.time_of_flight, LEAST_ARC, self._step)
+        tilt = tilt_of(command.cone_angle, command.clock_angle)
+        time = np.clip(command.time_of_flight, LEAST_ARC, self._step)
         arc = memory.arc[sails]
-        so_far, mean = memory.arc_time[sails, arc], memory.arc_angle[sails, arc]
-        another = (so_far > 0.0) & ((mean * angle < 0.0) | (so_far >= self._longest_arc))
+        so_far, mean = memory.arc_time[sails, arc], memory.arc_tilt[sails, arc]
+        another = (so_far > 0.0) & ((along(mean, tilt) < 0.0) | (so_far >= self._longest_arc))
         arc = arc + another
         ends = (arc >= ARCS) | (command.status >= GuidanceStatus.OUTSIDE_DOMAIN)
         elapsed = memory.arc_time[sails].sum(axis=1)
         ends |= elapsed > FARTHEST * memory.promised[sails]
-        so_far, mean = np.where(another, 0.0, so_far), np.where(another, 0.0, mean)
+        so_far, mean = np.where(another, 0.0, so_far), np.where(spread(another, mean), 0.0, mean)
         goes = np.flatnonzero(~ends)
         on, arc = sails[goes], arc[goes]
         whole = so_far[goes] + time[goes]
-        memory.arc_angle[on, arc] = (mean * so_far + angle * time)[goes] / whole
+        sums = mean * spread(so_far, mean) + tilt * spread(time, tilt)
+        memory.arc_tilt[on, arc] = sums[goes] / spread(whole, tilt)
         memory.arc_time[on, arc] = whole
         memory.arc[on] = arc
-        memory.ahead[on] = of.after(ahead, angle, time)[goes]
+        memory.ahead[on] = of.after(ahead, tilt, time)[goes]
         elapsed = (elapsed + time)[goes]
-        off = np.abs(memory.ahead[on] - self._correction.target).max(axis=1)
+        off = np.abs((memory.ahead[on] - self._correction.target) * self._correction.lengths).max(axis=1)
         nearer = off < memory.nearest[on]
         memory.nearest[on] = np.where(nearer, off, memory.nearest[on])
         memory.nearest_time[on] = np.where(nearer, elapsed, memory.nearest_time[on])
@@ -194,8 +197,8 @@ class Homing:
         fair: Array,
     ) -> None:
         """Correct plans, and say what they are good for."""
-        now = self._correction.of(known, memory.arc_angle[sails], memory.arc_time[sails], of)
-        memory.arc_angle[sails], memory.arc_time[sails] = now.angles, now.times
+        now = self._correction.of(known, memory.arc_tilt[sails], memory.arc_time[sails], of)
+        memory.arc_tilt[sails], memory.arc_time[sails] = now.tilts, now.times
         corrections = np.minimum(memory.corrections[sails], CORRECTIONS) + 1
         memory.corrections[sails] = corrections
         plan, time = memory.homing[sails], now.times.sum(axis=1)

@@ -11,7 +11,6 @@ from sailnet.physics.arrays import Array
 TILTS = ("cone_angle", "attitude", "measured", "offset")
 ARCS = 8
 """Of a plan, see :mod:`sailnet.guidance.homing`."""
-PLANS = {"arc_angle": (ARCS,), "arc_time": (ARCS,), "ahead": (3,)}
 COUNTS = ("periods", "homing", "arc", "corrections")
 
 
@@ -20,7 +19,7 @@ class Memory:
     """Of n sails, as in ``sailnet_memory`` of one that ages and flies its model ahead, in order.
 
     States are (n, 3) or (n, 5); ``cone_angle``, ``attitude``, ``measured`` and ``offset`` are tilts of
-    :mod:`sailnet.guidance.tilts`; all others are (n,).
+    :mod:`sailnet.guidance.tilts`, one for each arc in ``arc_tilt``; all others are (n,).
     """
 
     state: Array
@@ -43,7 +42,7 @@ class Memory:
     waited: Array
     unseen: Array
     worn: Array
-    arc_angle: Array
+    arc_tilt: Array
     arc_time: Array
     ahead: Array
     looked: Array
@@ -59,8 +58,8 @@ class Memory:
     def started(cls, count: int, beta: float, components: int = 3) -> "Memory":
         """Of ``count`` sails that know nothing but a beta; a state has so many components, 3 or 5."""
         tilt = (count,) if components == 3 else (count, 2)
-        shapes = {"state": (count, components), **dict.fromkeys(TILTS, tilt)}
-        shapes |= {name: (count, *shape) for name, shape in PLANS.items()}
+        shapes = {"state": (count, components), "ahead": (count, components), **dict.fromkeys(TILTS, tilt)}
+        shapes |= {"arc_time": (count, ARCS), "arc_tilt": (count, ARCS, *tilt[1:])}
         names = [item.name for item in fields(cls) if item.name not in ("beta", *COUNTS)]
         counts: Any = {name: np.zeros(count, np.int64) for name in COUNTS}
         numbers: Any = {name: np.zeros(shapes.get(name, (count,))) for name in names}

@@ -24,7 +24,7 @@ from sailnet.guidance.last_period import Change, predicted
 from sailnet.guidance.memory import Memory
 from sailnet.guidance.rules import LARGEST_PERIOD, SteeringRules, rules_for
 from sailnet.guidance.side import SideKeeping
-from sailnet.guidance.tilts import angles_of, limited, size_of, tilt_of, turned
+from sailnet.guidance.tilts import angles_of, limited, size_of, spread, tilt_of, turned
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import Coefficients
 from sailnet.physics.geometry import lengths_of, target_of
@@ -117,7 +117,7 @@ class ReferenceSteering:
         unseen = left & (memory.unseen > 0.0)
         status[left & (status == GuidanceStatus.OK) & (plan < low) & (low < high)] = GuidanceStatus.AT_LIMIT
         status[unseen] = GuidanceStatus.RECKONED
-        each = _each(valid, tilt)
+        each = spread(valid, tilt)
         told = np.where(each, self._told(memory, tilt), tilt)
         self._remember(memory, known, tilt, hold, command.time_of_flight, valid)
         memory.attitude = np.where(each, told + memory.offset, memory.attitude)
@@ -127,6 +127,9 @@ class ReferenceSteering:
             memory.held = np.where(last, hold, memory.held)
         self._memory.put(sails, memory)
         cone, clock = angles_of(told)
+        # A tilt has two components, of which the size is rounded.
+        widest = np.maximum(self._guidance.mission.problem.phi_max, np.abs(command.cone_angle))
+        cone = np.clip(cone, -widest, widest)
         tau, lambda_v, lambda_w = command.time_of_flight, command.lambda_v, command.lambda_w
         return Steered(cone, hold, tau, memory.beta, lambda_v, status, clock, lambda_w)
 
@@ -246,16 +249,11 @@ class ReferenceSteering:
         turning = left + turned(tilt, memory.cone_angle) / self._turn_rate
         memory.slewing = np.where(valid & (memory.periods > 0), turning, memory.slewing)
         memory.state = np.where(valid[:, None], known, memory.state)
-        memory.cone_angle = np.where(_each(valid, tilt), tilt, memory.cone_angle)
+        memory.cone_angle = np.where(spread(valid, tilt), tilt, memory.cone_angle)
         # After an invalid state the rest stays, but the next is not what came of the last command.
         memory.held = np.where(valid, hold, 0.0)
         memory.time_of_flight = np.where(valid, tau, memory.time_of_flight)
         memory.periods += valid
-
-
-def _each(chosen: NDArray[np.bool_], tilt: Array) -> NDArray[np.bool_]:
-    """(n,) chosen sails, in a shape that chooses among tilts."""
-    return chosen if tilt.ndim == 1 else chosen[:, None]
 
 
 def _wear(halvings: Array) -> Array:

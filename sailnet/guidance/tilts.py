@@ -4,7 +4,10 @@ In the plane a tilt is the signed cone angle, (n,) [rad]. In space it is the con
 across the Sun line that the clock angle gives, (n, 2): towards the transverse direction and to the north.
 """
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from sailnet.physics.arrays import Array
 
@@ -72,3 +75,8 @@ def in_direction(other: Array, tilt: Array) -> Array:
 
 def _direction(tilt: Array, size: Array) -> Array:
     return tilt / np.where(size > 0.0, size, 1.0)[:, None]
+
+
+def spread(each: NDArray[Any], tilt: Array) -> NDArray[Any]:
+    """What (n,) sails have, in a shape that goes with their tilts."""
+    return each if tilt.ndim == 1 else each[:, None]

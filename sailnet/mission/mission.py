@@ -63,14 +63,6 @@ class Mission(Section):
     dataset: Recipes
     training: Training
 
-    @field_validator("flight", mode="after")
-    @classmethod
-    def _homes_in_the_plane(cls, flight: FlightRules, others: ValidationInfo) -> FlightRules:
-        orbits = others.data.get("transfer")
-        if flight.homing and orbits is not None and orbits.inclination > 0.0:
-            raise ValueError("homing is of the plane so far: say 0 for a transfer with an inclination")
-        return flight
-
     @field_validator("generalisation", mode="after")
     @classmethod
     def _as_many_dimensions(cls, region: Region, others: ValidationInfo) -> Region:

@@ -18,7 +18,7 @@ MISSION = load_mission("earth_mars_3d")
 AGEING = MISSION.with_optics(OPTICS["jpl"]).model_copy(
     update={
         "degradation": Degradation(loss=0.2),
-        "flight": MISSION.flight.model_copy(update={"late_share": 0.3, "missed_wait": 0.5}),
+        "flight": MISSION.flight.model_copy(update={"late_share": 0.3, "missed_wait": 0.5, "homing": 0.5}),
     }
 )
 """A sail that is not ideal, and known to age; late by its time to go."""

@@ -13,7 +13,7 @@ from sailnet.guidance import homing
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.homing import CORRECTED, FLOWN, LOOKING, NO_PLAN, READY, Homing
 from sailnet.guidance.interface import Commands, GuidanceStatus
-from sailnet.guidance.memory import ARCS, PLANS, Memory
+from sailnet.guidance.memory import ARCS, Memory
 from sailnet.guidance.plans import HIT, LEAST_ARC, STEEPEST, Correction, Sails
 from sailnet.guidance.rules import RULES
 from sailnet.guidance.steering import ReferenceSteering
@@ -22,7 +22,7 @@ from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS
 from tests.guidance.pilots import ONE, PERIOD, Told
 from tests.held_angle import hold_angle
-from tests.lockstep import PLAN_NUMBERS
+from tests.lockstep import PLANS
 from tests.pilots import MISSION, Pilot
 
 LOW, HIGH = MISSION.generalisation.corners
@@ -65,7 +65,7 @@ def test_a_plan_beside_one_that_arrives_is_corrected_until_it_arrives(optics: st
     missed = []
     for _ in range(8):
         now = correction.of(states, angles, times, sails(12, optics))
-        angles, times = now.angles, now.times
+        angles, times = now.tilts, now.times
         missed.append(now.missed)
         assert (abs(angles) <= PHI_MAX).all()
         assert (times >= LEAST_ARC).all()
@@ -83,7 +83,7 @@ def test_a_plan_that_arrives_gets_shorter_and_still_does() -> None:
     correction, whole = Correction(MISSION, HORIZON, STEP), times.sum()
     for _ in range(60):
         now = correction.of(states, angles, times, sails(1))
-        angles, times = now.angles, now.times
+        angles, times = now.tilts, now.times
         assert now.missed[0] < HIT
     assert times.sum() < whole - 0.05 * STEP
 
@@ -96,7 +96,7 @@ def test_what_is_left_of_a_miss_is_about_what_the_plan_then_misses_by(off: float
     states[0, 2] += off * MISSION.flight.arrival_tolerance
     correction = Correction(MISSION, HORIZON, STEP)
     first = correction.of(states, angles, times, sails(1))
-    then = correction.of(states, first.angles, first.times, sails(1))
+    then = correction.of(states, first.tilts, first.times, sails(1))
     assert 10.0 < first.left[0] < 0.95 * first.missed[0]
     assert then.missed[0] == pytest.approx(first.left[0], rel=0.15)
 
@@ -106,7 +106,7 @@ def test_a_plan_near_the_sun_is_left_as_it_is() -> None:
     angles, times = np.full((3, ARCS), 0.3), np.full((3, ARCS), STEP)
     with np.errstate(all="ignore"):
         now = Correction(MISSION, HORIZON, STEP).of(states, angles, times, sails(3))
-    np.testing.assert_array_equal(now.angles, angles)
+    np.testing.assert_array_equal(now.tilts, angles)
     np.testing.assert_array_equal(now.times, times)
     assert (now.missed == STEEPEST).all()
     assert (now.left == STEEPEST).all()
@@ -122,7 +122,7 @@ def test_time_passes_in_a_plan_and_its_angles_stay_where_they_were(
 ) -> None:
     memory = Memory.started(1, BETA)
     memory.arc_time[0, : len(arcs)] = arcs
-    memory.arc_angle[0, : len(arcs)] = np.arange(1.0, len(arcs) + 1)
+    memory.arc_tilt[0, : len(arcs)] = np.arange(1.0, len(arcs) + 1)
     memory.homing[:] = READY
     ends, passed = np.cumsum(arcs), 0.0
     plans = Homing(load_guidance(MISSION), HOMES)
@@ -136,7 +136,7 @@ def test_time_passes_in_a_plan_and_its_angles_stay_where_they_were(
         assert left == pytest.approx(max(ends[-1] - passed, 0.0), abs=1e-12)
         assert (memory.homing[0] == NO_PLAN) == (left == 0.0)
         if left > 0.0 and abs(ends - passed).min() > 1e-9:
-            assert memory.arc_angle[0, 0] == 1.0 + np.argmax(ends > passed)
+            assert memory.arc_tilt[0, 0] == 1.0 + np.argmax(ends > passed)
 
 
 @dataclass
@@ -196,7 +196,7 @@ def test_without_a_state_there_is_no_plan(state: int) -> None:
     memory = steering._memory
     # Nor is one corrected then that is ready, which would give it up too.
     memory.homing[:], memory.held[:], memory.periods[:] = state, 0.0, homing.SELDOM + 1
-    memory.arc_time[:], memory.arc_angle[:] = STEP, 0.3
+    memory.arc_time[:], memory.arc_tilt[:] = STEP, 0.3
     told = steering.steer([[np.nan] * 3], PERIOD, ONE)
     assert told.status[0] == GuidanceStatus.INVALID_INPUT
     assert memory.homing[0] == NO_PLAN
@@ -204,13 +204,13 @@ def test_without_a_state_there_is_no_plan(state: int) -> None:
 
 def plan_of(state: int) -> dict[str, object]:
     angles, times = np.repeat([0.3, -0.3], ARCS // 2), np.full(ARCS, 2.0 * STEP)
-    return {"homing": state, "arc_angle": angles, "arc_time": times, "periods": 2 * homing.SELDOM}
+    return {"homing": state, "arc_tilt": angles, "arc_time": times, "periods": 2 * homing.SELDOM}
 
 
 def judged(state: int, off: float, promised: float, corrections: int = 0, beta: float = 1.0) -> int:
     """Of a plan that misses by some arrival tolerances, where the networks promise some steps more."""
     plan = plan_of(state) | {"corrections": corrections}
-    angles, times = np.asarray(plan["arc_angle"]), np.asarray(plan["arc_time"])
+    angles, times = np.asarray(plan["arc_tilt"]), np.asarray(plan["arc_time"])
     memory = Memory.started(1, BETA)
     for name, value in plan.items():
         getattr(memory, name)[:] = value
@@ -260,7 +260,7 @@ def test_who_flies_a_plan_is_told_its_first_arc_and_is_not_late() -> None:
         getattr(memory, name)[:] = value
     memory.held[:], memory.late[:], memory.wait[:], memory.stake[:] = 0.0, 0.4, 0.4, 0.4
     answer = steering.steer([state], PERIOD, ONE)
-    assert answer.cone_angle[0] == memory.arc_angle[0, 0] == pytest.approx(0.3, abs=0.05)
+    assert answer.cone_angle[0] == memory.arc_tilt[0, 0] == pytest.approx(0.3, abs=0.05)
     assert answer.time_of_flight[0] == memory.arc_time[0].sum()
     assert (memory.late[0], memory.wait[0], memory.stake[0], memory.regret[0]) == (0.0, 0.0, 0.0, 0.0)
     assert answer.status[0] == GuidanceStatus.OK
@@ -270,7 +270,7 @@ def test_a_mission_without_homing_remembers_no_plan() -> None:
     steering = ReferenceSteering(Told(time_of_flight=1.0), 1, RULES)
     for _ in range(5):
         steering.steer([BESIDE], PERIOD, ONE)
-    assert all((getattr(steering._memory, name) == 0.0).all() for name in (*PLANS, *PLAN_NUMBERS, "homing"))
+    assert all((getattr(steering._memory, name) == 0.0).all() for name in (*PLANS, "homing"))
 
 
 def test_networks_are_flown_ahead_as_they_fly() -> None:
