@@ -70,10 +70,10 @@ MISSED_WAIT = 0.5
 HOMING, HOMING_IN_SPACE = 0.5, 0.35
 """Of the target's orbit, or of the departure's if that is smaller: from such a time to go on the model is
 flown ahead, so that the target is not missed. A sail that is still far below it flies around the Sun faster
-than the arcs of a plan are fine: with 0.5 of the target's orbit sails to 2 AU were 0.21 % late, not 0.04. In space eight arcs
-reach less far: to 0.8, 1.3 and 0.5 AU (quick; 3, 5 and 7 degrees; 1,000 flights each, undisturbed and with
-noise) sails were late by 2.81 % on average from 0.25 of an orbit on, 2.75 % from 0.35, 3.24 % from 0.5, and by
-12.9 % without."""
+than the arcs of a plan are fine: with 0.5 of the target's orbit sails to 2 AU were 0.21 % late, not 0.04.
+In space eight arcs reach less far: to 0.8, 1.3 and 0.5 AU (quick; 3, 5 and 7 degrees; 1,000 flights each,
+undisturbed and with noise) sails were late by 2.81 % on average from 0.25 of an orbit on, 2.75 % from 0.35,
+3.24 % from 0.5, and by 12.9 % without."""
 
 LATITUDE = 1.6
 """Its half-width in latitude in three dimensions, in inclinations of the departure orbit; that in w is the
