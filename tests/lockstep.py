@@ -42,9 +42,13 @@ def memory_type(precision: str, mission: Mission) -> np.dtype[np.void]:
         mission: of which it depends what is remembered.
     """
     components = mission.components
-    shapes = {"state": (precision, components), "normal": (precision, 3)}
-    shapes |= {"arc_tilt": (precision, ARCS if components == 3 else (ARCS, 2))}
-    shapes |= {"arc_time": (precision, ARCS), "ahead": (precision, components)}
+    shapes: dict[str, tuple[str, int | tuple[int, ...]]] = {
+        "state": (precision, components),
+        "normal": (precision, 3),
+        "arc_tilt": (precision, (ARCS,) if components == 3 else (ARCS, 2)),
+        "arc_time": (precision, ARCS),
+        "ahead": (precision, components),
+    }
     left_out = set() if mission.degradation.loss > 0.0 else {"worn"}
     if not mission.flight.homing:
         left_out |= {*PLANS, *COUNTS} - {"periods"}
