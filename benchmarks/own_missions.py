@@ -33,6 +33,7 @@ class Own:
         max_cone_angle: [deg].
         departure: radius of the orbit where it begins [AU].
         optics: of the sail.
+        inclination: of the departure orbit to the target's [deg].
     """
 
     target: float
@@ -40,19 +41,22 @@ class Own:
     max_cone_angle: float
     departure: float = 1.0
     optics: str = "ideal"
+    inclination: float = 0.0
 
     @property
     def name(self) -> str:
         """Of its file and folder."""
         begins = "" if self.departure == 1.0 else f"from_{self.departure:g}_"
-        return f"{begins}to_{self.target:g}_au".replace(".", "_")
+        inclined = f"_inclined_{self.inclination:g}" if self.inclination else ""
+        return f"{begins}to_{self.target:g}_au{inclined}".replace(".", "_")
 
     @property
     def title(self) -> str:
         """For people."""
         begins = "" if self.departure == 1.0 else f"{self.departure:g} AU "
+        inclined = f", inclined by {self.inclination:g}°" if self.inclination else ""
         optics = "" if self.optics == "ideal" else f", {self.optics}"
-        return f"{begins}to {self.target:g} AU, β {self.beta:g}, {self.max_cone_angle:g}°{optics}"
+        return f"{begins}to {self.target:g} AU{inclined}, β {self.beta:g}, {self.max_cone_angle:g}°{optics}"
 
 
 MISSIONS = (Own(0.9, 0.12, 55.0), Own(1.2, 0.15, 60.0), Own(2.0, 0.2, 65.0))
@@ -75,6 +79,16 @@ OTHERS = (
 )
 """None was flown while the recipes were chosen: strong and weak sails, narrow bounds and none, targets beside
 the departure and far from it."""
+
+IN_SPACE = (
+    Own(0.45, 0.2, 60.0, inclination=6.0),
+    Own(0.75, 0.15, 60.0, inclination=2.0),
+    Own(1.1, 0.12, 60.0, inclination=1.0),
+    Own(1.4, 0.12, 55.0, inclination=4.0),
+)
+"""Out of the plane; nor was one of these."""
+
+SETS = {"": MISSIONS, "others": OTHERS, "in-space": IN_SPACE}
 
 
 def fly(own: Own, folder: Path, size: str, seed: int, workers: int | None) -> dict[str, Any]:
@@ -99,6 +113,8 @@ def fly(own: Own, folder: Path, size: str, seed: int, workers: int | None) -> di
     file = folder / f"{own.name}.toml"
     transfer = ["--target", f"{own.target}", "--departure", f"{own.departure}"]
     sail = ["--beta", f"{own.beta}", "--max-cone-angle", f"{own.max_cone_angle}", "--optics", own.optics]
+    if own.inclination:
+        transfer += ["--inclination", f"{own.inclination}"]
     _run(["mission", "new", *transfer, *sail, "--output", str(file), "--overwrite"])
     options = ["--size", size, "--seed", str(seed), "--output", str(base), "--json"]
     if workers is not None:
@@ -180,30 +196,35 @@ def main() -> int:
     parser.add_argument("--size", choices=SIZES, default="quick", help="of the recipes (%(default)s)")
     parser.add_argument("--seed", type=int, default=31, help="of the flights (%(default)s)")
     parser.add_argument("--workers", type=int, help="processes (all cores)")
-    parser.add_argument("--others", action="store_true", help="thirteen others, which are harder")
-    marks = "<!-- own-missions-SIZE -->, or <!-- own-missions-others-SIZE -->"
+    instead = parser.add_mutually_exclusive_group()
+    instead.add_argument(
+        "--others", action="store_const", const="others", help="thirteen others, which are harder"
+    )
+    instead.add_argument("--in-space", action="store_const", const="in-space", help="four out of the plane")
+    marks = "<!-- own-missions-SIZE -->, or <!-- own-missions-others-SIZE --> or -in-space-SIZE"
     parser.add_argument("--text", type=Path, help=f"file with marks {marks}, for the tables")
     options = parser.parse_args()
-    missions, others = (OTHERS, "others-") if options.others else (MISSIONS, "")
+    chosen = options.others or options.in_space or ""
     flown: list[tuple[Own, dict[str, Any]]] = []
     failed: list[Own] = []
     try:
-        for own in missions:
+        for own in SETS[chosen]:
             try:
                 made = fly(own, options.folder, options.size, options.seed, options.workers)
                 flown.append((own, made))
             except SailnetError as error:
-                if not others:
+                if not chosen:
                     raise
                 print(f"error: {error}", file=sys.stderr)
                 failed.append(own)
         if not flown:
             raise SailnetError("none of the missions could be flown: see above")
         command = f"python -m benchmarks.own_missions FOLDER --size {options.size}"
-        lines = [f"{written_by(flown)} `{command}{' --others' if others else ''}`.", ""]
-        lines += line_by_line(flown, failed) if others else table(flown)
+        lines = [f"{written_by(flown)} `{command}{f' --{chosen}' if chosen else ''}`.", ""]
+        lines += line_by_line(flown, failed) if chosen else table(flown)
         if options.text:
-            fill_block(options.text, f"own-missions-{others}{options.size}", "\n".join(lines))
+            name = f"own-missions-{chosen}-{options.size}" if chosen else f"own-missions-{options.size}"
+            fill_block(options.text, name, "\n".join(lines))
     except (SailnetError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

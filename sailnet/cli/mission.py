@@ -31,6 +31,13 @@ def add(commands: Commands) -> None:
     )
     new.add_argument("--target", type=float, metavar="AU", required=True, help="radius of the target orbit")
     new.add_argument("--departure", type=float, default=1.0, metavar="AU", help="of the departure orbit (1)")
+    new.add_argument(
+        "--inclination",
+        type=float,
+        default=0.0,
+        metavar="DEG",
+        help="of the departure orbit to the target's (0: in one plane)",
+    )
     strength = new.add_mutually_exclusive_group(required=True)
     for option, (_, unit, meaning) in STRENGTHS.items():
         strength.add_argument(option, type=float, metavar=unit, help=meaning)
@@ -68,6 +75,7 @@ def _new(options: argparse.Namespace) -> int:
         options.name or ("my_mission" if output is None else output.stem.lower().replace("-", "_")),
         options.target,
         departure_radius=options.departure,
+        inclination=options.inclination,
         strength=strength,
         max_cone_angle=options.max_cone_angle,
         optics=options.optics,

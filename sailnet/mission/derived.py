@@ -196,7 +196,8 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
     return {
         "schema": 1,
         "name": _name(source),
-        "title": f"{departure:g} AU to {target:g} AU",
+        "title": f"{departure:g} AU to {target:g} AU"
+        + (f", inclined by {orbits.inclination:g} degrees" if orbits.inclination > 0.0 else ""),
         "flight": {
             "period": period,
             "arrival_threshold": period,

@@ -23,6 +23,7 @@ def short_text(
     target_radius: float,
     *,
     departure_radius: float,
+    inclination: float = 0.0,
     strength: tuple[str, float],
     max_cone_angle: float,
     optics: str = "ideal",
@@ -33,6 +34,7 @@ def short_text(
         name: of the mission, and of the networks.
         target_radius: of the circular orbit to reach [AU].
         departure_radius: of the circular orbit to leave [AU].
+        inclination: of that orbit to the target's [deg].
         strength: of the sail: ``beta``, or a key of :mod:`sailnet.mission.other_units`, and its value.
         max_cone_angle: bound on the cone angle [deg].
         optics: a name of ``sailnet.physics.optics.OPTICS``.
@@ -42,6 +44,7 @@ def short_text(
     """
     key, value = strength
     known = f"real coefficients: {', '.join(real for real in OPTICS if real != 'ideal')}"
+    tilted = f"inclination = {inclination!r}" if inclination else "# inclination = 1.85"
     text = f"""\
 # A mission: lengths in AU, times in TU (58.13 days; an orbit at 1 AU has speed 1 AU/TU), angles in degrees.
 # What is not said here is derived from it: `sailnet mission show FILE` prints everything, and any of its keys
@@ -55,9 +58,10 @@ name = "{name}"
 max_cone_angle = {max_cone_angle!r}  # from the Sun line to the sail's normal; 90: no bound
 {f'optics = "{optics}"' if optics != "ideal" else '# optics = "jpl"'}  # {known}; ideal where nothing is said
 
-[transfer]      # circular orbits about the Sun, in one plane
+[transfer]      # circular orbits about the Sun
 departure_radius = {departure_radius!r}
 target_radius = {target_radius!r}
+{tilted}  # of the one to the other; in one plane where nothing is said
 """
     parse_mission(tomllib.loads(text), name)
     return text

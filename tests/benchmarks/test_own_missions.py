@@ -5,7 +5,17 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.own_missions import MISSIONS, OTHERS, Own, fly, line_by_line, table, total, written_by
+from benchmarks.own_missions import (
+    IN_SPACE,
+    MISSIONS,
+    OTHERS,
+    Own,
+    fly,
+    line_by_line,
+    table,
+    total,
+    written_by,
+)
 from sailnet.campaign.run import fly_plan
 from sailnet.errors import SailnetError
 from tests.campaign.small_plan import GUIDANCE, MISSION, plan_of
@@ -39,7 +49,8 @@ def test_a_line_a_mission_has_the_numbers_of_all_series() -> None:
     assert told == "Of 1,000 flights each: nominal, noise."
     assert heads.startswith("| mission | do not arrive | mean time above own optimum [%] | ")
     assert rows == [f"| {own.title} | 0, 3 | 0.123, 21 | 4, 4 | 0, 3 | 211 |" for own in OTHERS]
-    assert len({own.name for own in (*MISSIONS, *OTHERS)}) == len(MISSIONS) + len(OTHERS)
+    every = (*MISSIONS, *OTHERS, *IN_SPACE)
+    assert len({own.name for own in every}) == len({own.title for own in every}) == len(every)
     assert (OTHERS[-1].name, OTHERS[-1].title) == ("from_1_6_to_0_7_au", "1.6 AU to 0.7 AU, β 0.2, 60°")
 
 

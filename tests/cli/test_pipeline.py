@@ -123,7 +123,9 @@ def test_a_new_mission_is_written_once_and_shown_whole(
 ) -> None:
     path = tmp_path / "to-venus.toml"
     command = ["mission", "new", "--target", "0.723", "--acceleration", "1", "--output", str(path)]
+    command += ["--inclination", "3.39"]
     assert main(command) == 0
+    assert load_mission(path).transfer.inclination == 3.39
     assert load_mission(path).name == "to_venus"
     assert load_mission(path).sail.beta == pytest.approx(0.168632, abs=1e-6)
     written = path.read_text()

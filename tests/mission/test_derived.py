@@ -226,6 +226,17 @@ def test_a_new_mission_s_text_is_short_and_loads(optics: str) -> None:
     assert len(text.splitlines()) < 20
 
 
+@pytest.mark.parametrize("inclination", [0.0, 3.0])
+def test_a_new_mission_s_orbits_are_inclined_as_is_said(inclination: float) -> None:
+    strength = ("beta", 0.12)
+    text = short_text(
+        "mine", 0.9, departure_radius=1.0, inclination=inclination, strength=strength, max_cone_angle=55.0
+    )
+    mission = parse_mission(tomllib.loads(text), "elsewhere")
+    assert (mission.transfer.inclination, mission.inclined) == (inclination, inclination > 0.0)
+    assert mission.title == "1 AU to 0.9 AU" + (", inclined by 3 degrees" if inclination else "")
+
+
 def test_a_new_mission_that_cannot_be_is_refused() -> None:
     with pytest.raises(MissionError, match=r"target_radius = -1\.0"):
         short_text("mine", -1.0, departure_radius=1.0, strength=("beta", 0.12), max_cone_angle=55.0)
