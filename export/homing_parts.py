@@ -55,7 +55,8 @@ HOMES_IN_SPACE = """        sailnet_real normal[3];
         if (sailnet_homes(memory, known, sailnet_limited(&plan, SAILNET_OF_BETA), command) != 0) {
             /* Where the model knows the way it is not for the networks to say whether they know it. */
             seen &= SAILNET_THERE;
-            sailnet_normal_of(memory->arc_tilt[0], normal);
+            sailnet_real across[2];
+            (void)sailnet_normal_to(command, across, normal);
             turn = sailnet_turn(memory, normal);
         } else {
             turn = sailnet_keep_side(memory, &change, command, normal);

@@ -50,9 +50,9 @@ MUTANTS = {
     ),
     "another normal remembered than commanded": Mutant(
         "fuzz",
-        "sailnet_keep_side",
-        "normal[2] = sine * northward;",
-        "normal[2] = sine * along;",
+        "sailnet_normal_to",
+        "normal[2] = sine * across[1];",
+        "normal[2] = sine * across[0];",
         "promise broken: fabs((double)after->normal[2]",
     ),
     "a normal of any size": Mutant(
