@@ -105,11 +105,9 @@ class Homing:
     def commanded(
         self, memory: Memory, tilt: Array, command: Commands, homes: NDArray[np.bool_]
     ) -> tuple[Array, Commands]:
-        """Tilts and commands, those of plans where they are flown; nobody of them is late, or waits."""
+        """Tilts and commands, those of plans where they are flown."""
         if not homes.any():
             return tilt, command
-        for name in ("stake", "regret", "late", "wait", "waited"):
-            setattr(memory, name, np.where(homes, 0.0, getattr(memory, name)))
         time = np.where(homes, memory.arc_time.sum(axis=1), command.time_of_flight)
         status = np.where(homes, GuidanceStatus.OK, command.status).astype(np.int32)
         tilt = np.where(spread(homes, tilt), memory.arc_tilt[:, 0], tilt)

@@ -83,6 +83,11 @@ class SideKeeping:
         kept = stays if wanted.ndim == 1 else stays[:, None]
         return np.where(kept, in_direction(memory.cone_angle, wanted), wanted)
 
+    def left_alone(self, memory: Memory, sails: NDArray[np.bool_]) -> None:
+        """Who flies a plan is not late, does not wait, and has nothing at stake: of (n,) sails."""
+        for name in ("stake", "regret", "late", "wait", "waited"):
+            setattr(memory, name, np.where(sails, 0.0, getattr(memory, name)))
+
     def _missed(self, memory: Memory, missed: NDArray[np.bool_]) -> Array:
         """What is known of waiting [TU]; below 0 for how long the next reversal waits after a miss."""
         if not self._after_miss:

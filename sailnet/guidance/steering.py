@@ -110,6 +110,7 @@ class ReferenceSteering:
             with np.errstate(all="ignore"):
                 homes = self._homing.flown(memory, known, command, read, valid)
                 tilt = self._side.kept(memory, change, command, tilt, valid & ~homes)
+                self._side.left_alone(memory, homes)
                 tilt, command = self._homing.commanded(memory, tilt, command, homes)
             status, hold = self._end(memory, known, command, command.status.copy(), hold)
         low, high = self._guidance.beta_range
