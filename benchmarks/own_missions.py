@@ -112,9 +112,8 @@ def fly(own: Own, folder: Path, size: str, seed: int, workers: int | None) -> di
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / f"{own.name}.toml"
     transfer = ["--target", f"{own.target}", "--departure", f"{own.departure}"]
+    transfer += ["--inclination", f"{own.inclination}"]
     sail = ["--beta", f"{own.beta}", "--max-cone-angle", f"{own.max_cone_angle}", "--optics", own.optics]
-    if own.inclination:
-        transfer += ["--inclination", f"{own.inclination}"]
     _run(["mission", "new", *transfer, *sail, "--output", str(file), "--overwrite"])
     options = ["--size", size, "--seed", str(seed), "--output", str(base), "--json"]
     if workers is not None:
@@ -197,14 +196,17 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=31, help="of the flights (%(default)s)")
     parser.add_argument("--workers", type=int, help="processes (all cores)")
     instead = parser.add_mutually_exclusive_group()
-    instead.add_argument(
-        "--others", action="store_const", const="others", help="thirteen others, which are harder"
-    )
-    instead.add_argument("--in-space", action="store_const", const="in-space", help="four out of the plane")
+    for chosen, told in (
+        ("others", "thirteen others, which are harder"),
+        ("in-space", "four out of the plane"),
+    ):
+        instead.add_argument(
+            f"--{chosen}", action="store_const", const=chosen, dest="chosen", default="", help=told
+        )
     marks = "<!-- own-missions-SIZE -->, or <!-- own-missions-others-SIZE --> or -in-space-SIZE"
     parser.add_argument("--text", type=Path, help=f"file with marks {marks}, for the tables")
     options = parser.parse_args()
-    chosen = options.others or options.in_space or ""
+    chosen = options.chosen
     flown: list[tuple[Own, dict[str, Any]]] = []
     failed: list[Own] = []
     try:

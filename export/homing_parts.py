@@ -41,7 +41,7 @@ REMEMBERED = """
     uint32_t homing;             /* what the plan is good for: 0 there is none, 4 it is flown */
     uint32_t arc;                /* in which the networks are flown ahead */
     uint32_t corrections;        /* of the plan, so far */"""
-KEEP_SIDE = """        sailnet_keep_side(memory, &change, command);"""
+KEEP_SIDE = "        sailnet_keep_side(memory, &change, command);"
 KEEP_SIDE_IN_SPACE = """        sailnet_real normal[3];
         const sailnet_real turn = sailnet_keep_side(memory, &change, command, normal);"""
 HOMES = """        if (sailnet_homes(memory, known, sailnet_limited(&plan, SAILNET_OF_BETA), command) != 0) {

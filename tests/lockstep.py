@@ -21,6 +21,7 @@ from sailnet.guidance.memory import ARCS, COUNTS, TILTS, Memory
 from sailnet.guidance.plans import ANGLE, SMALL, Sails
 from sailnet.guidance.rules import rules_for
 from sailnet.guidance.steering import ReferenceSteering
+from sailnet.guidance.tilts import spread
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 
@@ -220,12 +221,12 @@ class Lockstep:
         self.compared += int(decided.sum())
         self.undecided += int((~decided).sum())
         for name, value in exact.items():
-            spread = np.max([abs(answer[name] - value) for answer in nudged], axis=0)
+            apart = np.max([abs(answer[name] - value) for answer in nudged], axis=0)
             least: Array | float = self._scales.get(name, 0.0)
             if self._homes and name in self._planned:
-                flown = exact["memory.homing"] == FLOWN
-                least = np.where(flown if value.ndim == 1 else flown[:, None], self._planned[name], least)
-            bound = 4.0 * (spread + self._epsilon * np.maximum(abs(value), least))
+                flown = spread(exact["memory.homing"] == FLOWN, value)
+                least = np.where(flown, self._planned[name], least)
+            bound = 4.0 * (apart + self._epsilon * np.maximum(abs(value), least))
             wrong = ~(abs(told[name] - value) <= bound)[decided]
             numbers = (numbers[decided][wrong] for numbers in (told[name], value, bound))
             assert not wrong.any(), "{}: {} is not {} within {}".format(name, *numbers)

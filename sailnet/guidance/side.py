@@ -7,7 +7,7 @@ from sailnet.guidance.interface import Commands
 from sailnet.guidance.last_period import Change
 from sailnet.guidance.memory import Memory
 from sailnet.guidance.rules import GOLDEN, LARGEST_PERIOD, SteeringRules
-from sailnet.guidance.tilts import along, in_direction, turned
+from sailnet.guidance.tilts import along, in_direction, spread, turned
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 
@@ -80,11 +80,12 @@ class SideKeeping:
         memory.late = np.where(valid, late, memory.late)
         memory.wait = np.where(valid, np.where(turns, begun, wait), memory.wait)
         memory.waited = np.where(valid, np.where(turns, begun, waited), memory.waited)
-        kept = stays if wanted.ndim == 1 else stays[:, None]
-        return np.where(kept, in_direction(memory.cone_angle, wanted), wanted)
+        return np.where(spread(stays, wanted), in_direction(memory.cone_angle, wanted), wanted)
 
     def left_alone(self, memory: Memory, sails: NDArray[np.bool_]) -> None:
         """Who flies a plan is not late, does not wait, and has nothing at stake: of (n,) sails."""
+        if not sails.any():
+            return
         for name in ("stake", "regret", "late", "wait", "waited"):
             setattr(memory, name, np.where(sails, 0.0, getattr(memory, name)))
 

@@ -18,13 +18,12 @@ from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import describe
 from sailnet.guidance.homing import CORRECTED, FLOWN, NO_PLAN, READY, STEPS
 from sailnet.guidance.memory import ARCS
-from sailnet.guidance.plans import Sails
 from sailnet.guidance.rules import rules_for
 from sailnet.guidance.tilts import tilt_of
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_in_space import load_networks_of
 from sailnet.physics.arrays import Array
-from sailnet.physics.geometry import target_of
+from tests.guidance.before_the_target import before_the_target
 from tests.lockstep import Lockstep
 
 COUNT, PERIOD = 60, 0.005
@@ -62,12 +61,7 @@ def plans_that_arrive(
         tilts = cone * rng.choice([-1.0, 1.0], cone.shape)
     times = step * rng.uniform(0.2, 3.0, (COUNT, ARCS)) * rng.choice([briefest, 1.0], (COUNT, 1))
     times *= np.arange(ARCS) < rng.integers(5, 9, (COUNT, 1))
-    states = np.tile(target_of(mission.problem, mission.components), (COUNT, 1))
-    beta, none = np.full(COUNT, mission.sail.beta), np.zeros(COUNT)
-    sails = Sails(beta, none, mission.sail.optics.force)
-    for k in reversed(range(ARCS)):
-        states = sails.after(states, tilts[:, k], -times[:, k], 8)
-    return states, tilts, times
+    return before_the_target(mission, tilts, times, 8), tilts, times
 
 
 def steered_by_plans(guidance: CGuidance) -> None:

@@ -10,35 +10,24 @@ from sailnet.flight.closed_loop import fly
 from sailnet.guidance import homing
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.memory import ARCS
-from sailnet.guidance.plans import LEAST_ARC, LEAST_TILT, Corrected, Correction, Sails
+from sailnet.guidance.plans import LEAST_ARC, LEAST_TILT, Corrected, Correction
 from sailnet.guidance.rules import rules_for
 from sailnet.guidance.with_rules import WithRules
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
+from tests.guidance.before_the_target import before_the_target, sails_of
 
 MISSION = load_mission("earth_venus_3d")
 PLANAR = load_mission("earth_venus")
-PHI_MAX, BETA = MISSION.problem.phi_max, MISSION.sail.beta
+PHI_MAX = MISSION.problem.phi_max
 HOMES = replace(rules_for(MISSION), homing=0.35)
 HORIZON = HOMES.homing_horizon(MISSION.transfer.target_radius)
 STEP = HORIZON / homing.STEPS
 MIRROR, NORTH = np.array([1.0, -1.0, 1.0, 1.0, -1.0]), np.array([1.0, -1.0])
 
 
-def sails(count: int) -> Sails:
-    return Sails(np.full(count, BETA), np.zeros(count), MISSION.sail.optics.force)
-
-
 def correction(mission: Mission = MISSION) -> Correction:
     return Correction(mission, HORIZON, STEP)
-
-
-def before_the_target(tilts: Array, times: Array) -> Array:
-    """(n, 5) from where (n, k, 2) tilts and (n, k) times lead to the target, by fine steps back."""
-    states = np.tile(correction().target, (len(tilts), 1))
-    for k in reversed(range(ARCS)):
-        states = sails(len(tilts)).after(states, tilts[:, k], -times[:, k], 20)
-    return states
 
 
 def plans(count: int, seed: int) -> tuple[Array, Array]:
@@ -52,7 +41,7 @@ def plans(count: int, seed: int) -> tuple[Array, Array]:
 def corrected(states: Array, tilts: Array, times: Array, rounds: int) -> list[Corrected]:
     steps = []
     for _ in range(rounds):
-        steps.append(correction().of(states, tilts, times, sails(len(states))))
+        steps.append(correction().of(states, tilts, times, sails_of(MISSION, len(states))))
         tilts, times = steps[-1].tilts, steps[-1].times
     return steps
 
@@ -60,7 +49,7 @@ def corrected(states: Array, tilts: Array, times: Array, rounds: int) -> list[Co
 def test_a_plan_beside_one_that_arrives_is_corrected_until_it_arrives() -> None:
     rng = np.random.default_rng(5)
     tilts, times = plans(16, 6)
-    states = before_the_target(tilts, times)
+    states = before_the_target(MISSION, tilts, times, 20)
     tilts = tilts + rng.uniform(-0.05, 0.05, tilts.shape)
     steps = corrected(states, tilts, times * rng.uniform(0.9, 1.1, times.shape), 12)
     assert (steps[0].missed > 1.0).sum() > 8
@@ -70,14 +59,14 @@ def test_a_plan_beside_one_that_arrives_is_corrected_until_it_arrives() -> None:
         assert (step.times >= LEAST_ARC).all()
     ends = states
     for k in range(ARCS):
-        ends = sails(16).after(ends, steps[-1].tilts[:, k], steps[-1].times[:, k], 20)
+        ends = sails_of(MISSION, 16).after(ends, steps[-1].tilts[:, k], steps[-1].times[:, k], 20)
     off = abs((ends - correction().target) * correction().lengths)
     assert off.max() < 0.1 * MISSION.flight.arrival_tolerance
 
 
 def test_a_mirror_mirrors_how_plans_are_corrected() -> None:
     tilts, times = plans(8, 7)
-    states = before_the_target(tilts, times) + np.array([1e-3, 2e-3, 0.0, -1e-3, 2e-3])
+    states = before_the_target(MISSION, tilts, times, 20) + np.array([1e-3, 2e-3, 0.0, -1e-3, 2e-3])
     north = corrected(states, tilts, times, 6)
     south = corrected(states * MIRROR, tilts * NORTH, times, 6)
     for one, other in zip(north, south, strict=True):
@@ -90,9 +79,9 @@ def test_a_mirror_mirrors_how_plans_are_corrected() -> None:
 def test_in_the_plane_a_plan_is_corrected_as_there() -> None:
     angles, times = np.repeat([[0.5, -0.4]], ARCS // 2, axis=1), np.full((1, ARCS), 2.0 * STEP)
     tilts = np.stack([angles, 0.0 * angles], axis=-1)
-    states = before_the_target(tilts, times) + np.array([3e-3, 0.0, -2e-3, 4e-3, 0.0])
-    one = correction().of(states, tilts, times, sails(1))
-    other = correction(PLANAR).of(states[:, [0, 2, 3]], angles, times, sails(1))
+    states = before_the_target(MISSION, tilts, times, 20) + np.array([3e-3, 0.0, -2e-3, 4e-3, 0.0])
+    one = correction().of(states, tilts, times, sails_of(MISSION, 1))
+    other = correction(PLANAR).of(states[:, [0, 2, 3]], angles, times, sails_of(MISSION, 1))
     np.testing.assert_allclose(one.tilts[..., 0], other.tilts, rtol=0, atol=1e-3)
     np.testing.assert_allclose(one.times, other.times, rtol=0, atol=0.01 * STEP)
     assert abs(one.tilts[..., 1]).max() < 1e-3
@@ -105,7 +94,7 @@ def test_a_tilt_at_the_bound_still_turns_about_the_sun_line() -> None:
     """Where the target asks for another latitude, the clock angle changes though the cone angle cannot."""
     tilts, times = plans(8, 8)
     tilts *= PHI_MAX / np.hypot(tilts[..., 0], tilts[..., 1])[..., None]
-    states = before_the_target(tilts, times) + np.array([0.0, 2e-3, 0.0, 0.0, 2e-3])
+    states = before_the_target(MISSION, tilts, times, 20) + np.array([0.0, 2e-3, 0.0, 0.0, 2e-3])
     now = corrected(states, tilts, times, 15)[-1]
     clock = np.arctan2(now.tilts[..., 1], now.tilts[..., 0]) - np.arctan2(tilts[..., 1], tilts[..., 0])
     at_bound = np.hypot(now.tilts[..., 0], now.tilts[..., 1]) > PHI_MAX - 1e-9
@@ -117,7 +106,7 @@ def test_a_tilt_at_the_bound_still_turns_about_the_sun_line() -> None:
 def test_a_sail_that_faces_the_sun_has_no_direction_of_its_own() -> None:
     tilts, times = plans(4, 9)
     tilts[0], tilts[1], tilts[2, 0] = 0.0, 0.5 * LEAST_TILT, [0.0, -0.5 * LEAST_TILT]
-    states = before_the_target(tilts, times) + np.array([0.0, 1e-3, 0.0, 2e-3, 1e-3])
+    states = before_the_target(MISSION, tilts, times, 20) + np.array([0.0, 1e-3, 0.0, 2e-3, 1e-3])
     steps = corrected(states, tilts, times, 8)
     assert all(np.isfinite(step.tilts).all() for step in steps)
     assert (steps[0].missed > 1.0).all()
