@@ -25,6 +25,8 @@ class Mutant:
     """Where these are not empty, only such builds are concerned."""
     ages: bool = False
     """The guard is in files of sails that are known to age alone."""
+    homes: bool = False
+    """The guard is in files alone that fly the model ahead."""
     form: str = ""
     """``plane`` or ``space`` where the guard stands in such files alone."""
 
@@ -197,6 +199,25 @@ MUTANTS = (
         "sailnet_limited(&input[i], SAILNET_OF_INPUTS + i) - numbers[0]",
         "input[i] - numbers[0]",
         layout="flight",
+    ),
+    Mutant(
+        "an arc that no plan has",
+        "    if (memory->arc >= (uint32_t)SAILNET_ARCS) {\n        memory->arc = 0u;\n    }\n",
+        "",
+        homes=True,
+    ),
+    Mutant(
+        "times of a plan trusted",
+        "sailnet_clamped(memory->arc_time[k], R(0.0), SAILNET_HOMING_HORIZON);",
+        "memory->arc_time[k];",
+        homes=True,
+    ),
+    Mutant(
+        "a plan's cone angle unbounded",
+        "sailnet_size(sailnet_limited(&size, SAILNET_OF_CONE_ANGLE))",
+        "sailnet_size(size)",
+        form="space",
+        homes=True,
     ),
     Mutant("one weight too many read", "= &from[inputs];", "= &from[inputs + 1];", layout="flight"),
     Mutant(
