@@ -54,7 +54,7 @@ def limited(tilt: Array, bound: Array | float) -> Array:
     if tilt.ndim == 1:
         return np.clip(tilt, -bound, bound)
     size = size_of(tilt)
-    return tilt * np.where(size > bound, bound / np.where(size > 0.0, size, 1.0), 1.0)[:, None]
+    return tilt * np.where(size > bound, bound / np.where(size > bound, size, 1.0), 1.0)[:, None]
 
 
 def along(tilt: Array, other: Array) -> Array:
