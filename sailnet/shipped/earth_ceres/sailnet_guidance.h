@@ -137,6 +137,23 @@ typedef float sailnet_real;
 #define SAILNET_LARGEST_WAIT SAILNET_REAL(1.5)
 #define SAILNET_LATE_SHARE SAILNET_REAL(0.1)
 
+/* Homing: from a predicted time to go of the first [TU] on the model is flown ahead, in steps of the second
+   [TU], as a plan of so many arcs of constant tilt, none longer than the fourth [TU] at first.
+   A tilt is the cone angle. */
+#define SAILNET_HOMING_HORIZON SAILNET_REAL(5.793346676003546)
+#define SAILNET_HOMING_STEP SAILNET_REAL(0.14483366690008864)
+#define SAILNET_ARCS 8
+#define SAILNET_LONGEST_ARC SAILNET_REAL(0.9655577793339244)
+#define SAILNET_WAYS 1
+
+/* In a correction of the plan the first of a tilt [rad] weighs as much as one of these steps of a time.
+   An arc stays as long as the second at least [TU], is flown in so many steps, and what comes of a change is
+   seen by one as small as the last. */
+#define SAILNET_ANGLE_WEIGHT SAILNET_REAL(0.1)
+#define SAILNET_LEAST_ARC SAILNET_REAL(1e-06)
+#define SAILNET_SUBSTEPS 2
+#define SAILNET_SMALL SAILNET_REAL(0.0009765625)
+
 /* Without a valid state the sail is steered for so long [TU], some 29 days, by where it must be. */
 #define SAILNET_LONGEST_RECKONING SAILNET_REAL(0.5)
 
@@ -189,6 +206,16 @@ typedef struct {
 #if SAILNET_AGES
     sailnet_real worn; /* share of SAILNET_DEGRADATION_LOSS that is lost */
 #endif
+    sailnet_real arc_tilt[SAILNET_ARCS][SAILNET_WAYS]; /* of the plan [rad], */
+    sailnet_real arc_time[SAILNET_ARCS];               /* and for how long [TU] */
+    sailnet_state ahead;         /* where the networks are flown ahead to */
+    sailnet_real looked;         /* for how long that has taken so far [TU] */
+    sailnet_real promised;       /* predicted time of flight as it began [TU] */
+    sailnet_real nearest;        /* what came of it that was nearest the target, */
+    sailnet_real nearest_time;   /* and when [TU] */
+    uint32_t homing;             /* what the plan is good for: 0 there is none, 4 it is flown */
+    uint32_t arc;                /* in which the networks are flown ahead */
+    uint32_t corrections;        /* of the plan, so far */
     uint32_t periods;            /* states steered by so far */
 } sailnet_memory;
 

@@ -1309,6 +1309,585 @@ SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change
     }
 }
 
+/*
+ * Plans of homing: a few arcs of constant tilt from the Sun line, and one step of Newton's method towards one that ends
+ * at the target.
+ * A tilt is the cone angle.
+ */
+
+/* What is corrected: the tilts of all arcs in each of the ways, and then their times. */
+#define SAILNET_TILTS (SAILNET_WAYS * SAILNET_ARCS)
+#define SAILNET_CORRECTIONS (SAILNET_TILTS + SAILNET_ARCS)
+
+/* States as numbers, in order; on the target; and what turns deviations from there into lengths and speeds. */
+#define SAILNET_COMPONENTS 3
+static const sailnet_real sailnet_home[SAILNET_COMPONENTS] = {SAILNET_TARGET_R, SAILNET_TARGET_U, SAILNET_TARGET_V};
+static const sailnet_real sailnet_lengths[SAILNET_COMPONENTS] = {R(1.0), R(1.0), R(1.0)};
+
+SAILNET_INLINE void sailnet_to_numbers(const sailnet_state *state, sailnet_real numbers[SAILNET_COMPONENTS])
+{
+    numbers[0] = state->r;
+    numbers[1] = state->u;
+    numbers[2] = state->v;
+}
+
+SAILNET_INLINE void sailnet_of_numbers(const sailnet_real numbers[SAILNET_COMPONENTS], sailnet_state *state)
+{
+    state->r = numbers[0];
+    state->u = numbers[1];
+    state->v = numbers[2];
+}
+
+/* A state after so long [TU] under a tilt, in so many steps. */
+SAILNET_PART void sailnet_arc(const sailnet_memory *memory, const sailnet_real from[SAILNET_COMPONENTS],
+                              const sailnet_real tilt[SAILNET_WAYS], sailnet_real time, int32_t steps,
+                              sailnet_real to[SAILNET_COMPONENTS])
+{
+    sailnet_memory sail;
+    sailnet_of_numbers(from, &sail.state);
+    sail.attitude = tilt[0];
+    sail.held = time / (sailnet_real)steps;
+    sail.beta = memory->beta;
+    sail.tangential = memory->tangential;
+    for (int32_t i = 0; i < steps; i++) {
+        sailnet_change change;
+        sailnet_predict(&sail, &change);
+        sail.state.r += change.by.r;
+        sail.state.u += change.by.u;
+        sail.state.v += change.by.v;
+    }
+    sailnet_to_numbers(&sail.state, to);
+}
+
+/* In which way the tilt of an arc is corrected, and how far it goes there: in the plane there is one. */
+SAILNET_PART void sailnet_ways(const sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
+                               sailnet_real size[SAILNET_WAYS])
+{
+    way[0][0] = R(1.0);
+    size[0] = tilt[0];
+}
+
+/*
+ * How the plan ends, in arrival tolerances off the target: returned is what of it changes by each correction. All
+ * differences are of small steps.
+ */
+SAILNET_PART void sailnet_ends_off(const sailnet_memory *memory, const sailnet_state *known,
+                                   sailnet_real missed[SAILNET_COMPONENTS],
+                                   sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
+{
+    sailnet_real changes[SAILNET_ARCS][SAILNET_COMPONENTS][SAILNET_COMPONENTS];
+    sailnet_real onward[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
+    sailnet_real state[SAILNET_COMPONENTS];
+    sailnet_real end[SAILNET_COMPONENTS];
+    sailnet_real other[SAILNET_COMPONENTS];
+    sailnet_to_numbers(known, state);
+    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
+        const sailnet_real *const tilt = memory->arc_tilt[k];
+        const sailnet_real time = memory->arc_time[k];
+        sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, end);
+        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
+            const sailnet_real kept = state[i];
+            state[i] = kept + SAILNET_SMALL;
+            sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, other);
+            state[i] = kept;
+            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+                changes[k][j][i] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
+            }
+        }
+        sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
+        sailnet_real size[SAILNET_WAYS];
+        sailnet_ways(tilt, way, size);
+        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
+            sailnet_real beside[SAILNET_WAYS];
+            for (int32_t l = 0; l < SAILNET_WAYS; l++) {
+                beside[l] = tilt[l] + SAILNET_SMALL * way[i][l];
+            }
+            sailnet_arc(memory, state, beside, time, SAILNET_SUBSTEPS, other);
+            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+                by[j][i * SAILNET_ARCS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
+            }
+        }
+        sailnet_arc(memory, end, tilt, SAILNET_SMALL, 1, other);
+        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+            by[j][SAILNET_TILTS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
+            state[j] = end[j];
+        }
+    }
+    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+        missed[j] = (state[j] - sailnet_home[j]) * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
+        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
+            onward[j][i] = i == j ? R(1.0) : R(0.0);
+        }
+    }
+    for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
+        for (int32_t i = k; i < SAILNET_CORRECTIONS; i += SAILNET_ARCS) {
+            sailnet_real own[SAILNET_COMPONENTS];
+            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+                own[j] = by[j][i];
+            }
+            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+                sailnet_real sum = R(0.0);
+                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
+                    sum += onward[j][l] * own[l];
+                }
+                by[j][i] = sum * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
+            }
+        }
+        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+            sailnet_real row[SAILNET_COMPONENTS];
+            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
+                row[i] = R(0.0);
+                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
+                    row[i] += onward[j][l] * changes[k][l][i];
+                }
+            }
+            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
+                onward[j][i] = row[i];
+            }
+        }
+    }
+}
+
+/* The largest of several sizes; a NaN if one is. */
+SAILNET_INLINE sailnet_real sailnet_largest(const sailnet_real of[SAILNET_COMPONENTS])
+{
+    sailnet_real largest = R(0.0);
+    for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
+        const sailnet_real size = of[i] < R(0.0) ? -of[i] : of[i];
+        largest = ((size > largest) || (size != size)) ? size : largest;
+    }
+    return largest;
+}
+
+/* The solution of equations that are symmetric and positive: L D L^T by Cholesky, in place; of them the lower half counts. */
+SAILNET_PART void sailnet_solved(sailnet_real of[SAILNET_COMPONENTS][SAILNET_COMPONENTS],
+                                 sailnet_real right[SAILNET_COMPONENTS])
+{
+    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+        const sailnet_real per = R(1.0) / of[j][j];
+        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
+            const sailnet_real share = of[i][j] * per;
+            for (int32_t l = i; l < SAILNET_COMPONENTS; l++) {
+                of[l][i] -= share * of[l][j];
+            }
+            right[i] -= share * right[j];
+        }
+        right[j] *= per;
+        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
+            of[i][j] *= per;
+        }
+    }
+    for (int32_t j = SAILNET_COMPONENTS - 1; j > 0; j--) {
+        for (int32_t i = 0; i < j; i++) {
+            right[i] -= of[j][i] * right[j];
+        }
+    }
+}
+
+/* What a step leaves of what was missed. */
+SAILNET_PART void sailnet_leaves(const sailnet_real missed[SAILNET_COMPONENTS],
+                                 sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS],
+                                 const sailnet_real step[SAILNET_CORRECTIONS], sailnet_real left[SAILNET_COMPONENTS])
+{
+    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+        left[j] = missed[j];
+        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
+            left[j] += by[j][i] * step[i];
+        }
+    }
+}
+
+/* What is corrected, within its bounds. */
+SAILNET_INLINE sailnet_real sailnet_bounded(sailnet_real value, int32_t of)
+{
+    sailnet_real bounded = sailnet_clamped(value, -SAILNET_PHI_MAX, SAILNET_PHI_MAX);
+    if (of >= SAILNET_TILTS) {
+        bounded = sailnet_clamped(value, SAILNET_LEAST_ARC, SAILNET_HOMING_HORIZON);
+    }
+    return bounded;
+}
+
+/* The tilt of an arc that goes so far in each of its ways, within the bound. */
+SAILNET_PART void sailnet_tilted(sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
+                                 const sailnet_real size[SAILNET_WAYS])
+{
+    tilt[0] = size[0] * way[0][0];
+}
+
+/*
+ * One step of Newton's method, of least size where angles weigh as much as times; returned is what it leaves of what was
+ * missed. What comes to a bound stays there. A plan that arrives is made shorter in all of its times, as far as the rest
+ * can make up for that.
+ */
+SAILNET_PART sailnet_real sailnet_improve(sailnet_memory *memory, const sailnet_real missed[SAILNET_COMPONENTS],
+                                          sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
+{
+    sailnet_real value[SAILNET_CORRECTIONS];
+    sailnet_real unit[SAILNET_CORRECTIONS];
+    sailnet_real weight[SAILNET_CORRECTIONS];
+    sailnet_real step[SAILNET_CORRECTIONS];
+    sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
+    sailnet_real size[SAILNET_WAYS];
+    const sailnet_real worst = sailnet_largest(missed);
+    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
+        const int32_t later = SAILNET_TILTS + k;
+        const sailnet_real there = memory->arc_time[k] > R(0.0) ? R(1.0) : R(0.0);
+        sailnet_ways(memory->arc_tilt[k], way, size);
+        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
+            const int32_t tilt = i * SAILNET_ARCS + k;
+            value[tilt] = size[i];
+            unit[tilt] = SAILNET_ANGLE_WEIGHT;
+            weight[tilt] = there * SAILNET_ANGLE_WEIGHT * SAILNET_ANGLE_WEIGHT;
+            step[tilt] = R(0.0);
+        }
+        value[later] = memory->arc_time[k];
+        unit[later] = SAILNET_HOMING_STEP;
+        weight[later] = there * SAILNET_HOMING_STEP * SAILNET_HOMING_STEP;
+        step[later] = R(0.0);
+        if ((there > R(0.0)) && (worst < R(0.3))) {
+            step[later] = sailnet_bounded(value[later] - R(0.05) * SAILNET_HOMING_STEP, later) - value[later];
+        }
+    }
+    sailnet_real left[SAILNET_COMPONENTS];
+    for (int32_t round = 0; round < 3; round++) {
+        sailnet_real square[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
+        sailnet_real trace = R(0.0);
+        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+            for (int32_t l = 0; l <= j; l++) {
+                square[j][l] = R(0.0);
+                for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
+                    square[j][l] += by[j][i] * weight[i] * by[l][i];
+                }
+            }
+            trace += square[j][j];
+        }
+        sailnet_leaves(missed, by, step, left);
+        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+            square[j][j] += R(0.02) + R(1.52587890625e-05) * trace;
+        }
+        sailnet_solved(square, left);
+        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
+            if (weight[i] > R(0.0)) {
+                sailnet_real wanted = R(0.0);
+                for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+                    wanted -= by[j][i] * left[j];
+                }
+                wanted *= weight[i];
+                const sailnet_real taken = sailnet_clamped(wanted, -unit[i], unit[i]);
+                const sailnet_real free = value[i] + step[i] + taken;
+                const sailnet_real bounded = sailnet_bounded(free, i);
+                step[i] = bounded - value[i];
+                if ((bounded < free) || (bounded > free) || (taken < wanted) || (taken > wanted)) {
+                    weight[i] = R(0.0);
+                }
+            }
+        }
+    }
+    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
+        if (memory->arc_time[k] > R(0.0)) {
+            const int32_t later = SAILNET_TILTS + k;
+            /* For what rounding adds. */
+            memory->arc_time[k] = sailnet_bounded(value[later] + step[later], later);
+            sailnet_ways(memory->arc_tilt[k], way, size);
+            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
+                const int32_t tilt = i * SAILNET_ARCS + k;
+                size[i] = sailnet_bounded(value[tilt] + step[tilt], tilt);
+            }
+            sailnet_tilted(memory->arc_tilt[k], way, size);
+        }
+    }
+    sailnet_leaves(missed, by, step, left);
+    return sailnet_largest(left);
+}
+
+/*
+ * The plan corrected: by how much it missed before that [arrival tolerances], and what is left of it. One that would miss
+ * by too much for that to be told, or by what is no number, stays.
+ */
+SAILNET_PART sailnet_real sailnet_correct(sailnet_memory *memory, const sailnet_state *known, sailnet_real *left)
+{
+    sailnet_real missed[SAILNET_COMPONENTS];
+    sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS];
+    sailnet_ends_off(memory, known, missed, by);
+    sailnet_real worst = sailnet_largest(missed);
+    sailnet_real steepest = worst;
+    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
+        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
+            const sailnet_real steep = by[j][i] < R(0.0) ? -by[j][i] : by[j][i];
+            steepest = ((steep > steepest) || (steep != steep)) ? steep : steepest;
+        }
+    }
+    if (steepest <= R(1000000.0)) {
+        *left = sailnet_improve(memory, missed, by);
+    } else {
+        *left = R(1000000.0);
+        worst = R(1000000.0);
+    }
+    return worst;
+}
+
+/*
+ * Homing: the model flown ahead, so that what the networks would miss is not missed. A plan is a few arcs of constant
+ * tilt, first as the networks would fly, then corrected each period by a step of Newton's method until it ends at
+ * the target. While it does the networks steer; where it soon could no longer, or is sooner there, it is flown.
+ */
+#define SAILNET_NO_PLAN 0u
+#define SAILNET_LOOKING 1u   /* the networks are flown ahead */
+#define SAILNET_CORRECTED 2u /* it does not end at the target yet */
+#define SAILNET_READY 3u     /* it does */
+#define SAILNET_FLOWN 4u
+
+/* How long the plan takes [TU]. */
+SAILNET_PART sailnet_real sailnet_planned(const sailnet_memory *memory)
+{
+    sailnet_real time = R(0.0);
+    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
+        time += memory->arc_time[k];
+    }
+    return time;
+}
+
+/* So much of the plan is over [TU]. Arcs that are few are halved: there is the more to correct. */
+SAILNET_PART void sailnet_pass(sailnet_memory *memory, sailnet_real time)
+{
+    sailnet_real rest = time;
+    for (int32_t arc = 0; arc < SAILNET_ARCS; arc++) {
+        const sailnet_real first = memory->arc_time[0];
+        const sailnet_real over = first < rest ? first : rest;
+        rest -= over;
+        memory->arc_time[0] = first - over;
+        if (memory->arc_time[0] <= R(0.0)) {
+            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
+                const sailnet_real tilt = memory->arc_tilt[0][i];
+                for (int32_t k = 1; k < SAILNET_ARCS; k++) {
+                    memory->arc_tilt[k - 1][i] = memory->arc_tilt[k][i];
+                }
+                memory->arc_tilt[SAILNET_ARCS - 1][i] = tilt;
+            }
+            for (int32_t k = 1; k < SAILNET_ARCS; k++) {
+                memory->arc_time[k - 1] = memory->arc_time[k];
+            }
+            memory->arc_time[SAILNET_ARCS - 1] = R(0.0);
+        }
+    }
+    sailnet_real far = R(0.0);
+    for (int32_t k = SAILNET_ARCS / 2; k < SAILNET_ARCS; k++) {
+        far += memory->arc_time[k];
+    }
+    if (far <= R(0.0)) {
+        for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
+            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
+                memory->arc_tilt[k][i] = memory->arc_tilt[k / 2][i];
+            }
+            memory->arc_time[k] = R(0.5) * memory->arc_time[k / 2];
+        }
+    }
+    if (sailnet_planned(memory) <= R(0.0)) {
+        memory->homing = SAILNET_NO_PLAN;
+    }
+}
+
+/* The plan ends where it came nearest the target, and what was flown meanwhile is over. */
+SAILNET_PART void sailnet_end_nearest(sailnet_memory *memory)
+{
+    sailnet_real left = memory->nearest_time;
+    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
+        const sailnet_real time = memory->arc_time[k];
+        memory->arc_time[k] = sailnet_clamped(left, R(0.0), time);
+        left -= time;
+    }
+    memory->homing = SAILNET_CORRECTED;
+    sailnet_pass(memory, memory->looked);
+}
+
+/* The tilt of a command. */
+SAILNET_INLINE void sailnet_tilt_of(const sailnet_command *command, sailnet_real tilt[SAILNET_WAYS])
+{
+    tilt[0] = command->cone_angle;
+}
+
+/* The command of a tilt. */
+SAILNET_INLINE void sailnet_command_of(const sailnet_real tilt[SAILNET_WAYS], sailnet_command *command)
+{
+    command->cone_angle = tilt[0];
+}
+
+/* Fly the networks one step ahead, and remember it in the arc they are in: another where they turn over. */
+SAILNET_PART void sailnet_look(sailnet_memory *memory, sailnet_real plan)
+{
+    sailnet_command command;
+    const sailnet_state state = memory->ahead;
+    const uint32_t seen = sailnet_law(&state, plan, &command);
+    const sailnet_real promised = command.time_of_flight;
+    const sailnet_real time = sailnet_clamped(promised, SAILNET_LEAST_ARC, SAILNET_HOMING_STEP);
+    const sailnet_real elapsed = sailnet_planned(memory);
+    uint32_t arc = memory->arc;
+    sailnet_real before = memory->arc_time[arc];
+    sailnet_real tilt[SAILNET_WAYS];
+    sailnet_tilt_of(&command, tilt);
+    sailnet_real alike = R(0.0);
+    for (int32_t i = 0; i < SAILNET_WAYS; i++) {
+        alike += memory->arc_tilt[arc][i] * tilt[i];
+    }
+    if ((before > R(0.0)) && ((alike < R(0.0)) || (before >= SAILNET_LONGEST_ARC))) {
+        arc++;
+        before = R(0.0);
+    }
+    int32_t ends = 0;
+    if (promised <= SAILNET_HOMING_STEP) {
+        ends = 1;
+    }
+    if ((arc < (uint32_t)SAILNET_ARCS) && ((seen & ~SAILNET_THERE) < (uint32_t)SAILNET_OUTSIDE_DOMAIN) &&
+        (elapsed <= R(1.6) * memory->promised)) {
+        sailnet_real numbers[SAILNET_COMPONENTS];
+        const sailnet_real whole = before + time;
+        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
+            const sailnet_real mean = before > R(0.0) ? memory->arc_tilt[arc][i] : R(0.0);
+            memory->arc_tilt[arc][i] = (mean * before + tilt[i] * time) / whole;
+        }
+        memory->arc_time[arc] = whole;
+        memory->arc = arc;
+        sailnet_to_numbers(&state, numbers);
+        sailnet_arc(memory, numbers, tilt, time, 1, numbers);
+        sailnet_of_numbers(numbers, &memory->ahead);
+        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
+            numbers[i] = (numbers[i] - sailnet_home[i]) * sailnet_lengths[i];
+        }
+        const sailnet_real off = sailnet_largest(numbers);
+        if (off < memory->nearest) {
+            memory->nearest = off;
+            memory->nearest_time = elapsed + time;
+        }
+    } else {
+        ends = 1;
+    }
+    if (ends != 0) {
+        sailnet_end_nearest(memory);
+    }
+}
+
+/*
+ * What becomes of a plan that is corrected. `fair` is the time to go without the reserve that the networks keep, which
+ * costs time about in proportion.
+ */
+SAILNET_PART void sailnet_judge(sailnet_memory *memory, const sailnet_state *known, sailnet_real promised,
+                                sailnet_real fair)
+{
+    sailnet_real left;
+    const sailnet_real missed = sailnet_correct(memory, known, &left);
+    const sailnet_real time = sailnet_planned(memory);
+    int32_t soon = 0;
+    int32_t given_up = 0;
+    if (time <= R(1.6) * promised + R(2.0) * SAILNET_HOMING_STEP) {
+        soon = 1;
+    }
+    if (memory->corrections <= 15u) {
+        memory->corrections++;
+    }
+    if ((memory->homing == SAILNET_CORRECTED) && (missed < R(0.3)) && (soon != 0)) {
+        memory->homing = SAILNET_READY;
+    }
+    if ((memory->homing == SAILNET_READY) && (soon != 0) && (time > R(0.6) * SAILNET_HOMING_STEP) &&
+        ((left > R(0.5)) || (time < fair - R(0.3) * SAILNET_HOMING_STEP))) {
+        memory->homing = SAILNET_FLOWN;
+    }
+    if (memory->homing == SAILNET_CORRECTED) {
+        if (memory->corrections > 15u) {
+            given_up = 1;
+        }
+    } else if (memory->homing == SAILNET_READY) {
+        given_up = 1 - soon;
+    } else if (left > R(1.0)) {
+        given_up = 1;
+    } else {
+        /* It is flown. */
+    }
+    if (given_up != 0) {
+        memory->homing = SAILNET_NO_PLAN;
+    }
+}
+
+/* The memory may have held any bits. */
+SAILNET_PART void sailnet_limit_plan(sailnet_memory *memory)
+{
+    if (memory->homing > SAILNET_FLOWN) {
+        memory->homing = SAILNET_NO_PLAN;
+    }
+    if (memory->arc >= (uint32_t)SAILNET_ARCS) {
+        memory->arc = 0u;
+    }
+    if (memory->corrections > 15u) {
+        memory->corrections = 15u + 1u;
+    }
+    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
+        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
+            memory->arc_tilt[k][i] = sailnet_limited(&memory->arc_tilt[k][i], SAILNET_OF_CONE_ANGLE);
+        }
+        memory->arc_time[k] = sailnet_clamped(memory->arc_time[k], R(0.0), SAILNET_HOMING_HORIZON);
+    }
+    memory->looked = sailnet_clamped(memory->looked, R(0.0), SAILNET_HOMING_HORIZON);
+    memory->nearest_time = sailnet_clamped(memory->nearest_time, R(0.0), R(2.0) * SAILNET_HOMING_HORIZON);
+}
+
+/*
+ * Whether the plan is flown: then it is the command, and nobody is late, or waits. `plan` is the beta that the networks
+ * read.
+ */
+SAILNET_PART int32_t sailnet_homes(sailnet_memory *memory, const sailnet_state *known, sailnet_real plan,
+                                   sailnet_command *command)
+{
+    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
+    const sailnet_real promised = command->time_of_flight;
+    sailnet_limit_plan(memory);
+    if (memory->homing >= SAILNET_CORRECTED) {
+        sailnet_pass(memory, held);
+    } else if (memory->homing == SAILNET_LOOKING) {
+        memory->looked += held;
+    } else {
+        /* There is none. */
+    }
+    if ((memory->homing == SAILNET_NO_PLAN) && (promised <= SAILNET_HOMING_HORIZON) && (promised > SAILNET_HOMING_STEP)) {
+        for (int32_t k = 0; k < SAILNET_ARCS; k++) {
+            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
+                memory->arc_tilt[k][i] = R(0.0);
+            }
+            memory->arc_time[k] = R(0.0);
+        }
+        memory->homing = SAILNET_LOOKING;
+        memory->ahead = *known;
+        memory->promised = promised;
+        memory->nearest = R(1000000000.0);
+        memory->nearest_time = R(0.0);
+        memory->looked = R(0.0);
+        memory->arc = 0u;
+        memory->corrections = 0u;
+    }
+    for (int32_t i = 0; i < 2; i++) {
+        if (memory->homing == SAILNET_LOOKING) {
+            sailnet_look(memory, plan);
+        }
+    }
+    if ((memory->homing >= SAILNET_CORRECTED) &&
+        ((memory->homing != SAILNET_READY) || ((memory->periods % 2u) == 0u))) {
+        sailnet_judge(memory, known, promised, promised * plan / memory->beta);
+    }
+    int32_t flown = 0;
+    if (memory->homing == SAILNET_FLOWN) {
+        flown = 1;
+        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
+            memory->arc_tilt[0][i] = sailnet_limited(&memory->arc_tilt[0][i], SAILNET_OF_CONE_ANGLE);
+        }
+        sailnet_command_of(memory->arc_tilt[0], command);
+        command->time_of_flight = sailnet_planned(memory);
+        memory->stake = R(0.0);
+        memory->regret = R(0.0);
+        memory->late = R(0.0);
+        memory->wait = R(0.0);
+        memory->waited = R(0.0);
+    }
+    return flown;
+}
+
 /* How the flight goes on with a command: the status, and how long to hold it at most. */
 SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_t seen, sailnet_real plan,
                                            const sailnet_command *command, sailnet_real *hold)
@@ -1437,14 +2016,20 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
     }
 #endif
     const sailnet_real plan = memory->beta * share * (R(1.0) - sailnet_reserve(memory, hold));
-    const uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
+    uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
     command->beta = memory->beta;
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (known == NULL) {
         /* What was learnt stays, but the next state is not what came of the last command. */
         memory->held = R(0.0);
+        memory->homing = SAILNET_NO_PLAN;
     } else {
-        sailnet_keep_side(memory, &change, command);
+        if (sailnet_homes(memory, known, sailnet_limited(&plan, SAILNET_OF_BETA), command) != 0) {
+            /* Where the model knows the way it is not for the networks to say whether they know it. */
+            seen &= SAILNET_THERE;
+        } else {
+            sailnet_keep_side(memory, &change, command);
+        }
         status = sailnet_ends(memory, seen, plan, command, &hold);
         if (memory->periods > 0u) {
             const sailnet_real left = memory->slewing - memory->held;
