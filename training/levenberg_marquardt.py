@@ -26,8 +26,8 @@ LOWER, RAISE = 0.1, 2.0
 short, and one training in three is not done when its epochs are."""
 
 LARGEST_BEND = 3.0
-"""Largest |a| / |v| of a trial: beyond, the second-order correction cannot be trusted. What the loss says of a
-trial decides first; 0.75, as the paper has it, holds steps short for most of a training."""
+"""Largest |a| / |v| of a trial: beyond, the second-order correction cannot be trusted. What the loss says of
+a trial decides first; 0.75, as the paper has it, holds steps short for most of a training."""
 
 FORGETTING = 0.99
 """D is the largest diagonal of J^T J seen, forgotten at this rate a step."""
