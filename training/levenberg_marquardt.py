@@ -23,7 +23,7 @@ from training.least_squares import LeastSquares
 
 LOWER, RAISE = 0.1, 2.0
 """Factors on the damping after an accepted and a rejected trial: lowered by less, it stays where steps are
-short, and one training in three is not done when its epochs are."""
+short, and some trainings are not done when their epochs are."""
 
 LARGEST_BEND = 3.0
 """Largest |a| / |v| of a trial: beyond, the second-order correction cannot be trusted. What the loss says of
