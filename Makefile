@@ -78,10 +78,13 @@ $(BUILD)/wide.h5 $(BUILD)/domain.h5 $(BUILD)/box.h5: $(BUILD)/%.h5: $(mission) $
 coverage: $(BUILD)/domain.h5
 	$(PYTHON) -m data.coverage $< --seed $(SEED)
 
-# --resume: a run that was killed goes on, and networks that it finished are kept; --overwrite: no others are.
+# Trains until a training passes the mission's development flights (`select`); the paper's own recipe, which has none,
+# is trained once. --resume: a run that was killed goes on, and networks that it finished are kept; --overwrite: no
+# others are. SEED_OF_TRAINING=11: the first seed, instead of the mission's.
 train: $(networks)/trained
-$(networks)/trained: $(learned) $(wildcard sailnet/networks/*.py training/*.py) | $(READY)
-	$(SAILNET) train $< $(networks) --resume --overwrite
+$(networks)/trained: $(learned) $(mission) $(wildcard sailnet/networks/*.py training/*.py) $(exporter) | $(READY)
+	$(SAILNET) $(if $(filter wide,$(RECIPE)),select,train) $< $(networks) --mission $(MISSION) \
+	    $(if $(filter wide,$(RECIPE)),--size $(SIZE)) $(addprefix --seed ,$(SEED_OF_TRAINING)) --resume --overwrite
 	@touch $@
 
 # The paper compares with guidance by two networks: it needs the one for the signed cone angle.

@@ -45,6 +45,11 @@ def parser() -> argparse.ArgumentParser:
         "sailnet evaluate --campaign law --networks OUT_DIR flies it",
     )
     made.add_argument(
+        "--flight-only",
+        action="store_true",
+        help="the C and its library in double precision, no ONNX: for flights by which networks are chosen",
+    )
+    made.add_argument(
         "--degradation",
         type=float,
         metavar="LOSS",
@@ -82,7 +87,7 @@ def _export(options: argparse.Namespace) -> list[Path]:
     if options.degradation is not None:
         mission = mission.with_degradation(options.degradation)
     rules = PLAIN if options.plain_law else rules_for(mission)
-    origin = made_of(options.networks, mission, options.baseline, options.plain_law)
+    origin = made_of(options.networks, mission, options.baseline, options.plain_law, options.flight_only)
     if options.resume and same(options.target, origin):
         print(f"{options.target} is there already, made by the same run", file=sys.stderr)
         return []
@@ -93,7 +98,14 @@ def _export(options: argparse.Namespace) -> list[Path]:
     for leftover in options.target.glob(f"{UNFINISHED}*"):  # of a run that was killed
         shutil.rmtree(leftover)
     (options.target / MADE_OF).unlink(missing_ok=True)
-    written = export(options.networks, options.target, mission, options.baseline, rules=rules)
+    written = export(
+        options.networks,
+        options.target,
+        mission,
+        options.baseline,
+        rules=rules,
+        flight_only=options.flight_only,
+    )
     with writing(options.target / MADE_OF, ExportError):
         write_text(options.target / MADE_OF, origin)
     return written

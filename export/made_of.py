@@ -14,7 +14,9 @@ MADE_OF = ".made-of.json"
 """Beside the export; it is written last, and goes before another one is made."""
 
 
-def made_of(networks: Path, mission: Mission, baseline: Path | None, plain_law: bool) -> str:
+def made_of(
+    networks: Path, mission: Mission, baseline: Path | None, plain_law: bool, flight_only: bool = False
+) -> str:
     """Everything that the files of an export depend on, as text: equal means the same files.
 
     Args:
@@ -22,6 +24,7 @@ def made_of(networks: Path, mission: Mission, baseline: Path | None, plain_law: 
         mission: whose rules of flight are built in.
         baseline: file of the network of the signed cone angle, if that is exported too.
         plain_law: whether steering is without memory.
+        flight_only: whether there are no graphs, and one library.
     """
     weights = sorted([*networks.glob("*.safetensors"), *([] if baseline is None else [baseline])])
     text = sorted(path for folder in FOLDERS for path in folder.iterdir() if path.is_file())
@@ -30,6 +33,7 @@ def made_of(networks: Path, mission: Mission, baseline: Path | None, plain_law: 
             "mission": mission.digest("flight"),
             "degradation": mission.degradation.model_dump(),
             "plain law": plain_law,
+            "flight only": flight_only,
             "networks": {str(path.name): _digest([path]) for path in weights},
             "templates": _digest(text),
             **environment_of("export.write"),

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+from c_runtime.builds import BUILDS
 from c_runtime.shared_library import CompilerError, compile_libraries
 from export.errors import ExportError
 from export.to_c import write_c
@@ -38,6 +39,7 @@ def export(
     baseline: Path | None = None,
     progress: bool = True,
     rules: SteeringRules | None = None,
+    flight_only: bool = False,
 ) -> list[Path]:
     """Write ONNX graphs, C and compiled libraries of the networks in a folder; returns what was written.
 
@@ -52,6 +54,8 @@ def export(
             the plane.
         progress: show a bar on stderr.
         rules: of steering, which the C has built in; the mission's by default.
+        flight_only: no ONNX graphs, and of the libraries the flight file in double precision alone: what a
+            choice among networks flies.
 
     Raises:
         NetworkError: a network is missing, damaged or does not fit.
@@ -71,32 +75,37 @@ def export(
     try:
         target.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=target, prefix=UNFINISHED) as name, room_told(Path(name)):
-            return _write_and_move(networks, alpha, mission, Path(name), target, progress, rules)
+            beside = Path(name)
+            facts = describe(networks, mission)
+            write_c(networks, facts, beside, rules)
+            if flight_only:
+                return _moved(beside, target, compile_libraries(beside, beside, [BUILDS["f64"]]))
+            compiled = compile_libraries(beside, beside)
+            _write_graphs(networks, facts, alpha, mission, beside, progress)
+            return _moved(beside, target, compiled)
     except CompilerError as error:
         raise ExportError(str(error)) from error
     except OSError as error:
         raise ExportError(f"cannot write to {target}: {reason(error)}") from error
 
 
-def _write_and_move(
+def _write_graphs(
     networks: AnyGuidanceNetworks,
+    facts: GuidanceFacts,
     alpha: Network | None,
     mission: Mission,
     beside: Path,
-    target: Path,
     progress: bool,
-    rules: SteeringRules,
-) -> list[Path]:
-    facts = describe(networks, mission)
-    write_c(networks, facts, beside, rules)
-    compiled = compile_libraries(beside, beside)
-
+) -> None:
     for graph in tqdm(_graphs(networks, facts), "ONNX graphs", disable=not progress):
         write_onnx(graph, facts, beside)
     if alpha is not None:
         pair = Graph("baseline_f64.onnx", TorchBaseline(networks.tau, alpha), STATE, COMMAND[:2])
         write_onnx(pair, describe(networks, mission, alpha), beside)
 
+
+def _moved(beside: Path, target: Path, compiled: list[Path]) -> list[Path]:
+    """Move what was written into the target, the list of checksums last."""
     listed = [file for file in beside.iterdir() if file not in compiled]
     write_checksums(listed, beside / CHECKSUMS)
     moved = [*sorted([*listed, *compiled]), beside / CHECKSUMS]

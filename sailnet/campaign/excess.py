@@ -1,4 +1,4 @@
-"""Time above the optimum of the sail that flew, over all flights: what a guidance costs a mission."""
+"""Excess time over the optimum for the true sail parameters, over all flights: the cost of a guidance."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ from sailnet.physics.arrays import Array
 from sailnet.physics.units import DAY, TU
 
 FIRST_APPROACH = 1.5
-"""Times the optimum within which a flight that arrives came home at its first approach: the next is later."""
+"""Times the optimum within which a flight that arrives made no extra revolution: one takes longer."""
 
 DETOUR = 1.0
 """Time above the optimum, relative, beyond which a flight that arrived made a detour."""
@@ -21,18 +21,17 @@ DETOUR = 1.0
 
 @dataclass(frozen=True)
 class Excess:
-    """Time above the optimum of the sail that flew.
+    """Excess time over the optimum for the true sail parameters.
 
     Every flight counts whose optimum is known: with the least time still to go where it ended short of its
-    target, and with the mission's longest flight where it was lost, too long or stopped far off, which is
-    a floor.
+    target. A flight that failed counts with the mission's longest flight, or its optimum if that is longer.
 
     Attributes:
         relative: in units of the optimum.
         days: in days.
         first_approach: flights that arrive within ``FIRST_APPROACH`` times the optimum.
         floors: flights of which only a floor is known: those that never came near.
-        unknown: flights whose optimum is not known, which count nowhere here.
+        unknown: flights whose optimum is not known; they count in no other number here.
     """
 
     relative: Spread
@@ -42,21 +41,21 @@ class Excess:
     unknown: int
 
 
-def counted_times(mission: Mission, flights: Flights) -> Array:
+def counted_times(mission: Mission, flights: Flights, optimal: Array) -> Array:
     """(n,) what each flight counts as [TU]: see :class:`Excess`."""
-    return _counted(mission, flights)[0]
+    return _counted(mission, flights, optimal)[0]
 
 
-def _counted(mission: Mission, flights: Flights) -> tuple[Array, NDArray[np.bool_]]:
+def _counted(mission: Mission, flights: Flights, optimal: Array) -> tuple[Array, NDArray[np.bool_]]:
     """(n,) what each flight counts as [TU], and whether that is a floor: it never came near."""
     whole = flights.time_of_flight + time_to_go(mission, flights)
     floor = ~np.isfinite(whole)
-    return np.where(floor, mission.flight.longest, whole), floor
+    return np.where(floor, np.fmax(mission.flight.longest, optimal), whole), floor
 
 
 def above_own_optimum(mission: Mission, flights: Flights, optimal: Array) -> Array:
     """(n,) time above the optimum, relative, of what each flight counts as; NaN where it is not known."""
-    return np.asarray(counted_times(mission, flights) / optimal - 1.0)
+    return np.asarray(counted_times(mission, flights, optimal) / optimal - 1.0)
 
 
 def made_detour(mission: Mission, flights: Flights, optimal: Array) -> NDArray[np.bool_]:
@@ -75,7 +74,7 @@ def excess_of(mission: Mission, flights: Flights, optimal: Array) -> Excess | No
     known = np.isfinite(optimal)
     if not known.any():
         return None
-    counted, floor = (column[known] for column in _counted(mission, flights))
+    counted, floor = (column[known] for column in _counted(mission, flights, optimal))
     best = optimal[known]
     return Excess(
         relative=Spread.of(above_own_optimum(mission, flights, optimal)[known]),

@@ -23,6 +23,7 @@ from sailnet.cli import (
     papers,
     pipeline,
     playground,
+    select,
     solve,
     stage,
 )
@@ -31,7 +32,7 @@ from sailnet.cli.spelling import HelpfulParser, in_letters_it_has
 from sailnet.errors import SailnetError
 
 COMMANDS = (
-    *(solve, guide, fly, playground, evaluate, mission, pipeline, stage, accept, fmu),
+    *(solve, guide, fly, playground, evaluate, mission, pipeline, stage, select, accept, fmu),
     *(info, optics, papers, completion),
 )
 

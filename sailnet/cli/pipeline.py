@@ -2,7 +2,6 @@
 
 import argparse
 import json
-import os
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -12,7 +11,7 @@ from typing import Any
 
 from sailnet.artefacts.files import write_text, writing
 from sailnet.artefacts.ownership import LOCK, sole_owner
-from sailnet.cli import accept
+from sailnet.cli import accept, select
 from sailnet.cli.arguments import Commands, count, distribution
 from sailnet.errors import SailnetError
 from sailnet.mission.derived import flat
@@ -120,8 +119,6 @@ def _carry_out(options: argparse.Namespace, folder: Path) -> int:
     whole, learned, flown = folder / MISSION_FILE, folder / "wide.h5", folder / "wide"
     networks, exported = flown / "networks", flown / "export"
     workers = ["--workers", str(options.workers)]
-    # On all cores training itself knows best.
-    trained = workers if options.workers < (os.cpu_count() or 1) else []
     cluster = (
         [] if options.scheduler is None else ["--scheduler", options.scheduler, "--wait", str(options.wait)]
     )
@@ -130,9 +127,24 @@ def _carry_out(options: argparse.Namespace, folder: Path) -> int:
     go_on = [] if options.restart else ["--resume"]
     found: dict[str, Any] = {}
 
+    def chosen() -> int:
+        return select.run(
+            argparse.Namespace(
+                dataset=learned,
+                output=networks,
+                mission=str(whole),
+                size="full",  # the file says what is carried out
+                seed=None,
+                resume=not options.restart,
+                overwrite=options.overwrite or options.restart,
+                json=False,
+                **{name: getattr(options, name) for name in ("workers", "scheduler", "wait")},
+            )
+        )
+
     def accepted() -> int:
         found.update(
-            accept.run(
+            accept.accepted(
                 argparse.Namespace(
                     mission=whole,
                     networks=exported,
@@ -145,28 +157,32 @@ def _carry_out(options: argparse.Namespace, folder: Path) -> int:
                 )
             )
         )
-        return 0
+        return accept.status_of(found)
 
     steps: Steps = (
         ("data", lambda: run_stage(
             "data", [str(learned), "--mission", str(whole), *workers, *cluster, *anew, *replace]
         )),
-        ("train", lambda: run_stage("training", [str(learned), str(networks), *trained, *go_on, *replace])),
+        ("train", chosen),
         ("export", lambda: run_stage(
             "export", [str(networks), str(exported), "--mission", str(whole), *go_on, *replace]
         )),
         ("accept", accepted),
     )  # fmt: skip
     seconds: dict[str, float] = {}
+    status = 0
     with _to_stderr(options.json):
         for key, value in derived.items():
             print(f"derived: {key} = {value}")
         for number, (name, step) in enumerate(steps, start=1):
             print(f"{number} of {len(steps)}: {name}", flush=True)
             started = time.perf_counter()
-            if status := step():
-                return status
+            status = step()
             seconds[name] = time.perf_counter() - started
+            if status:
+                break
+    if status and not found:
+        return status
     result = {
         "mission": str(whole),
         "size": options.size,
@@ -178,7 +194,7 @@ def _carry_out(options: argparse.Namespace, folder: Path) -> int:
         **found,
     }
     print(json.dumps(result) if options.json else "\n".join(_told(result, options.size)))
-    return 0
+    return status
 
 
 @contextmanager
@@ -205,6 +221,8 @@ def _told(result: dict[str, Any], size: str) -> list[str]:
     return [
         "",
         *headline(results).lines(),
+        "",
+        *accept.verdict_lines(result),
         "",
         f"The C that flies:  {result['c']}",
         f"The whole mission: {result['mission']}",

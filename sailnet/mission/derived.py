@@ -19,6 +19,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from sailnet.errors import SailnetError
+from sailnet.mission.acceptance import FULL, as_tables
 from sailnet.mission.other_units import flight_in_tu, sail_in_beta
 from sailnet.mission.sections import Orbits, Sail
 from sailnet.physics.force_facts import force_at
@@ -214,6 +215,7 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
             "v": _interval(*(share * speed for share in TRANSVERSE)),
             **off_plane,
         },
+        "acceptance": as_tables(FULL),
         "dataset": {
             "wide": {
                 "beta": [0.8, 1.2],

@@ -22,6 +22,7 @@ from pydantic import (
 )
 
 from sailnet.errors import MissionError, SailnetError
+from sailnet.mission.acceptance import Acceptance, Selection
 from sailnet.mission.derived import completed, derived_values, in_usual_units
 from sailnet.mission.disturbances import OFF_PLANE, Disturbance, disturbance_from
 from sailnet.mission.explanation import explain
@@ -60,6 +61,8 @@ class Mission(Section):
     generalisation: Region
     degradation: Degradation = NO_DEGRADATION
     disturbance: Annotated[Disturbance, read_by(_read_disturbance)] = Disturbance()
+    acceptance: Acceptance
+    selection: Selection = Selection()
     dataset: Recipes
     training: Training
 

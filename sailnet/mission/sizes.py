@@ -16,6 +16,9 @@ QUICK: Mapping[str, Mapping[str, int]] = {
 """At most so much of [dataset.wide] and [training.wide], and no larger network of |alpha|: two or
 three minutes on 2 cores."""
 
+QUICK_SELECTION: Mapping[str, int] = {"flights": 250, "trainings": 2}
+"""At most so much of [selection]."""
+
 FLIGHTS: Mapping[Size, int] = {"quick": 1_000, "full": 10_000}
 """That accept the networks, a series."""
 
@@ -24,6 +27,7 @@ def sized(mission: "Mission", size: Size) -> "Mission":
     """The mission as it is, or with the quick recipes: same problem, fewer extremals, fewer epochs."""
     if size == "full":
         return mission
+    from sailnet.mission.acceptance import widened
     from sailnet.mission.mission import parse_mission
 
     content = mission.model_dump(by_alias=True, mode="json", exclude_none=True)
@@ -31,4 +35,7 @@ def sized(mission: "Mission", size: Size) -> "Mission":
         recipe = content[section]["wide"]
         recipe |= {key: min(recipe.get(key, 0), value) for key, value in most.items()}
     content["training"]["wide"].pop("command", None)
+    for key, value in QUICK_SELECTION.items():
+        content["selection"][key] = min(content["selection"][key], value)
+    content["acceptance"] = widened(content["acceptance"])
     return parse_mission(content, f"{mission.name}, quick")

@@ -59,7 +59,7 @@ def test_the_table_is_that_of_the_flights(flown: Results) -> None:
         flights = fly(MISSION, GUIDANCE, starts, disturbance=disturbance)
         rows = flown.rows(number, MISSION.flight.period)
         optima = flown.flights["own_optimal_time"][rows]
-        above = counted_times(MISSION, flights) / optima - 1.0
+        above = counted_times(MISSION, flights, optima) / optima - 1.0
         assert by_head(lines, "mean time above own optimum")[name].startswith(f"{percent(above.mean())} (")
         late = ", ".join(percent(value) for value in np.quantile(above, [0.5, 0.99, 1.0]))
         assert by_head(lines, "above own optimum: median, 99 %, worst")[name] == late
