@@ -19,8 +19,9 @@ LIMITS = (
 )
 
 READING = (
-    "Times are above the shortest one of the sail that flew, its constant beta and its optics, over all "
-    "flights, with the least time still to go where a flight was stopped short. A reversal is a step "
+    "Times are above the optimum for the true sail parameters, its constant beta and its optics, over all "
+    "flights whose optimum is known, with the least time still to go where a flight was stopped short. "
+    "The last column of the first table counts the others. A reversal is a step "
     "of the command of more than 40 degrees from one period to the next."
 )
 
@@ -72,6 +73,20 @@ def _begun(networks: Sequence[Network]) -> str:
     starts = {network.name: str(network.provenance.get("start", "")) for network in networks}
     told = [f"{name} with that of {start}" for name, start in starts.items() if "SHA-256" in start]
     return f"Training began: {'; '.join(told)}." if told else ""
+
+
+def _choice(networks: Sequence[Network]) -> str:
+    """How the networks were chosen among trainings, if they were."""
+    record = networks[0].provenance.get("selection")
+    if not isinstance(record, Mapping):
+        return ""
+    tried = ", ".join(
+        f"{one['seed']} ({'passed' if one['passed'] else 'missed'})" for one in record["candidates"]
+    )
+    return (
+        f"Training seeds tried: {tried}; chosen by {record['flights']:,} development flights of each series, "
+        f"seed {record['seed']}: the first that met the acceptance criteria."
+    )
 
 
 def _domain(networks: AnyGuidanceNetworks) -> str:
@@ -142,6 +157,8 @@ def model_card(
             "to [0, 1]; near arrival: those with less than 0.3 TU to go. Weights: SHA-256 "
             f"`{acceptance.networks}`. {_begun(networks.all)}".rstrip(),
             "",
+            _choice(networks.all),
+            "",
             _domain(networks),
             "",
             LIMITS.format(orbits=ORBITS[networks.components], sail=_sail(mission.sail.optics)),
@@ -151,8 +168,8 @@ def model_card(
             "The exported C from random starts of the generalisation set, guidance period "
             f"{rules.period:g} TU. Arrive: every component of the terminal error at most "
             f"{rules.arrival_tolerance:g} {UNITS[networks.components]}, no command out of bounds; in "
-            f"brackets the 95 % interval. {READING} A flight that never came near counts as "
-            f"{rules.longest:g} TU, a floor.",
+            f"brackets the 95 % interval. {READING} A flight that failed counts as "
+            f"{rules.longest:g} TU, or its optimum if that is longer.",
             "",
             *acceptance_table(acceptance),
             "",

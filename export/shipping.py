@@ -12,7 +12,9 @@ from export.picture import draw_departure
 from export.write import export
 from sailnet.artefacts.files import fill_block, write_text, write_whole, writing
 from sailnet.campaign.acceptance import CAMPAIGN, acceptance_table, headline_table
+from sailnet.campaign.criteria import criteria_of, missed
 from sailnet.campaign.results import open_results
+from sailnet.campaign.scores import scores_of
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_in_space import load_networks_of
 
@@ -61,11 +63,13 @@ def ship(
         picture: PNG of the flight from the mission's departure orbit.
 
     Raises:
-        SailnetError: the run is incomplete, or not this mission's.
+        SailnetError: the run is incomplete, not this mission's, or misses an acceptance criterion.
     """
     accepted = open_results(build / f"{CAMPAIGN}.h5")
     if accepted.mission.digest() != mission.digest():
         raise ExportError(f"{build} was flown for mission {accepted.mission.name!r}: run make accept again")
+    if failed := missed(criteria_of(mission.acceptance, scores_of(accepted))):
+        raise ExportError(f"not released, a criterion is missed: {'; '.join(map(str, failed))}")
     timings, agreement = (_read(build / f"{name}.json", "make bench") for name in ("bench", "agreement"))
     folder = build / "networks"
     networks = load_networks_of(mission, folder)

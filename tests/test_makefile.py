@@ -24,7 +24,7 @@ DONE = (
 STEPS = {
     "setup": "pip install",
     "dataset": "sailnet data ",
-    "train": "sailnet train ",
+    "train": "sailnet select ",
     "export": "sailnet export ",
     "bench": "-m c_runtime.verification.bench ",
 }
@@ -71,9 +71,9 @@ ALL = set(STEPS) - {"setup"}
         ("sailnet/flight/closed_loop.py", set()),
         ("sailnet/guidance/steering.py", set()),
         ("c_runtime/simulation/plant/motion.c", {"setup"}),
-        ("c_runtime/flight/sigmoid.inc", {"export", "bench"}),
-        ("c_runtime/simulation/host/lanes.inc", {"export", "bench"}),
-        ("export/to_c.py", {"export", "bench"}),
+        ("c_runtime/flight/sigmoid.inc", ALL - {"dataset"}),
+        ("c_runtime/simulation/host/lanes.inc", ALL - {"dataset"}),
+        ("export/to_c.py", ALL - {"dataset"}),
         ("c_runtime/verification/bench/timing.c", {"bench"}),
         ("training/layers.py", ALL - {"dataset"}),
         ("sailnet/networks/network.py", ALL - {"dataset"}),

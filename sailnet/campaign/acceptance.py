@@ -1,5 +1,6 @@
 """The acceptance campaign as tables: what a set of networks stands."""
 
+from sailnet.campaign.criteria import criteria_of, criteria_table
 from sailnet.campaign.results import Results
 from sailnet.campaign.scores import Score, scores_of
 from sailnet.campaign.tables import (
@@ -19,6 +20,7 @@ from sailnet.campaign.tables import (
     REQUIRED,
     REVERSALS,
     SLEW,
+    UNKNOWN,
     Column,
     Table,
     table_of,
@@ -29,12 +31,12 @@ CAMPAIGN = "acceptance"
 
 
 def acceptance_table(results: Results) -> list[str]:
-    """Lines of Markdown: random starts by disturbance, then single flights at several guidance periods."""
+    """Lines of Markdown: random starts by disturbance, single flights by guidance period, the criteria."""
     many, single = _by_kind(results)
     flown: Column = ("flown", lambda score: score.name)
     lines = []
     for columns in (
-        [flown, FLIGHTS, MEAN, HOME, REVERSALS, LATE, FAIL],
+        [flown, FLIGHTS, MEAN, HOME, REVERSALS, LATE, FAIL, UNKNOWN],
         [flown, *within_columns(many), REQUIRED, MEDIAN, ERROR, RAW_MEDIAN],
         [flown, SLEW, RATE, KEPT, BEYOND],
     ):
@@ -45,7 +47,8 @@ def acceptance_table(results: Results) -> list[str]:
         lines += table_of(
             "", [case, PERIOD, MEAN, REVERSALS, SLEW, time, MEDIAN, RAW_MEDIAN], single
         ).markdown()
-    return lines
+    criteria = criteria_of(results.mission.acceptance, many)
+    return [*lines, "", *criteria_table(criteria).markdown()]
 
 
 def headline_table(results: Results) -> list[str]:
@@ -58,7 +61,7 @@ def headline(results: Results) -> Table:
     many, single = _by_kind(results)
     usual = [score for score in single if score.period == results.mission.flight.period]
     flown: Column = ("flown", lambda score: score.name)
-    columns = [flown, MEAN, HOME, REVERSALS, ARRIVE, FAIL, MEDIAN]
+    columns = [flown, MEAN, HOME, REVERSALS, ARRIVE, FAIL, UNKNOWN, MEDIAN]
     return table_of("", columns, [*many, *usual])
 
 

@@ -85,12 +85,10 @@ def add(commands: Commands) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Choose networks; 0, ``MISSED``, or the exit status of the stage that failed."""
-    from sailnet.dataset import open_dataset
     from sailnet.workers.stages import need
 
     need("training", "export")
-    with open_dataset(options.dataset) as data:
-        mission = sized(load_mission(options.mission), options.size) if options.mission else data.mission
+    mission = _mission(options)
     first = mission.training.wide.seed if options.seed is None else options.seed
     if first < 0:
         raise SailnetError("--seed must not be negative")
@@ -125,6 +123,15 @@ def run(options: argparse.Namespace) -> int:
     return MISSED
 
 
+def _mission(options: argparse.Namespace) -> Mission:
+    from sailnet.dataset import open_dataset
+
+    if options.mission:
+        return sized(load_mission(options.mission), options.size)
+    with open_dataset(options.dataset) as data:
+        return data.mission
+
+
 def _refuse_others(options: argparse.Namespace) -> None:
     """Networks that were not chosen by this command, or not by this call, are not replaced unasked."""
     found = sorted(options.output.glob("*.safetensors"))
@@ -152,7 +159,7 @@ def _candidate(
     again = [f"--{name}" for name in ("resume", "overwrite") if getattr(options, name)]
     steps = (
         ("training", [str(options.dataset), str(networks), *whole, "--seed", str(seed), *workers, *again]),
-        ("export", [str(networks), str(exported), *whole, "--flight-only", "--resume", "--overwrite"]),
+        ("export", [str(networks), str(exported), *whole, "--flight-only", *again]),
     )
     for stage, arguments in steps:
         if status := run_stage(stage, arguments):
