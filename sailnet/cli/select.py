@@ -205,6 +205,9 @@ def _keep(candidate: Candidate, output: Path, record: dict[str, object]) -> None
     """Copy a candidate's networks, which carry the record of the choice, and their histories."""
     from sailnet.networks.network import load_network, save_network
 
+    text = json.dumps(record, indent=1) + "\n"
+    if (output / SELECTION).exists() and (output / SELECTION).read_text() == text:
+        return  # written last: all of it is there
     (output / SELECTION).unlink(missing_ok=True)
     for path in sorted((candidate.folder / "networks").glob("*.safetensors")):
         network = load_network(path)
@@ -216,4 +219,4 @@ def _keep(candidate: Candidate, output: Path, record: dict[str, object]) -> None
         with writing(output / path.name, NetworkError):
             write_whole(output / path.name, partial(shutil.copyfile, path), size=path.stat().st_size)
     with writing(output / SELECTION, NetworkError):
-        write_text(output / SELECTION, json.dumps(record, indent=1) + "\n")
+        write_text(output / SELECTION, text)
