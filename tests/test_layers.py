@@ -46,7 +46,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
         ("sailnet/errors.py", "export", "sailnet.errors -> export"),
         ("data/box.py", "training", "data.box -> training"),
         ("training/layers.py", "benchmarks", "training.layers -> benchmarks"),
-        ("benchmarks/seeds.py", "tests.reference", "benchmarks.seeds -> tests.reference"),
+        ("benchmarks/expert.py", "tests.reference", "benchmarks.expert -> tests.reference"),
     ],
 )
 def test_an_import_up_or_aside_is_found(copy: Path, module: str, imported: str, told: str) -> None:
