@@ -43,7 +43,7 @@ fly_campaign = $(SAILNET) evaluate --overwrite --mission $(MISSION) --workers 2 
 # Where the tables of campaigns stand: those of other missions beside their networks.
 campaign_tables := $(if $(filter earth_mars,$(NAME)),sailnet/campaign,sailnet/shipped/$(NAME))/RESULTS.md
 
-.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns others missions bench benchmarks bad-days report ship quick test test-tools tools peers docs mutation checks lint clean
+.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns others missions bench benchmarks bad-days report ship quick test test-tools tools peers docs mutation evidence checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -174,6 +174,10 @@ bad-days: | $(READY)
 mutation: | $(READY)
 	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[mutation]'
 	$(PYTHON) -m benchmarks.mutation --jobs $(JOBS) $(addprefix --minutes ,$(MINUTES))
+
+# Every generated figure with its revision, and whether a source has changed since: needs git.
+evidence: | $(READY)
+	$(PYTHON) -m benchmarks.evidence
 
 # Packages that ours are compared with.
 peers: | $(READY)
