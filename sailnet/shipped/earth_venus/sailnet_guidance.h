@@ -3,10 +3,10 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_venus: do not edit.
  * mission   a3e81eb6c3c54b0bee56aff94ebcbbaa542d4cfaa7ed3ecf9a116dc23fcdcef4
- * networks  4099ca1e058cb9dda7b0351c82572e5ee401fac6cb6cc4d1be6486475c9fe8ce
- * data set  7ec68d8a237d6b209e3d4816d703ee085d35624989dd26d83f3d53ca1b047d24 (tau)
- * data set  7ec68d8a237d6b209e3d4816d703ee085d35624989dd26d83f3d53ca1b047d24 (alpha_pre)
- * data set  7ec68d8a237d6b209e3d4816d703ee085d35624989dd26d83f3d53ca1b047d24 (lambda_v)
+ * networks  4d85586d497d634c7cb57623a896b9d2b583b084a3bb5a6760119bf6eea1cb38
+ * data set  a6f8d8c3303ffb220036e9d1e4612154ed0d13f9d09b400c1a4b656ae5989b4d (tau)
+ * data set  a6f8d8c3303ffb220036e9d1e4612154ed0d13f9d09b400c1a4b656ae5989b4d (alpha_pre)
+ * data set  a6f8d8c3303ffb220036e9d1e4612154ed0d13f9d09b400c1a4b656ae5989b4d (lambda_v)
  *
  * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
  *
@@ -36,7 +36,7 @@ extern "C" {
 #define SAILNET_MISSION "earth_venus"
 #define SAILNET_SAIL "ideal"
 #define SAILNET_MISSION_DIGEST "a3e81eb6c3c54b0bee56aff94ebcbbaa542d4cfaa7ed3ecf9a116dc23fcdcef4"
-#define SAILNET_NETWORKS_DIGEST "4099ca1e058cb9dda7b0351c82572e5ee401fac6cb6cc4d1be6486475c9fe8ce"
+#define SAILNET_NETWORKS_DIGEST "4d85586d497d634c7cb57623a896b9d2b583b084a3bb5a6760119bf6eea1cb38"
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
@@ -72,7 +72,7 @@ typedef float sailnet_real;
 #define SAILNET_TARGET_U SAILNET_REAL(0.0)
 #define SAILNET_TARGET_V SAILNET_REAL(1.1760637161538763)
 /* The networks were trained on no longer time of flight [TU]. */
-#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(628.1686012164027)
+#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(628.1685737310582)
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */

@@ -3,10 +3,10 @@
  *
  * Exported by sailnet 0.2.0 for mission mars_earth: do not edit.
  * mission   5232813af93d8db286f4382d4c2ad3b6b1cc74171db0422a53402fa8cdf97584
- * networks  9025c691880f45dcfea821f42e6f2a332a664bc4660b1405a7093b824457dfd5
- * data set  91ddce7e953f3b00a7721c3b6754314c4f2d40132c0665495fde9842b75d7c75 (tau)
- * data set  91ddce7e953f3b00a7721c3b6754314c4f2d40132c0665495fde9842b75d7c75 (alpha_pre)
- * data set  91ddce7e953f3b00a7721c3b6754314c4f2d40132c0665495fde9842b75d7c75 (lambda_v)
+ * networks  91b709f5977288bf14ce42cbf0352772cc68c64ab3a53b0e6d79e311b7fe4935
+ * data set  a96ce3433f3c42f7942f80974f999c203b33bb5437d5a857e970893491f40612 (tau)
+ * data set  a96ce3433f3c42f7942f80974f999c203b33bb5437d5a857e970893491f40612 (alpha_pre)
+ * data set  a96ce3433f3c42f7942f80974f999c203b33bb5437d5a857e970893491f40612 (lambda_v)
  *
  * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
  *
@@ -36,7 +36,7 @@ extern "C" {
 #define SAILNET_MISSION "mars_earth"
 #define SAILNET_SAIL "ideal"
 #define SAILNET_MISSION_DIGEST "5232813af93d8db286f4382d4c2ad3b6b1cc74171db0422a53402fa8cdf97584"
-#define SAILNET_NETWORKS_DIGEST "9025c691880f45dcfea821f42e6f2a332a664bc4660b1405a7093b824457dfd5"
+#define SAILNET_NETWORKS_DIGEST "91b709f5977288bf14ce42cbf0352772cc68c64ab3a53b0e6d79e311b7fe4935"
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
@@ -72,7 +72,7 @@ typedef float sailnet_real;
 #define SAILNET_TARGET_U SAILNET_REAL(0.0)
 #define SAILNET_TARGET_V SAILNET_REAL(1.0)
 /* The networks were trained on no longer time of flight [TU]. */
-#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(1028.1077589289291)
+#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(1074.262526317832)
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */
