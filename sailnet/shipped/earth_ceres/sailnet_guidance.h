@@ -3,10 +3,10 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_ceres: do not edit.
  * mission   7c538274e6599f0fbe4a3919ac9b0169c1e77541c484c2367ee0409a067c2cff
- * networks  3b45adbe77ed8cca3fd94fa11466b917edf7d47d4b897dc098d93df83b8d83fb
- * data set  a84ae26e8dec9a19329fe58ac8fe83bb804086e744c8cf6640ff788b3e080ae4 (tau)
- * data set  a84ae26e8dec9a19329fe58ac8fe83bb804086e744c8cf6640ff788b3e080ae4 (alpha_pre)
- * data set  a84ae26e8dec9a19329fe58ac8fe83bb804086e744c8cf6640ff788b3e080ae4 (lambda_v)
+ * networks  6ba90930dff74b766f77ffe182664b90db77b0e728695076529803156c0c2818
+ * data set  5cee56622fe5b7178b0533e6beec8ccfc3ad46847ee8013bf79699a829244c81 (tau)
+ * data set  5cee56622fe5b7178b0533e6beec8ccfc3ad46847ee8013bf79699a829244c81 (alpha_pre)
+ * data set  5cee56622fe5b7178b0533e6beec8ccfc3ad46847ee8013bf79699a829244c81 (lambda_v)
  *
  * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
  *
@@ -36,7 +36,7 @@ extern "C" {
 #define SAILNET_MISSION "earth_ceres"
 #define SAILNET_SAIL "ideal"
 #define SAILNET_MISSION_DIGEST "7c538274e6599f0fbe4a3919ac9b0169c1e77541c484c2367ee0409a067c2cff"
-#define SAILNET_NETWORKS_DIGEST "3b45adbe77ed8cca3fd94fa11466b917edf7d47d4b897dc098d93df83b8d83fb"
+#define SAILNET_NETWORKS_DIGEST "6ba90930dff74b766f77ffe182664b90db77b0e728695076529803156c0c2818"
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;

@@ -3,10 +3,10 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mars_jpl: do not edit.
  * mission   169b90afef5d26eff51e7de08f0f93889e7073c9e314a839496dee27a7faf7ca
- * networks  3af64991c2a388865ca55590c5686713a964153c1c149b20070f69ce4d7b4f8e
- * data set  ca286a82e71a2672f3f7a4875af7b3f0b51255140066983fdab27d7ab42e8461 (tau)
- * data set  ca286a82e71a2672f3f7a4875af7b3f0b51255140066983fdab27d7ab42e8461 (alpha_pre)
- * data set  ca286a82e71a2672f3f7a4875af7b3f0b51255140066983fdab27d7ab42e8461 (lambda_v)
+ * networks  7f8ddefbc48a2148ccbbf0d8931755144437ac8963133a5be87d538394bfa770
+ * data set  3669cefad736099639c35111c6d28f173d532424ff0e92a9196a67c15a7619cf (tau)
+ * data set  3669cefad736099639c35111c6d28f173d532424ff0e92a9196a67c15a7619cf (alpha_pre)
+ * data set  3669cefad736099639c35111c6d28f173d532424ff0e92a9196a67c15a7619cf (lambda_v)
  *
  * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
  *
@@ -36,7 +36,7 @@ extern "C" {
 #define SAILNET_MISSION "earth_mars_jpl"
 #define SAILNET_SAIL "jpl"
 #define SAILNET_MISSION_DIGEST "169b90afef5d26eff51e7de08f0f93889e7073c9e314a839496dee27a7faf7ca"
-#define SAILNET_NETWORKS_DIGEST "3af64991c2a388865ca55590c5686713a964153c1c149b20070f69ce4d7b4f8e"
+#define SAILNET_NETWORKS_DIGEST "7f8ddefbc48a2148ccbbf0d8931755144437ac8963133a5be87d538394bfa770"
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
@@ -72,7 +72,7 @@ typedef float sailnet_real;
 #define SAILNET_TARGET_U SAILNET_REAL(0.0)
 #define SAILNET_TARGET_V SAILNET_REAL(0.8100419612604182)
 /* The networks were trained on no longer time of flight [TU]. */
-#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(105.90852815140217)
+#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(152.63354461495638)
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */

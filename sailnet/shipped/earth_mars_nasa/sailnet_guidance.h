@@ -3,10 +3,10 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mars_nasa: do not edit.
  * mission   0d1c4a4b8a69fc18b6333887990c3dfbaa17a228595c8506da4be16bb3ceed52
- * networks  e5c9cd465eb0fac33ec7af2341e542eeadbe80a4a875eeb04fbc05f2cc669b1d
- * data set  c353c7c1cb6a75459144e1fad30704df53509360709f9aa555df635e17e875e8 (tau)
- * data set  c353c7c1cb6a75459144e1fad30704df53509360709f9aa555df635e17e875e8 (alpha_pre)
- * data set  c353c7c1cb6a75459144e1fad30704df53509360709f9aa555df635e17e875e8 (lambda_v)
+ * networks  38c5e82cd2f6698f43f2674bddfa1993109844dbb13fb069c9941ea4e45efd50
+ * data set  79ef9be3d606c0904708cc078e66aa070e883ed72e2303693df94a105a4ffcba (tau)
+ * data set  79ef9be3d606c0904708cc078e66aa070e883ed72e2303693df94a105a4ffcba (alpha_pre)
+ * data set  79ef9be3d606c0904708cc078e66aa070e883ed72e2303693df94a105a4ffcba (lambda_v)
  *
  * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
  *
@@ -36,7 +36,7 @@ extern "C" {
 #define SAILNET_MISSION "earth_mars_nasa"
 #define SAILNET_SAIL "nasa"
 #define SAILNET_MISSION_DIGEST "0d1c4a4b8a69fc18b6333887990c3dfbaa17a228595c8506da4be16bb3ceed52"
-#define SAILNET_NETWORKS_DIGEST "e5c9cd465eb0fac33ec7af2341e542eeadbe80a4a875eeb04fbc05f2cc669b1d"
+#define SAILNET_NETWORKS_DIGEST "38c5e82cd2f6698f43f2674bddfa1993109844dbb13fb069c9941ea4e45efd50"
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
@@ -72,7 +72,7 @@ typedef float sailnet_real;
 #define SAILNET_TARGET_U SAILNET_REAL(0.0)
 #define SAILNET_TARGET_V SAILNET_REAL(0.8100419612604182)
 /* The networks were trained on no longer time of flight [TU]. */
-#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(84.71242557142374)
+#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(135.21101475340686)
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */

@@ -3,10 +3,10 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mercury: do not edit.
  * mission   0b7c692a17c0dc99d319ed082a9d21ab01105e1a2635fcadadcdf82a894a4e7c
- * networks  836a16e1b9660c26901a305187430e9181c9e976bdbe33e25f766fafdedf92e4
- * data set  d3b305ff244467ae6c8181ceaa9dbadcbffebdafc65308277b36619e9d14f059 (tau)
- * data set  d3b305ff244467ae6c8181ceaa9dbadcbffebdafc65308277b36619e9d14f059 (alpha_pre)
- * data set  d3b305ff244467ae6c8181ceaa9dbadcbffebdafc65308277b36619e9d14f059 (lambda_v)
+ * networks  6d554856f1d0db80f7022b5b353d944ed909e359d3461379aca52da34a5814c6
+ * data set  4645e9277fb7974ff8971059bc5e0a581ef5645cb9ea7eec92e1165ed19f304c (tau)
+ * data set  4645e9277fb7974ff8971059bc5e0a581ef5645cb9ea7eec92e1165ed19f304c (alpha_pre)
+ * data set  4645e9277fb7974ff8971059bc5e0a581ef5645cb9ea7eec92e1165ed19f304c (lambda_v)
  *
  * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
  *
@@ -36,7 +36,7 @@ extern "C" {
 #define SAILNET_MISSION "earth_mercury"
 #define SAILNET_SAIL "ideal"
 #define SAILNET_MISSION_DIGEST "0b7c692a17c0dc99d319ed082a9d21ab01105e1a2635fcadadcdf82a894a4e7c"
-#define SAILNET_NETWORKS_DIGEST "836a16e1b9660c26901a305187430e9181c9e976bdbe33e25f766fafdedf92e4"
+#define SAILNET_NETWORKS_DIGEST "6d554856f1d0db80f7022b5b353d944ed909e359d3461379aca52da34a5814c6"
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
@@ -72,7 +72,7 @@ typedef float sailnet_real;
 #define SAILNET_TARGET_U SAILNET_REAL(0.0)
 #define SAILNET_TARGET_V SAILNET_REAL(1.6074760739013738)
 /* The networks were trained on no longer time of flight [TU]. */
-#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(847.5882906130596)
+#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(858.833724761441)
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */
