@@ -153,7 +153,7 @@ class Weak(Pilot):
 
 
 def test_what_the_networks_would_miss_is_not_missed() -> None:
-    starts = np.random.default_rng(7).uniform(LOW, HIGH, (24, 3))
+    starts = np.random.default_rng(7).uniform(LOW, HIGH, (192, 3))
     optimal = fly(MISSION, load_guidance(MISSION), starts).time_of_flight
     without, with_plans = (fly(MISSION, WithRules(Weak(), rules), starts) for rules in (RULES, HOMES))
     missed = (without.time_of_flight > 2.0 * optimal) | ~without.arrived

@@ -290,7 +290,7 @@ def test_a_flight_is_shown_with_what_differs() -> None:
 
 def test_a_flight_is_marked_where_guidance_goes_by_something_else() -> None:
     """Without a state, and with a sail weaker than any it knows; elsewhere there is no number."""
-    away = Disturbance(outage_probability=0.003, outage_duration=1.0, beta_bias=-0.35, seed=13)
+    away = Disturbance(outage_probability=0.003, outage_duration=1.0, beta_bias=-0.35, seed=15)
     rules = MISSION.flight.model_copy(update={"longest": 9.0})
     mission = MISSION.model_copy(update={"flight": rules})
     _, (history,) = fly_recorded(mission, GUIDANCE, [(1.0, 0.0, 1.0)], disturbance=away)
