@@ -13,6 +13,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from sailnet.artefacts.files import fill_block
+from sailnet.artefacts.provenance import software
 from sailnet.ocp import Logistic, Saturation, Schedule, Solution, shooting
 from sailnet.ocp.definition.problem import Problem
 from sailnet.ocp.problems import intercept
@@ -117,7 +118,12 @@ def main() -> None:
     """Write the table into a text."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("text", type=Path, help="its block <!-- logistic --> becomes the table")
-    fill_block(parser.parse_args().text, "logistic", markdown())
+    made = software()
+    origin = (
+        f"Written by `python -m sailnet.papers.logistic` on {made['machine']}, {made['date']}, "
+        f"revision {made['revision']}."
+    )
+    fill_block(parser.parse_args().text, "logistic", f"{origin}\n\n{markdown()}")
 
 
 if __name__ == "__main__":
