@@ -117,11 +117,16 @@ def machine() -> str:
 
 
 def _revision() -> str:
-    folder = Path(__file__).parent
+    """Of the sources: texts and pictures, which commands write into, make it no other one."""
+    sources = (":(top)", ":(top,exclude)*.md", ":(top,exclude)*.png")
     try:
-        described = subprocess.run(
-            ["git", "describe", "--always", "--dirty"], cwd=folder, capture_output=True, text=True, check=True
-        )
+        described = _git("describe", "--always").stdout.strip()
+        changed = _git("diff-index", "--name-only", "HEAD", "--", *sources).stdout.strip()
     except (OSError, subprocess.CalledProcessError):
         return "unknown"
-    return described.stdout.strip()
+    return f"{described}-dirty" if changed else described
+
+
+def _git(*arguments: str) -> subprocess.CompletedProcess[str]:
+    folder = Path(__file__).parent
+    return subprocess.run(["git", *arguments], cwd=folder, capture_output=True, text=True, check=True)
