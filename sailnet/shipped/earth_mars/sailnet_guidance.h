@@ -3,10 +3,10 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mars: do not edit.
  * mission   8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c
- * networks  1fa17fa5ada5ef0c31ea7587812dfa2da5a6f232b08242e023f8193b9a4ded6c
- * data set  4df37f3184613c52c775aca6dc8e75ca97f6ab3e91ad7509a40b393c05ef72a8 (tau)
- * data set  4df37f3184613c52c775aca6dc8e75ca97f6ab3e91ad7509a40b393c05ef72a8 (alpha_pre)
- * data set  4df37f3184613c52c775aca6dc8e75ca97f6ab3e91ad7509a40b393c05ef72a8 (lambda_v)
+ * networks  f751c81ee1e751ca9c28bc9add1727ad40e7057a35aadf04dfb93d584b197ba6
+ * data set  211c5f5f3a25374b9ccf76a2373d4b0454c46363be376aa9120bc6bd887991ad (tau)
+ * data set  211c5f5f3a25374b9ccf76a2373d4b0454c46363be376aa9120bc6bd887991ad (alpha_pre)
+ * data set  211c5f5f3a25374b9ccf76a2373d4b0454c46363be376aa9120bc6bd887991ad (lambda_v)
  *
  * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
  *
@@ -36,7 +36,7 @@ extern "C" {
 #define SAILNET_MISSION "earth_mars"
 #define SAILNET_SAIL "ideal"
 #define SAILNET_MISSION_DIGEST "8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c"
-#define SAILNET_NETWORKS_DIGEST "1fa17fa5ada5ef0c31ea7587812dfa2da5a6f232b08242e023f8193b9a4ded6c"
+#define SAILNET_NETWORKS_DIGEST "f751c81ee1e751ca9c28bc9add1727ad40e7057a35aadf04dfb93d584b197ba6"
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
@@ -72,7 +72,7 @@ typedef float sailnet_real;
 #define SAILNET_TARGET_U SAILNET_REAL(0.0)
 #define SAILNET_TARGET_V SAILNET_REAL(0.8100419612604182)
 /* The networks were trained on no longer time of flight [TU]. */
-#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(1183.190662700428)
+#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(1183.1906627005797)
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */
