@@ -96,7 +96,7 @@ def load_guidance(
     >>> guidance = sailnet.load_guidance("earth_mars")
     >>> command = guidance.command([(1.0, 0.0, 1.0)])
     >>> f"cone angle {command.cone_angle[0]:.2f} rad, {command.time_of_flight[0]:.2f} TU to go"
-    'cone angle 0.39 rad, 7.03 TU to go'
+    'cone angle 0.38 rad, 7.01 TU to go'
     """
     chosen = mission_of(mission)
     where = None if folder is None else Path(folder)
