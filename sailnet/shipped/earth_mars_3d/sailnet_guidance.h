@@ -3,11 +3,11 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mars_3d: do not edit.
  * mission   550e1acede9aa65548c523411f19c5bdd5671f591902b153147d2da5d980e258
- * networks  48e5d1b3da292d2d6c19a2ff25022e6ce5915ce31e3a072312b539cf46f073c5
- * data set  629aa7306b907fdb2db979fdb300a8c62986e8d29e487962fbcd6955f488841c (tau)
- * data set  629aa7306b907fdb2db979fdb300a8c62986e8d29e487962fbcd6955f488841c (alpha_pre)
- * data set  629aa7306b907fdb2db979fdb300a8c62986e8d29e487962fbcd6955f488841c (lambda_v)
- * data set  629aa7306b907fdb2db979fdb300a8c62986e8d29e487962fbcd6955f488841c (lambda_w)
+ * networks  ea3ded4bd6b1e6ab31d1d5171b49f3044eb28991d68fc25236f42b344f0be4e8
+ * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (tau)
+ * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (alpha_pre)
+ * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (lambda_v)
+ * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (lambda_w)
  *
  * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
  *
@@ -40,7 +40,7 @@ extern "C" {
 #define SAILNET_MISSION "earth_mars_3d"
 #define SAILNET_SAIL "ideal"
 #define SAILNET_MISSION_DIGEST "550e1acede9aa65548c523411f19c5bdd5671f591902b153147d2da5d980e258"
-#define SAILNET_NETWORKS_DIGEST "48e5d1b3da292d2d6c19a2ff25022e6ce5915ce31e3a072312b539cf46f073c5"
+#define SAILNET_NETWORKS_DIGEST "ea3ded4bd6b1e6ab31d1d5171b49f3044eb28991d68fc25236f42b344f0be4e8"
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
@@ -75,7 +75,7 @@ typedef float sailnet_real;
 #define SAILNET_TARGET_U SAILNET_REAL(0.0)
 #define SAILNET_TARGET_V SAILNET_REAL(0.8100419612604182)
 /* The networks were trained on no longer time of flight [TU]. */
-#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(1936.8790586015784)
+#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(1936.8790585741035)
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */
