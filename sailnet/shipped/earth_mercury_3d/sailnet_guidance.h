@@ -3,11 +3,11 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mercury_3d: do not edit.
  * mission   155c5e476cc5297d0184da8aa96909b36923acb5188beab09bdcc35169e32139
- * networks  731ffe32486aeb03ab547f09aa44f095fc951945c5b47456448aa69366650f7f
- * data set  83cb6d1fdb77442f86d4882338185d76cb30e39d49cadcaf0f5edab7d5b7108f (tau)
- * data set  83cb6d1fdb77442f86d4882338185d76cb30e39d49cadcaf0f5edab7d5b7108f (alpha_pre)
- * data set  83cb6d1fdb77442f86d4882338185d76cb30e39d49cadcaf0f5edab7d5b7108f (lambda_v)
- * data set  83cb6d1fdb77442f86d4882338185d76cb30e39d49cadcaf0f5edab7d5b7108f (lambda_w)
+ * networks  6a25f6e3aeac38a096c3c1e5b2d56759f4fbe63206169a8bae1be66e2f4e3ff4
+ * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (tau)
+ * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (alpha_pre)
+ * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (lambda_v)
+ * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (lambda_w)
  *
  * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
  *
@@ -40,7 +40,7 @@ extern "C" {
 #define SAILNET_MISSION "earth_mercury_3d"
 #define SAILNET_SAIL "ideal"
 #define SAILNET_MISSION_DIGEST "155c5e476cc5297d0184da8aa96909b36923acb5188beab09bdcc35169e32139"
-#define SAILNET_NETWORKS_DIGEST "731ffe32486aeb03ab547f09aa44f095fc951945c5b47456448aa69366650f7f"
+#define SAILNET_NETWORKS_DIGEST "6a25f6e3aeac38a096c3c1e5b2d56759f4fbe63206169a8bae1be66e2f4e3ff4"
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
@@ -75,7 +75,7 @@ typedef float sailnet_real;
 #define SAILNET_TARGET_U SAILNET_REAL(0.0)
 #define SAILNET_TARGET_V SAILNET_REAL(1.6074760739013738)
 /* The networks were trained on no longer time of flight [TU]. */
-#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(332.58789616344166)
+#define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(332.58789615976787)
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */
