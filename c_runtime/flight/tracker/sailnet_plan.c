@@ -18,6 +18,10 @@
 /* A component that was the largest is replaced when it is less than so much of the one that is. */
 #define STILL_LARGE 0.4
 #define LEAST_TIME 1e-4
+/* With another beta an extremal of the same family takes longer by at most so many shares of the time to go for each
+   share of beta, and by so much [TU]. */
+#define LATER_PER_BETA 5.0
+#define LATER 0.005
 /* The goal far from arrival [AU, AU/TU], and its smallest share. */
 #define LARGEST_GOAL 1e-6
 #define SMALLEST_SHARE 1e-4
@@ -252,6 +256,31 @@ int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[
     plan->time_to_go = best.time_to_go;
     plan->residual = best.residual;
     *end = best.end;
+    return count;
+}
+
+int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES], double beta, int32_t most,
+                      sailnet_plan *plan, sailnet_end *end)
+{
+    sailnet_problem own = *problem;
+    own.beta = plan->beta;
+    int32_t count = sailnet_correct_plan(&own, state, most, plan, end);
+    const double change = beta - plan->beta;
+    if ((plan->residual <= sailnet_plan_goal(plan->time_to_go)) && (size_of(change) > 0.0) && (count < most)) {
+        sailnet_plan moved = *plan;
+        sailnet_end there;
+        const double largest = SAILNET_BETA_STEP * plan->beta;
+        const double step = change > largest ? largest : (change < -largest ? -largest : change);
+        moved.beta = plan->beta + step;
+        own.beta = moved.beta;
+        count += sailnet_correct_plan(&own, state, most - count, &moved, &there);
+        const double later = moved.time_to_go - plan->time_to_go;
+        const double tolerated = LATER_PER_BETA * size_of(step) / plan->beta * plan->time_to_go + LATER;
+        if ((moved.residual <= sailnet_plan_goal(moved.time_to_go)) && (later <= tolerated)) {
+            *plan = moved;
+            *end = there;
+        }
+    }
     return count;
 }
 

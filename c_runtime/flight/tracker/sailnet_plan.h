@@ -10,6 +10,7 @@
 typedef struct {
     double direction[SAILNET_STATES]; /* of the arrival costates, a unit vector */
     double time_to_go;                /* [TU] */
+    double beta;                      /* normalised characteristic acceleration that it is for */
     double residual;                  /* largest component of the state that it misses */
     /* Derivatives of the state by all components of the direction but the largest, per that, and by the time to go. */
     double jacobian[SAILNET_STATES][SAILNET_STATES];
@@ -32,6 +33,17 @@ double sailnet_plan_goal(double time_to_go);
  */
 int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES], int32_t most,
                              sailnet_plan *plan, sailnet_end *end);
+
+/*
+ * Correct a plan for its own beta, and then move that towards `beta`: only so far, at most SAILNET_BETA_STEP of it in one
+ * call, as an extremal of the same family exists. The sail's real thrust lies beyond the edge of what it can reach at
+ * times; then the last plan that exists is better than another revolution.
+ *
+ * The beta of `problem` is not used; the rest is as for sailnet_correct_plan.
+ */
+#define SAILNET_BETA_STEP 0.002
+int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES], double beta, int32_t most,
+                      sailnet_plan *plan, sailnet_end *end);
 
 /* The attitude of a plan, `ahead` [TU] later than the state that `end` is of. */
 void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end, double ahead,

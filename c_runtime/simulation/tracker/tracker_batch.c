@@ -34,8 +34,8 @@ void tracker_correct(const sailnet_problem *problem, uint64_t count, const uint6
 {
     sailnet_problem own = *problem;
     for (uint64_t i = 0; i < count; i++) {
-        own.beta = beta[i];
-        computed[i] = sailnet_correct_plan(&own, &states[i * SAILNET_STATES], most, &plans[sails[i]], &ends[i]);
+        computed[i] = sailnet_track(problem, &states[i * SAILNET_STATES], beta[i], most, &plans[sails[i]], &ends[i]);
+        own.beta = plans[sails[i]].beta;
         sailnet_planned_attitude(&own, &ends[i], ahead[i], &attitudes[i]);
     }
 }

@@ -34,6 +34,7 @@ def plan_type(components: int) -> np.dtype[np.void]:
         [
             ("direction", "f8", (components,)),
             ("time_to_go", "f8"),
+            ("beta", "f8"),
             ("residual", "f8"),
             ("jacobian", "f8", (components, components)),
             ("largest", "i4"),

@@ -81,7 +81,7 @@ class TrackerSteering(ReferenceSteering):
         self._problem = problem_of(mission.problem)
         self._held, self._begun = np.zeros(count), np.zeros(count, bool)
         self.plans = np.zeros(count, self._tracker.plan_type)
-        self.plans["time_to_go"] = np.nan
+        self.plans["time_to_go"], self.plans["beta"] = np.nan, mission.sail.beta
         self.computed = np.zeros(count, int)
 
     def _begin(self, sails: NDArray[np.intp], states: Array) -> None:
