@@ -29,7 +29,7 @@ then goes on in the next period."""
 USABLE = 1e-3
 """A plan that misses the state by more [AU, AU/TU] is not flown: the networks' command is."""
 
-RULES = replace(AT_ONCE, least_reserve=0.0)
+RULES = replace(AT_ONCE, least_reserve=0.0, reserve_white=2.0, largest_patience=0.0005)
 """The estimates and the thrust margin of the networks' steering, without its switching hysteresis and
 without the margin for errors of the networks."""
 
