@@ -8,13 +8,14 @@ ground.
 
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from sailnet.errors import SolveError
 from sailnet.expert.any_dimension import solve_states
-from sailnet.guidance.interface import Commands, GuidanceStatus, Steering
+from sailnet.guidance.interface import Commands, GuidanceStatus, Steering, as_betas, as_states
 from sailnet.guidance.rules import AT_ONCE, SteeringRules
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.guidance.tracker import TRACKER
@@ -25,6 +26,9 @@ from sailnet.physics.arrays import Array
 MOST_EXTREMALS = 8
 """Computed in a guidance period at most: an extremal takes some 5 microseconds. What has not converged by
 then goes on in the next period."""
+
+MOST_CORRECTIONS = 300
+"""Of one plan, for a beta anywhere in the range of the networks."""
 
 USABLE = 1e-3
 """A plan that misses the state by more [AU, AU/TU] is not flown: the networks' command is."""
@@ -52,6 +56,24 @@ class TrackerGuidance(WithRules):
     def networks_digest(self) -> str:
         """The guidance's, and that the tracker steers: results of one are not those of the other."""
         return f"{self.guidance.networks_digest} {TRACKER}"
+
+    def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
+        """Command the sails at some states by a plan for each, which takes a search of seconds.
+
+        See ``sailnet.guidance.interface.Guidance``. Where there is no plan, or none for such a beta, the
+        command is the networks'.
+        """
+        mission = self.mission
+        given = np.asarray(as_states(states, "float64", mission.components), float)
+        betas = as_betas(beta, len(given), mission.sail.beta, "float64").astype(float)
+        betas = np.clip(betas, *self.beta_range)
+        steering, sails = TrackerSteering(self, len(given)), np.arange(len(given))
+        for _ in range(MOST_CORRECTIONS):
+            planned = steering.plan(given, betas, np.zeros(len(given)), sails)
+            moving = np.isfinite(steering.plans["time_to_go"]) & (steering.plans["beta"] != betas)
+            if not moving.any():
+                return planned
+        return _where(moving, self.guidance.command(given, betas), planned)
 
     def steering(self, count: int) -> Steering:
         """Steering of ``count`` sails; see ``sailnet.guidance.interface.Guidance``."""
@@ -84,6 +106,9 @@ class TrackerSteering(ReferenceSteering):
         self.plans["time_to_go"], self.plans["beta"] = np.nan, mission.sail.beta
         self.computed = np.zeros(count, int)
 
+    def _command(self, states: Array, beta: Array, hold: Array, sails: NDArray[np.intp]) -> Commands:
+        return self.plan(states, beta, hold, sails)
+
     def _begin(self, sails: NDArray[np.intp], states: Array) -> None:
         """First plans: the optimal solver's for the mission's own sail, where it has one."""
         low, high = self._mission.region
@@ -104,13 +129,21 @@ class TrackerSteering(ReferenceSteering):
         self.plans["direction"][sails[found]] = costates[found] / sizes[:, None]
         self.plans["time_to_go"][sails[found]] = tau[found]
 
-    def _command(self, states: Array, beta: Array, hold: Array, sails: NDArray[np.intp]) -> Commands:
+    def plan(self, states: Array, beta: Array, hold: Array, sails: NDArray[np.intp]) -> Commands:
+        """Correct the plans of some sails; their commands, the networks' where no plan is usable.
+
+        Args:
+            states: (n, 3) or (n, 5), NaN where nothing is known.
+            beta: (n,) normalised characteristic accelerations to plan with.
+            hold: (n,) for how long [TU] the commands will be held.
+            sails: (n,) which of the sails these are.
+        """
         plans, seen = self.plans, np.isfinite(states).all(axis=1)
         plans["time_to_go"][sails] -= self._held[sails]
         self._held[sails] = hold
         if len(new := np.flatnonzero(seen & ~self._begun[sails])):
             self._begin(sails[new], states[new])
-        command = self._guidance.command(states, beta)
+        command = self._tracking.guidance.command(states, beta)
         rows = np.flatnonzero(seen & np.isfinite(plans["time_to_go"][sails]))
         if not len(rows):
             return command
@@ -137,3 +170,12 @@ class TrackerSteering(ReferenceSteering):
         turned, lambda_w = command.clock_angle.copy(), command.lambda_w.copy()
         turned[flown], lambda_w[flown] = clock[usable], costates[usable, 4] * unit
         return replace(planned, clock_angle=turned, lambda_w=lambda_w)
+
+
+def _where(chosen: NDArray[np.bool_], one: Commands, other: Commands) -> Commands:
+    """Commands of one where chosen, else of the other."""
+    columns: dict[str, Any] = {
+        name: None if value is None else np.where(chosen, value, getattr(other, name))
+        for name, value in vars(one).items()
+    }
+    return Commands(**columns)
