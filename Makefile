@@ -130,7 +130,7 @@ campaigns: $(plain)/exported $(told)/exported | $(READY)
 
 # The campaign `law` by other guidances, fewer flights, and the table of them beside the networks'.
 others: | $(READY)
-	for way in look-ahead:1000 look-ahead-without-reserve:1000 expert:200 expert-without-reserve:200; do \
+	for way in tracker:1000 look-ahead:1000 look-ahead-without-reserve:1000 expert:200 expert-without-reserve:200; do \
 	    $(fly_campaign) law --guidance $${way%:*} --flights $${way#*:} --output $(BUILD)/campaigns || exit 1; \
 	done
 	$(PYTHON) -m sailnet.campaign.upper_bound $(BUILD)/campaigns sailnet/campaign/RESULTS.md
