@@ -259,27 +259,37 @@ int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[
     return count;
 }
 
+/* Whether a plan passes through the state that it was corrected for. */
+static int32_t is_solved(const sailnet_plan *plan)
+{
+    return plan->residual <= sailnet_plan_goal(plan->time_to_go) ? 1 : 0;
+}
+
 int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES], double beta, int32_t most,
                       sailnet_plan *plan, sailnet_end *end)
 {
     sailnet_problem own = *problem;
-    own.beta = plan->beta;
-    int32_t count = sailnet_correct_plan(&own, state, most, plan, end);
+    const double largest = SAILNET_BETA_STEP * plan->beta;
     const double change = beta - plan->beta;
-    if ((plan->residual <= sailnet_plan_goal(plan->time_to_go)) && (size_of(change) > 0.0) && (count < most)) {
+    const double step = change > largest ? largest : (change < -largest ? -largest : change);
+    int32_t count = 0;
+    int32_t moves = ((is_solved(plan) != 0) && (size_of(step) > 0.0)) ? most / 2 : 0;
+    if (moves > 0) {
         sailnet_plan moved = *plan;
-        sailnet_end there;
-        const double largest = SAILNET_BETA_STEP * plan->beta;
-        const double step = change > largest ? largest : (change < -largest ? -largest : change);
-        moved.beta = plan->beta + step;
+        moved.beta += step;
         own.beta = moved.beta;
-        count += sailnet_correct_plan(&own, state, most - count, &moved, &there);
+        count = sailnet_correct_plan(&own, state, moves, &moved, end);
         const double later = moved.time_to_go - plan->time_to_go;
         const double tolerated = LATER_PER_BETA * size_of(step) / plan->beta * plan->time_to_go + LATER;
-        if ((moved.residual <= sailnet_plan_goal(moved.time_to_go)) && (later <= tolerated)) {
+        if ((is_solved(&moved) != 0) && (later <= tolerated)) {
             *plan = moved;
-            *end = there;
+        } else {
+            moves = 0;
         }
+    }
+    if (moves == 0) {
+        own.beta = plan->beta;
+        count += sailnet_correct_plan(&own, state, most - count, plan, end);
     }
     return count;
 }

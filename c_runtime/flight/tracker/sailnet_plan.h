@@ -35,9 +35,9 @@ int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[
                              sailnet_plan *plan, sailnet_end *end);
 
 /*
- * Correct a plan for its own beta, and then move that towards `beta`: only so far, at most SAILNET_BETA_STEP of it in one
- * call, as an extremal of the same family exists. The sail's real thrust lies beyond the edge of what it can reach at
- * times; then the last plan that exists is better than another revolution.
+ * Correct a plan, with its beta moved towards `beta` by at most SAILNET_BETA_STEP of it. Where no extremal of the same
+ * family is found for that, the plan is corrected for its beta as it was: beyond the edge of what the sail can reach
+ * the last plan that exists is better than another revolution.
  *
  * The beta of `problem` is not used; the rest is as for sailnet_correct_plan.
  */
