@@ -210,6 +210,7 @@ int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[
                              sailnet_plan *plan, sailnet_end *end)
 {
     trial best;
+    double step[STATES] = {0.0};
     const double goal = sailnet_plan_goal(plan->time_to_go);
     int32_t fresh = 0;
     int32_t going = 1;
@@ -217,15 +218,15 @@ int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[
     (void)memcpy(best.direction, plan->direction, sizeof best.direction);
     best.time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
     fly_back(problem, state, &best);
+    const int32_t limit = most < SAILNET_MOST_EXTREMALS ? most : SAILNET_MOST_EXTREMALS;
     int32_t count = 1;
-    while ((going != 0) && (best.residual > goal) && (best.residual < NOWHERE)) {
-        double step[STATES];
+    while ((going != 0) && (count < limit) && (best.residual > goal) && (best.residual < NOWHERE)) {
         choose_largest(plan);
         const int32_t renewed = plan->differentiated == 0 ? TIME : 0;
-        going = (count + renewed) < most ? 1 : 0;
+        going = count < (limit - renewed) ? 1 : 0;
         if ((going != 0) && (renewed != 0)) {
             differentiate(problem, state, plan, &best);
-            count += renewed;
+            count += TIME;
             fresh = 1;
             scale = 1.0;
         }
@@ -256,7 +257,8 @@ int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[
     plan->time_to_go = best.time_to_go;
     plan->residual = best.residual;
     *end = best.end;
-    return count;
+    /* It is no more than the limit: the comparison shows that to an analyser. */
+    return count < limit ? count : limit;
 }
 
 /* Whether a plan passes through the state that it was corrected for. */

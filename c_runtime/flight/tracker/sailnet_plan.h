@@ -22,6 +22,9 @@ typedef struct {
    the state takes a time that grows as its root. */
 double sailnet_plan_goal(double time_to_go);
 
+/* A budget is never larger, whatever is asked for. */
+#define SAILNET_MOST_EXTREMALS 64
+
 /*
  * Correct a plan by damped Newton steps until its extremal passes through `state`. The plan is replaced by a trial only
  * if that has a smaller residual. What is not converged goes on in the next call.
