@@ -25,6 +25,7 @@ PYTEST  := OMP_NUM_THREADS=1 $(PYTHON) -m pytest -n $(JOBS) --dist worksteal
 # What a data set depends on, and what is compiled when the package is installed.
 physics  := $(wildcard sailnet/physics/*.py sailnet/expert/*.py)
 plant    := $(wildcard c_runtime/simulation/plant/*.* c_runtime/simulation/plant/*/*)
+tracker  := $(wildcard c_runtime/flight/tracker/*.[ch] c_runtime/simulation/tracker/*.c)
 mission  := $(or $(filter %.toml,$(MISSION)),$(wildcard sailnet/mission/missions/$(MISSION).toml)) $(wildcard sailnet/mission/*.py)
 run      := $(BUILD)/$(RECIPE)
 networks := $(run)/networks
@@ -59,7 +60,7 @@ paper:
 setup: $(READY)
 
 $(READY): pyproject.toml constraints.txt setup.py $(wildcard sailnet/shipped/*/sailnet_guidance*.[ch]) \
-    c_runtime/builds.py c_runtime/shared_library.py sailnet/guidance/exported_files.toml $(plant)
+    c_runtime/builds.py c_runtime/shared_library.py sailnet/guidance/exported_files.toml $(plant) $(tracker)
 	@$(PYTHON3) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	    { echo "sailnet needs Python 3.11 or newer; say make PYTHON3=/path/to/python3.11"; exit 1; }
 	@$(PYTHON) --version >/dev/null 2>&1 || $(PYTHON3) -m venv $(VENV) || \
@@ -129,7 +130,7 @@ campaigns: $(plain)/exported $(told)/exported | $(READY)
 
 # The campaign `law` by other guidances, fewer flights, and the table of them beside the networks'.
 others: | $(READY)
-	for way in look-ahead:1000 look-ahead-without-reserve:1000 expert:200 expert-without-reserve:200; do \
+	for way in tracker:1000 look-ahead:1000 look-ahead-without-reserve:1000 expert:200 expert-without-reserve:200; do \
 	    $(fly_campaign) law --guidance $${way%:*} --flights $${way#*:} --output $(BUILD)/campaigns || exit 1; \
 	done
 	$(PYTHON) -m sailnet.campaign.upper_bound $(BUILD)/campaigns sailnet/campaign/RESULTS.md

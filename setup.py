@@ -1,4 +1,4 @@
-"""Compiles the shipped guidance and the plant when the package is built, and packs the pipeline's stages."""
+"""Compiles the released guidance, the tracker and the plant, and packs the pipeline's stages."""
 
 import shutil
 import sys
@@ -15,12 +15,15 @@ from c_runtime.builds import BUILDS  # noqa: E402
 from c_runtime.shared_library import (  # noqa: E402
     CHECKSUMS,
     PLANT_LIBRARY,
+    TRACKER_LIBRARIES,
     compile_libraries,
     compile_plant,
+    compile_tracker,
 )
 
 SHIPPED = sorted(path.parent.relative_to(ROOT) for path in ROOT.glob("sailnet/shipped/*/sailnet_guidance.c"))
 PLANT = Path("sailnet/flight/native")
+TRACKER = Path("sailnet/guidance/tracker/native")
 STAGES = "sailnet_stages"
 """Folder of an installation for packages whose names are too general to stand beside others; it is put on the
 path when one of them is to run, see sailnet/workers/stages.py."""
@@ -39,12 +42,14 @@ class BuildGuidance(build_ext):
         for folder in SHIPPED:
             compile_libraries(ROOT / folder, self._base() / folder)
         compile_plant(self._base() / PLANT)
+        compile_tracker(self._base() / TRACKER)
 
     def get_outputs(self) -> list[str]:
         """The files that ``run`` writes."""
         names = [*(build.library for build in BUILDS.values()), CHECKSUMS]
         written = [folder / name for folder in SHIPPED for name in names]
         written += [PLANT / name for name in (PLANT_LIBRARY, CHECKSUMS)]
+        written += [TRACKER / name for name in (*TRACKER_LIBRARIES.values(), CHECKSUMS)]
         return [str(self._base() / file) for file in written]
 
     def get_output_mapping(self) -> dict[str, str]:
@@ -84,6 +89,6 @@ class BuildStages(build_py):
 
 
 setup(
-    ext_modules=[Extension(".".join(folder.parts), sources=[]) for folder in [*SHIPPED, PLANT]],
+    ext_modules=[Extension(".".join(folder.parts), sources=[]) for folder in [*SHIPPED, PLANT, TRACKER]],
     cmdclass={"build_ext": BuildGuidance, "build_py": BuildStages},
 )

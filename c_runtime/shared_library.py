@@ -1,4 +1,4 @@
-"""Compile an exported guidance, and the plant, into the shared libraries that simulation loads.
+"""Compile an exported guidance, the tracker and the plant into the shared libraries that simulation loads.
 
 Standard library only: the installation of the package runs this before anything else is there.
 """
@@ -93,6 +93,32 @@ def compile_plant(target: Path) -> list[Path]:
     """
     define = f'-DPLANT_SOURCES_DIGEST="{plant_digest()}"'
     return _compile({PLANT_LIBRARY: Library(plant_sources(), ("-fno-tree-vectorize", define))}, target)
+
+
+TRACKER = Path(__file__).parent / "flight" / "tracker"
+TRACKER_LIBRARIES = {3: "tracker_plane.so", 5: "tracker_space.so"}
+"""Of the tracker, by the number of components of a state."""
+
+
+def tracker_sources() -> list[Path]:
+    """The C of the tracker, and of what calls it for many sails."""
+    return [
+        *sorted(TRACKER.glob("*.c")),
+        Path(__file__).parent / "simulation" / "tracker" / "tracker_batch.c",
+    ]
+
+
+def compile_tracker(target: Path) -> list[Path]:
+    """Compile the tracker, for the plane and for space, into ``target``; returns the files written.
+
+    Raises:
+        CompilerError: there is no compiler, or it refused the source.
+    """
+    libraries = {
+        name: Library(tracker_sources(), (f"-DSAILNET_IN_SPACE={int(components == 5)}",))
+        for components, name in TRACKER_LIBRARIES.items()
+    }
+    return _compile(libraries, target)
 
 
 def compile_library(compiler: Sequence[str], file: Path, library: Library) -> None:

@@ -26,6 +26,7 @@ from sailnet.campaign.tables import (
 from sailnet.campaign.text_command import fill_from_folder
 from sailnet.errors import CampaignError
 from sailnet.guidance.rules import EXPERT_RULES, LOOK_AHEAD_RULES
+from sailnet.guidance.tracker import TRACKER
 from sailnet.workers.interruption import run_command
 
 MARK = "upper bound"
@@ -44,7 +45,7 @@ def upper_bounds(folder: Path, campaigns: Iterable[str]) -> list[Table]:
     tables = []
     for name in campaigns:
         paths = {"networks": folder / f"{name}.h5"}
-        others = (*EXPERT_RULES, *LOOK_AHEAD_RULES)
+        others = (TRACKER, *EXPERT_RULES, *LOOK_AHEAD_RULES)
         paths |= {other: folder / f"{guided_by(name, other)}.h5" for other in others}
         flown = {guided: open_results(path) for guided, path in paths.items() if path.exists()}
         if "networks" in flown and len(flown) > 1:

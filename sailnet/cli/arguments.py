@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from sailnet.errors import SailnetError
 from sailnet.guidance.rules import EXPERT_RULES, LOOK_AHEAD_RULES
+from sailnet.guidance.tracker import TRACKER
 from sailnet.mission.disturbances import Disturbance, catalogue, disturbance_from
 from sailnet.physics.optics import OPTICS
 from sailnet.workers.executors import WAIT
@@ -140,11 +141,12 @@ def backend_parser(*more: str) -> argparse.ArgumentParser:
     parser.add_argument("--networks", type=Path, metavar="DIR", help="exported networks (default: shipped)")
     parser.add_argument(
         "--guidance",
-        choices=(NETWORKS, *EXPERT_RULES, *LOOK_AHEAD_RULES),
+        choices=(NETWORKS, TRACKER, *EXPERT_RULES, *LOOK_AHEAD_RULES),
         default=NETWORKS,
-        help="what flies: the networks; or the expert, solved anew every day, with the networks' rules of "
-        "steering or without their reserve: what guidance could get at all; or the networks by a law that "
-        "looks periods ahead for its side (default: %(default)s)",
+        help="what flies: the networks; the tracker of the optimal extremal, which begins with a plan of the "
+        "optimal solver and has the networks as its fallback; the optimal solver itself, every day anew, "
+        "with the networks' rules of steering or without their thrust margin: what guidance could get at "
+        "all; or the networks by a law that looks ahead for its thrust side (default: %(default)s)",
     )
     return parser
 
@@ -174,6 +176,10 @@ def guidance_of(options: argparse.Namespace, mission: "Mission", *, many: bool =
     networks = load_guidance(
         mission, options.backend, options.precision, options.networks, layout=options.layout
     )
+    if options.guidance == TRACKER:
+        from sailnet.guidance.tracker.pilot import TrackerGuidance
+
+        return TrackerGuidance(networks, indexed=many)
     if options.guidance in LOOK_AHEAD_RULES:
         from sailnet.guidance.looking_ahead import LookingAhead
 

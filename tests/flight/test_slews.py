@@ -47,20 +47,23 @@ class Memoryless(Pilot):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("period", "least"), [(0.005, 15), (0.001, 75)])
-def test_the_papers_case_2_chatters(period: float, least: int) -> None:
+def test_the_papers_case_2_chatters_without_memory() -> None:
     """Where two ways are equally fast the sail is turned by 120 degrees, again and again.
 
-    How often is the networks' affair: those of one training 35 and 169 times, of another 21 and 99.
+    How often is the networks' affair (at the shortest period 169, 99 and 11 times, of three trainings);
+    that it is oftener the shorter the period, and that memory ends it, is not.
     """
-    flight, (history,) = fly_recorded(MISSION, Memoryless(GUIDANCE), [CASES["Case 2"]], period=period)
-    reversals = int(flight.reversals[0])
-    assert reversals > least
-    assert np.degrees(flight.command_slew[0]) > 100.0 * reversals
-    assert flight.attitude_slew[0] == pytest.approx(flight.command_slew[0], rel=1e-12)
-    large = np.flatnonzero(abs(np.diff(history.cone_angle)) > radians(100.0))
-    assert len(large) > 0.8 * reversals
-    assert (history.time[large[0]], history.time[large[-1]]) == pytest.approx((0.70, 1.23), abs=0.2)
+    start, counts = [CASES["Case 2"]], []
+    for period in (0.005, 0.001):
+        flight, (history,) = fly_recorded(MISSION, Memoryless(GUIDANCE), start, period=period)
+        reversals = int(flight.reversals[0])
+        assert np.degrees(flight.command_slew[0]) > 100.0 * reversals
+        assert flight.attitude_slew[0] == pytest.approx(flight.command_slew[0], rel=1e-12)
+        large = np.flatnonzero(abs(np.diff(history.cone_angle)) > radians(100.0))
+        assert len(large) > 0.8 * reversals
+        assert np.all((history.time[large] > 0.5) & (history.time[large] < 1.5))
+        counts.append(reversals)
+    assert counts[1] > 2 * counts[0] > 2 * fly(MISSION, GUIDANCE, start, period=0.001).reversals[0]
 
 
 def short(longest: float) -> Mission:

