@@ -179,12 +179,12 @@ static void mend(sailnet_plan *plan, const trial *before, const trial *after, co
         square += moved[k] * moved[k];
     }
     for (int32_t n = 0; n < STATES; n++) {
-        double surprise = after->end.value[n] - before->end.value[n];
+        double innovation = after->end.value[n] - before->end.value[n];
         for (int32_t k = 0; k < STATES; k++) {
-            surprise -= plan->jacobian[n][k] * moved[k];
+            innovation -= plan->jacobian[n][k] * moved[k];
         }
         for (int32_t k = 0; k < STATES; k++) {
-            plan->jacobian[n][k] += surprise * moved[k] / square;
+            plan->jacobian[n][k] += innovation * moved[k] / square;
         }
     }
 }
