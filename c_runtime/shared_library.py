@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -144,10 +145,9 @@ def _compile(libraries: Mapping[str, Library], target: Path) -> list[Path]:
     target.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target, prefix=".compile-") as name:
         beside = Path(name)
-        lines = []
-        for made, library in libraries.items():
-            file = beside / made
-            compile_library(compiler, file, library)
-            lines.append(f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {made}\n")
+        made = [beside / library for library in libraries]
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(compile_library, [compiler] * len(made), made, libraries.values()))
+        lines = [f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {file.name}\n" for file in made]
         (beside / CHECKSUMS).write_text("".join(lines))
         return [(beside / file).replace(target / file) for file in (*libraries, CHECKSUMS)]

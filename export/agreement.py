@@ -18,12 +18,14 @@ import torch
 from export.torch_guidance import torch_guidance
 from sailnet import SailnetError
 from sailnet.dataset import open_dataset
+from sailnet.errors import GuidanceError
 from sailnet.guidance.backends import Backend, load_guidance
 from sailnet.guidance.facts import describe
-from sailnet.guidance.interface import Precision
+from sailnet.guidance.interface import FirstPlans, Precision
 from sailnet.guidance.tilts import tilt_of, turned
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks, load_networks_of, network_outputs
+from sailnet.networks.plan_networks import PlanNetworks, load_plan_networks, unit_vectors
 from sailnet.physics.arrays import Array
 from sailnet.physics.geometry import geometry_of
 from sailnet.workers.interruption import run_command
@@ -97,6 +99,42 @@ def in_torch(networks: AnyGuidanceNetworks, sails: Sails, precision: Precision) 
     return tilt_of(cone, clock[0] if clock else None), tau
 
 
+def compare_directions(plan: PlanNetworks, exported: Path, sails: Sails) -> list[dict[str, object]]:
+    """Angles between the directions of the arrival costates that every pair of evaluations gives.
+
+    Returns:
+        Records as of :func:`compare`, over all states.
+    """
+    records = list[dict[str, object]]()
+    for precision in PRECISIONS:
+        given = sails.rounded(precision)
+        directions = {"NumPy": plan.direction(given.states, given.beta)}
+        for name, backend in BACKENDS.items():
+            guidance = load_guidance(plan.mission, backend, precision, exported)
+            assert isinstance(guidance, FirstPlans)
+            found = guidance.arrival_directions(given.states, given.beta)
+            if found is None:
+                raise GuidanceError(f"{exported} holds no networks of a plan: export them again")
+            directions[name] = unit_vectors(found)
+        for one, other in combinations(directions, 2):
+            apart = np.linalg.norm(directions[one] - directions[other], axis=1)
+            angle = 2.0 * np.arcsin(0.5 * apart)
+            records.append(_record(precision, f"{one} - {other}, arrival costates", angle, 1.0))
+    return records
+
+
+def _record(precision: Precision, pair: str, angle: Array, compared: float) -> dict[str, object]:
+    return {
+        "precision": precision,
+        "pair": pair,
+        "largest": float(angle.max()),
+        "quantile_999": float(np.quantile(angle, 0.999)),
+        "median": float(np.median(angle)),
+        "share_within_goal": float((angle <= GOAL[precision]).mean()),
+        "share_compared": compared,
+    }
+
+
 def compare(networks: AnyGuidanceNetworks, exported: Path, sails: Sails) -> list[dict[str, object]]:
     """Angles between the attitudes that every pair of evaluations commands, in both precisions.
 
@@ -117,17 +155,7 @@ def compare(networks: AnyGuidanceNetworks, exported: Path, sails: Sails) -> list
         certain = costate_size(networks, given) > SIGN_MARGIN[precision]
         for one, other in combinations(tilts, 2):
             difference = turned(tilts[one], tilts[other])[certain]
-            records.append(
-                {
-                    "precision": precision,
-                    "pair": f"{one} - {other}",
-                    "largest": float(difference.max()),
-                    "quantile_999": float(np.quantile(difference, 0.999)),
-                    "median": float(np.median(difference)),
-                    "share_within_goal": float((difference <= GOAL[precision]).mean()),
-                    "share_compared": float(certain.mean()),
-                }
-            )
+            records.append(_record(precision, f"{one} - {other}", difference, float(certain.mean())))
     return records
 
 
@@ -149,6 +177,7 @@ def main() -> int:
     try:
         with open_dataset(options.dataset, None) as data:
             networks = load_networks_of(data.mission, options.networks)
+            plan = load_plan_networks(options.networks, data.mission)
         kinds = {
             "samples of the data set": sails_of_dataset(
                 options.dataset, networks.mission, options.states, options.seed
@@ -158,7 +187,10 @@ def main() -> int:
         records = [
             {"states": kind, "count": options.states, **record}
             for kind, sails in kinds.items()
-            for record in compare(networks, options.exported, sails)
+            for record in [
+                *compare(networks, options.exported, sails),
+                *(() if plan is None else compare_directions(plan, options.exported, sails)),
+            ]
         ]
     except SailnetError as error:
         print(f"error: {error}", file=sys.stderr)

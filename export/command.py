@@ -41,7 +41,7 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument(
         "--plain-law",
         action="store_true",
-        help="for comparison: C without memory of side, reserve, tangential force and reckoning; "
+        help="for comparison: C without plan, thrust margin, tangential force and dead reckoning; "
         "sailnet evaluate --campaign law --networks OUT_DIR flies it",
     )
     made.add_argument(
@@ -80,13 +80,13 @@ def _export(options: argparse.Namespace) -> list[Path]:
     # Torch takes seconds to load: whoever comes second into a folder has been sent away by now.
     from export.made_of import MADE_OF, made_of, same
     from export.write import CHECKSUMS, UNFINISHED, export
-    from sailnet.guidance.rules import PLAIN, rules_for
+    from sailnet.guidance.rules import PLAIN, RULES
     from sailnet.mission.mission import load_mission
 
     mission = load_mission(options.mission)
     if options.degradation is not None:
         mission = mission.with_degradation(options.degradation)
-    rules = PLAIN if options.plain_law else rules_for(mission)
+    rules = PLAIN if options.plain_law else RULES
     origin = made_of(options.networks, mission, options.baseline, options.plain_law, options.flight_only)
     if options.resume and same(options.target, origin):
         print(f"{options.target} is there already, made by the same run", file=sys.stderr)
@@ -105,6 +105,7 @@ def _export(options: argparse.Namespace) -> list[Path]:
         options.baseline,
         rules=rules,
         flight_only=options.flight_only,
+        plans=not options.plain_law,
     )
     with writing(options.target / MADE_OF, ExportError):
         write_text(options.target / MADE_OF, origin)

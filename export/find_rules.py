@@ -1,4 +1,4 @@
-"""``python -m export.find_rules``: direct search for the reserve's numbers, over simulated flights.
+"""``python -m export.find_rules``: search for the numbers of the thrust margin, over simulated flights.
 
 Every candidate is a flight file of its own, compiled and flown over the series of a campaign, with a seed of
 its own that no reported campaign uses. What is sought is the smallest mean, over the series, of the logarithm
@@ -37,17 +37,18 @@ from sailnet.campaign.scores import largest_error
 from sailnet.flight.closed_loop import Flights, fly
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import describe
-from sailnet.guidance.rules import RULES, SteeringRules, rules_for
+from sailnet.guidance.rules import RULES, SteeringRules
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks, load_networks_of
 from sailnet.networks.network import load_network
+from sailnet.networks.plan_networks import PlanNetworks, load_plan_networks
 from sailnet.physics.arrays import Array
 from sailnet.workers.interruption import run_command
 
 SOUGHT = (
     "memory",
     "surprise_memory",
-    "reserve_tangential",
+    "tangential_loss",
     "reserve_slow",
     "reserve_white",
     "largest_reserve",
@@ -76,6 +77,7 @@ class Trials:
         plan: the campaign.
         output: one line of JSON a candidate; those that it holds are not flown again.
         names: of the series that are flown; all by default.
+        first_plans: networks of first plans, if there are any.
 
     Raises:
         ValueError: the campaign has no such series.
@@ -88,13 +90,15 @@ class Trials:
         plan: Plan,
         output: Path,
         names: Sequence[str] | None = None,
+        first_plans: PlanNetworks | None = None,
     ) -> None:
+        self._first_plans = first_plans
         self._mission, self._networks, self._plan, self._output = mission, networks, plan, output
         self._series = [one for one in plan.whole if names is None or one.name in names]
         if unknown := set(names or ()) - {one.name for one in plan.whole}:
             known = "; ".join(one.name for one in plan.whole)
             raise ValueError(f"the campaign has no series {', '.join(sorted(unknown))}; it has: {known}")
-        self._facts = describe(networks, mission)
+        self._facts = describe(networks, mission, plan=first_plans)
         self._optima: dict[str, Array] = {}
         lines = output.read_text(encoding="utf-8").splitlines() if output.exists() else []
         self._known: dict[str, Record] = {
@@ -119,7 +123,7 @@ class Trials:
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             rules = replace(RULES, **numbers)
-            write_c(self._networks, self._facts, folder, rules)
+            write_c(self._networks, self._facts, folder, rules, self._first_plans)
             compile_libraries(folder, folder, [FLOWN])
             guidance = CGuidance(self._mission, folder / FLOWN.library)
             series = {one.name: self._flights(guidance, one) for one in self._series}
@@ -150,7 +154,7 @@ def _row(mission: Mission, flights: Flights, optimal: Array) -> dict[str, float]
     }
 
 
-def candidate(text: str, rules: SteeringRules = RULES) -> SteeringRules:
+def candidate(text: str) -> SteeringRules:
     """Rules but for some numbers: ``reserve_white=4,let_go=0.1``; or for none.
 
     Raises:
@@ -160,7 +164,7 @@ def candidate(text: str, rules: SteeringRules = RULES) -> SteeringRules:
     if unknown := sorted({name for name, _ in pairs} - set(vars(RULES))):
         known = ", ".join(vars(RULES))
         raise ValueError(f"the rules have no number {', '.join(unknown)}; these are: {known}")
-    return replace(rules, **{name: float(value) for name, value in pairs})
+    return replace(RULES, **{name: float(value) for name, value in pairs})
 
 
 def search(trials: Trials, evaluations: int) -> Record:
@@ -221,12 +225,12 @@ def main(arguments: list[str] | None = None) -> int:
         networks = load_networks_of(mission, options.networks)
         plan = load_plan(options.campaign).flown_by(mission).changed(options.flights, options.seed)
         options.output.parent.mkdir(parents=True, exist_ok=True)
-        trials = Trials(mission, networks, plan, options.output, options.series)
+        first_plans = load_plan_networks(options.networks, mission)
+        trials = Trials(mission, networks, plan, options.output, options.series, first_plans)
         if options.candidate is None:
             best = search(trials, options.evaluations)
         else:
-            rules = rules_for(mission)
-            best = min((trials.fly(candidate(text, rules)) for text in options.candidate), key=_score)
+            best = min((trials.fly(candidate(text)) for text in options.candidate), key=_score)
     except (SailnetError, CompilerError, OSError, ValueError) as error:
         print(f"export.find_rules: {error}", file=sys.stderr)
         return 1

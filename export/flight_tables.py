@@ -6,12 +6,21 @@ from collections.abc import Sequence
 import numpy as np
 
 from export.errors import ExportError
-from export.limits import NAMES, ORDER, limits, scaled_ranges, scales_of
+from export.limits import (
+    NAMES,
+    ORDER,
+    limits,
+    refuse_other_ranges,
+    scale_of_plan,
+    scaled_ranges,
+    scales_of,
+)
 from export.numbers import centred_layers, literal
 from sailnet.guidance.facts import GuidanceFacts
 from sailnet.networks.approach import LATERAL_BLUR
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.network import Network
+from sailnet.networks.plan_networks import PlanNetworks
 from sailnet.networks.steepness import LOG2_E
 from sailnet.networks.trained_domain import DIRECTIONS, KNOTS
 from sailnet.physics.arrays import Array
@@ -38,15 +47,23 @@ ORBIT_NAMES = {3: "energy and radial speed", 5: "energy, radial speed and moment
 """Of them."""
 
 
-def flight_tables(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> str:
+def flight_tables(
+    networks: AnyGuidanceNetworks, facts: GuidanceFacts, plan: PlanNetworks | None = None
+) -> str:
     """C source of all tables of the flight file.
+
+    Args:
+        networks: of the law.
+        facts: of the mission.
+        plan: networks of a first plan, if there are any.
 
     Raises:
         ExportError: a number does not fit single precision, or the networks do not fit each other.
     """
     flown = networks.all
     inputs = max(len(network.inputs) for network in flown)
-    widest = max(size for network in flown for size in network.hidden)
+    planned = () if plan is None else plan.all
+    widest = max(size for network in (*flown, *planned) for size in network.hidden)
     if networks.components > 3:
         # What a layer reads is read in pairs.
         widest += widest % 2
@@ -65,6 +82,10 @@ def flight_tables(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> str:
     ]
     for network, unit in zip(flown, units, strict=True):
         numbers += _weights(network, unit, scales_of(networks), widest, width)
+    refuse_other_ranges(planned, networks)
+    of_plan = [
+        row for network in planned for row in _weights(network, 1.0, scales_of(networks), widest, width)
+    ]
     return "\n".join(
         [
             limits(networks, facts),
@@ -79,13 +100,28 @@ def flight_tables(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> str:
             f"#define SAILNET_TARGET_R2 R({literal(facts.target_state[0] ** 2)})",
             *_blur(networks),
             "/* Hidden layers of a network. */",
-            _depths(flown),
+            _depths("", flown),
             "",
             f"/* All numbers, in the order in which they are read. Networks: {_sizes(flown)}. */",
             f"#define R{BLOCK}({_list('n{}')}) \\\n    {_list('(sailnet_real)(n{})')}",
             _flat("sailnet_numbers", numbers),
+            *_of_plan(planned, of_plan),
         ]
     )
+
+
+def _of_plan(planned: Sequence[Network], numbers: Sequence[Numbers]) -> list[str]:
+    if not planned:
+        return []
+    return [
+        "",
+        "#ifndef SAILNET_LAW_ONLY",
+        f"/* Of the networks of a first plan: {_sizes(planned)}. */",
+        scale_of_plan(),
+        _depths("PLAN_", planned),
+        _flat("sailnet_plan_numbers", numbers),
+        "#endif",
+    ]
 
 
 def _list(form: str) -> str:
@@ -105,13 +141,14 @@ def _sizes(trio: Sequence[Network]) -> str:
     return ", ".join(f"{network.name} {'-'.join(map(str, network.hidden))}" for network in trio)
 
 
-def _depths(trio: Sequence[Network]) -> str:
+def _depths(prefix: str, trio: Sequence[Network]) -> str:
     """How many hidden layers a network has, by its place: a constant if it is one."""
     depths = [len(network.hidden) for network in trio]
+    macro, name = f"#define SAILNET_{prefix}DEPTH(network)", f"sailnet_{prefix.lower()}depth"
     if len(set(depths)) == 1:
-        return f"#define SAILNET_DEPTH(network) {depths[0]}"
-    table = f"static const int32_t sailnet_depth[{len(depths)}] = {{{', '.join(map(str, depths))}}};"
-    return f"{table}\n#define SAILNET_DEPTH(network) sailnet_depth[network]"
+        return f"{macro} {depths[0]}"
+    table = f"static const int32_t {name}[{len(depths)}] = {{{', '.join(map(str, depths))}}};"
+    return f"{table}\n{macro} {name}[network]"
 
 
 def _weights(network: Network, unit: float, scales: Array, widest: int, width: int) -> list[Numbers]:

@@ -11,6 +11,7 @@ from sailnet.guidance.facts import GuidanceFacts
 from sailnet.guidance.rules import RULES
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.network import EXTRAPOLATION, Network
+from sailnet.networks.plan_networks import ARRIVAL_SCALE
 from sailnet.networks.trained_domain import KNOTS
 from sailnet.physics.arrays import Array
 
@@ -54,6 +55,14 @@ def _attitude(facts: GuidanceFacts) -> list[str]:
     ]
 
 
+def scale_of_plan() -> str:
+    """C source of the constant that outputs of plan networks are scaled by: ``ARRIVAL_SCALE``."""
+    return (
+        "/* The time scale of the approach below which costates of position are scaled down [TU]. */\n"
+        f"#define SAILNET_ARRIVAL_SCALE R({literal(ARRIVAL_SCALE)})"
+    )
+
+
 def scales_of(networks: AnyGuidanceNetworks) -> Array:
     """(k,) what the C's inputs are multiplied by: it has twice the first of approach coordinates."""
     inputs = max(len(network.inputs) for network in networks.all)
@@ -76,6 +85,15 @@ def _input_ranges(trio: Sequence[Network]) -> Array:
                 f"network {network.name} has other input ranges than the others: train them on the same data"
             )
     return longest
+
+
+def refuse_other_ranges(networks: Sequence[Network], of: AnyGuidanceNetworks) -> None:
+    """Refuse networks whose inputs have other ranges than those of the law.
+
+    Raises:
+        ExportError: one has.
+    """
+    _input_ranges([*of.all, *networks])
 
 
 def _state_limits(facts: GuidanceFacts) -> Array:

@@ -7,6 +7,7 @@ from sailnet.campaign.acceptance import acceptance_table
 from sailnet.campaign.results import Results
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.network import Network
+from sailnet.networks.plan_networks import PlanNetworks
 from sailnet.physics.geometry import geometry_of
 from sailnet.physics.optics import Optics
 
@@ -47,7 +48,7 @@ def made_by(command: str, software: Facts, seed: int) -> str:
 
 def accepted_by(acceptance: Results) -> str:
     """The line that says where the figures of an acceptance campaign come from."""
-    return made_by("make", acceptance.provenance, acceptance.plan.seed)
+    return made_by("make accept", acceptance.provenance, acceptance.plan.seed)
 
 
 def _networks_table(networks: Sequence[Network]) -> list[str]:
@@ -66,6 +67,18 @@ def _networks_table(networks: Sequence[Network]) -> list[str]:
             f"| {record['epochs']} | {record['seed']} |"
         )
     return lines
+
+
+def _of_plan(plan: PlanNetworks | None) -> list[str]:
+    """What the networks of a first plan are for."""
+    if plan is None:
+        return ["No networks of a plan: the law of the networks flies unless a plan is uploaded.", ""]
+    return [
+        f"The last {len(plan.all)} begin a plan: they give the direction of the arrival costates of the "
+        "optimal extremal, which Newton's method corrects in flight. Their errors decide how often that "
+        "converges, and not how near to the optimum the vehicle flies.",
+        "",
+    ]
 
 
 def _begun(networks: Sequence[Network]) -> str:
@@ -126,7 +139,7 @@ def _speed(timings: Facts) -> list[str]:
 
 def _agreement(records: list[Facts]) -> list[str]:
     lines = [
-        "| attitudes of | precision | states | largest [rad] | median [rad] |",
+        "| attitudes, or directions, of | precision | states | largest [rad] | median [rad] |",
         "|---|---|---|---|---|",
     ]
     return lines + [
@@ -137,9 +150,21 @@ def _agreement(records: list[Facts]) -> list[str]:
 
 
 def model_card(
-    networks: AnyGuidanceNetworks, acceptance: Results, timings: Facts, agreement: list[Facts]
+    networks: AnyGuidanceNetworks,
+    acceptance: Results,
+    timings: Facts,
+    agreement: list[Facts],
+    plan: PlanNetworks | None = None,
 ) -> str:
-    """Markdown: what the networks are, what they were trained on, what they do and do not do."""
+    """Markdown: what the networks are, what they were trained on, what they do and do not do.
+
+    Args:
+        networks: of the law.
+        acceptance: the campaign that they were accepted by.
+        timings: of the benchmark.
+        agreement: of :mod:`export.agreement`.
+        plan: networks of a first plan, if there are any.
+    """
     mission = networks.mission
     tau = networks.tau
     rules = acceptance.mission.flight  # by which they fly: those they were trained with may have been others
@@ -149,8 +174,9 @@ def model_card(
             "",
             accepted_by(acceptance),
             "",
-            *_networks_table(networks.all),
+            *_networks_table((*networks.all, *(() if plan is None else plan.all))),
             "",
+            *_of_plan(plan),
             f"Data set: SHA-256 `{tau.provenance['dataset']}`, split {tau.provenance['split']}; made by "
             "`python -m data` from the mission's recipe. Test errors are over "
             f"{tau.provenance['test_samples']} samples of trajectories that took no part in training, scaled "

@@ -26,7 +26,7 @@ def main() -> int:
     parser.add_argument("package", type=Path, help="folder in the package")
     parser.add_argument("--mission", default="earth_mars", help="mission name or TOML file (%(default)s)")
     parser.add_argument("--readme", type=Path, help="also write a few rows of results into this file")
-    parser.add_argument("--results", type=Path, help="and the whole tables into this one")
+    parser.add_argument("--results", type=Path, help="and into this one")
     parser.add_argument("--paper", type=Path, help="and those of this report.json, of `make paper`")
     parser.add_argument("--picture", type=Path, help="also draw the flight from the departure orbit: a PNG")
     options = parser.parse_args()

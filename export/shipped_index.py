@@ -30,9 +30,9 @@ HEADS = ("mission", "AU", "sail", "optimum from the departure orbit")
 SERIES = {"nominal": "undisturbed", "unknown bias": "β unknown", "unknown bias and white noise": "and noise"}
 """Of the acceptance, as they are called here."""
 
-MEAN, HOME = "mean time above own optimum", "home at the first approach"
+MEAN, HOME = "mean excess", "no extra revolution"
 
-FAIL, ARRIVE = "do not arrive", "arrive"
+FAIL, ARRIVE = "failed", "arrived"
 
 MAIN = "earth_mars"
 """Its campaigns have a text of their own."""
@@ -61,11 +61,6 @@ def rows_of(text: str) -> list[Row]:
     return [dict(zip(rows[0], row, strict=True)) for row in rows[2:]] if rows else []
 
 
-def _cell(row: Row, head: str) -> str:
-    """Of the column whose head begins so: what stands behind a colon there explains it."""
-    return next(cell for name, cell in row.items() if name == head or name.startswith(f"{head}:"))
-
-
 def index_row(mission: Mission, acceptance: str, campaigns: str) -> list[str]:
     """A mission's row.
 
@@ -86,17 +81,17 @@ def index_row(mission: Mission, acceptance: str, campaigns: str) -> list[str]:
     flown = {row["flown"]: row for row in rows_of(acceptance)}
     for series in SERIES:
         row = flown[series]
-        mean, home, fail = (_cell(row, head).split(" (")[0] for head in (MEAN, HOME, FAIL))
+        mean, home, fail = (row[head].split(", ")[0] for head in (MEAN, HOME, FAIL))
         cells.append(f"{mean}; {home}; {fail}")
     _, found, reach = campaigns.partition("(`reach`,")
     inside = [row for row in rows_of(reach) if row["series"] == INSIDE] if found else []
-    return [*cells, _cell(inside[0], ARRIVE) if inside else NONE]
+    return [*cells, inside[0][ARRIVE] if inside else NONE]
 
 
 def index_table(rows: Sequence[list[str]]) -> list[str]:
     """Lines of Markdown."""
-    told = [f"{name}: mean late; at the first approach; lost" for name in SERIES.values()]
-    return Table("", [*HEADS, *told, "inside the domain: arrive"], list(rows)).markdown()
+    told = [f"{name}: mean excess; without an extra revolution; failed" for name in SERIES.values()]
+    return Table("", [*HEADS, *told, "inside the domain: arrived"], list(rows)).markdown()
 
 
 def pictures(mission: Mission, folder: Path, shown: Path, campaigns: Path) -> None:

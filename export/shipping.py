@@ -11,12 +11,13 @@ from export.model_card import Facts, accepted_by, made_by, model_card
 from export.picture import draw_departure
 from export.write import export
 from sailnet.artefacts.files import fill_block, write_text, write_whole, writing
-from sailnet.campaign.acceptance import CAMPAIGN, acceptance_table, headline_table
+from sailnet.campaign.acceptance import CAMPAIGN, summary_table
 from sailnet.campaign.criteria import criteria_of, missed
 from sailnet.campaign.results import open_results
 from sailnet.campaign.scores import scores_of
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_in_space import load_networks_of
+from sailnet.networks.plan_networks import load_plan_networks
 
 REPRODUCTION = "reproduction.json"
 """What the page of the paper's campaign draws of `make paper`; its report leaves it beside its table."""
@@ -57,8 +58,9 @@ def ship(
         build: folder with networks/, acceptance.h5, bench.json and agreement.json.
         package: where the networks, what is exported from them and their model card go.
         mission: whose rules of flight are built in.
-        readme: file whose block ``summary`` is written anew: a few rows.
-        results: file whose blocks ``acceptance MISSION`` and, with ``paper``, ``paper`` are written anew.
+        readme: file whose block ``summary`` is written anew: a few rows of what the model card has.
+        results: file whose blocks ``acceptance MISSION``, the same rows, and, with ``paper``, ``paper`` are
+            written anew.
         paper: report.json of a reproduction of the paper; reproduction.json beside it is shipped too.
         picture: PNG of the flight from the mission's departure orbit.
 
@@ -72,20 +74,19 @@ def ship(
         raise ExportError(f"not released, a criterion is missed: {'; '.join(map(str, failed))}")
     timings, agreement = (_read(build / f"{name}.json", "make bench") for name in ("bench", "agreement"))
     folder = build / "networks"
-    networks = load_networks_of(mission, folder)
+    networks, plan = load_networks_of(mission, folder), load_plan_networks(folder, mission)
     export(folder, package, mission)
-    for network in networks.all:
+    for network in (*networks.all, *(() if plan is None else plan.all)):
         _copy(folder / f"{network.name}.safetensors", package)
-    card = model_card(networks, accepted, timings, agreement)
+    card = model_card(networks, accepted, timings, agreement, plan)
     with writing(package / "MODEL_CARD.md", ExportError):
         write_text(package / "MODEL_CARD.md", card)
     origin = accepted_by(accepted)
+    summary = "\n".join([origin, "", *summary_table(accepted)])
     if readme is not None:
-        fill_block(readme, "summary", "\n".join([origin, "", *headline_table(accepted)]))
+        fill_block(readme, "summary", summary)
     if results is not None:
-        fill_block(
-            results, f"acceptance {mission.name}", "\n".join([origin, "", *acceptance_table(accepted)])
-        )
+        fill_block(results, f"acceptance {mission.name}", summary)
     if paper is not None:
         report = _read(paper, "make paper")
         if results is not None:

@@ -5,14 +5,21 @@ is of the mission's dimensions is exported: a flight file holds nothing that it 
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 
 C_RUNTIME = Path(__file__).parent.parent / "c_runtime"
-FOLDERS = (C_RUNTIME / "flight", C_RUNTIME / "simulation", C_RUNTIME / "simulation" / "host")
+FOLDERS = (
+    C_RUNTIME / "flight",
+    C_RUNTIME / "flight" / "tracker",
+    C_RUNTIME / "simulation",
+    C_RUNTIME / "simulation" / "host",
+)
 """Where templates, and the parts they include, are looked for, in this order."""
 
-_INCLUDE = re.compile(r'^#include "(\w+\.inc)"$', re.MULTILINE)
+_INCLUDE = re.compile(
+    r'^#include "(\w+\.inc|sailnet_(?:extremal|plan|tracker|tracker_types)\.[ch])"$', re.MULTILINE
+)
 _PLACE = re.compile(r"@([A-Z_0-9]+)@")
 
 
@@ -20,23 +27,35 @@ IN_SPACE = {"#if SAILNET_IN_SPACE": True, "#if !SAILNET_IN_SPACE": False}
 """What opens lines that are of three dimensions alone, or of the plane alone, until its ``#else``."""
 
 
-def filled(template: str, values: Mapping[str, str], *, in_space: bool = False) -> str:
+def filled(
+    template: str, values: Mapping[str, str], *, in_space: bool = False, without: Collection[str] = ()
+) -> str:
     """The text of a template, with each included part in the place of its line, and the values in theirs.
 
-    Lines that include headers stay as they are: what is exported is C.
+    Of the tracker, which compiles where it lies, headers and sources are parts like any other, each put in
+    once. Lines that include other headers stay as they are: what is exported is C.
 
     Args:
         template: file name.
         values: what comes in the place of each ``@KEY@``; places in what is included count, too.
         in_space: whether it is of three dimensions.
+        without: parts that the file has already, by another that it includes.
 
     Raises:
         KeyError: a place without a value.
     """
     text = _of_dimensions(read(template), in_space)
+    expanded: set[str] = set(without)
+
+    def part(line: re.Match[str]) -> str:
+        name = line[1]
+        if not name.endswith(".inc") and name in expanded:
+            return ""
+        expanded.add(name)
+        return _of_dimensions(read(name), in_space).rstrip("\n")
+
     while _INCLUDE.search(text):
-        put = _put(text, values)
-        text = _INCLUDE.sub(lambda line: _of_dimensions(read(line[1]), in_space).rstrip("\n"), put)
+        text = _INCLUDE.sub(part, _put(text, values))
     return _put(text, values)
 
 

@@ -4,6 +4,7 @@ The order in which the text is put together is that of the templates: ``flight/s
 ``simulation/sailnet_guidance_host.c.in``.
 """
 
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
@@ -12,15 +13,15 @@ import numpy as np
 from export.domain import domain_tables
 from export.errors import ExportError
 from export.flight_tables import flight_tables
-from export.homing_parts import flown_of_homing, told_of_homing
 from export.host_tables import constants, stage_tables
-from export.lateness import asked_of_lateness, told_of_lateness
-from export.limits import ORDER, limits
+from export.limits import ORDER, limits, scale_of_plan
 from export.numbers import literal
 from export.templates import filled
 from sailnet.guidance.facts import GuidanceFacts, round_down
-from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules, reversal_time
+from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
+from sailnet.guidance.tracker.library import PROBLEM, problem_of
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
+from sailnet.networks.plan_networks import PlanNetworks
 from sailnet.networks.steepness import LOG2_E
 from sailnet.physics import units
 from sailnet.physics.optics import Optics
@@ -28,9 +29,16 @@ from sailnet.physics.optics import Optics
 SIMULATION = ("sailnet_batch.h", "sailnet_batch.c")
 """Files that are the same for all networks of as many dimensions, for simulation."""
 
+TYPES = "sailnet_tracker_types.h"
+"""Of the tracker, which the header has."""
+
 
 def write_c(
-    networks: AnyGuidanceNetworks, facts: GuidanceFacts, folder: Path, rules: SteeringRules = RULES
+    networks: AnyGuidanceNetworks,
+    facts: GuidanceFacts,
+    folder: Path,
+    rules: SteeringRules = RULES,
+    plan: PlanNetworks | None = None,
 ) -> None:
     """Write the flight file, its form for hosts, their header, and the batch entry that simulation adds.
 
@@ -39,6 +47,7 @@ def write_c(
         facts: what flies by them.
         folder: where to.
         rules: of steering.
+        plan: networks of a first plan; without them a plan comes from the ground alone.
 
     Raises:
         ExportError: a weight does not fit single precision, the networks do not fit each other, or the
@@ -49,19 +58,23 @@ def write_c(
             f"arrival_threshold is {facts.arrival_threshold:g} TU, and no guidance period is longer than "
             f"{LARGEST_PERIOD:g} TU: make it shorter"
         )
-    (folder / "sailnet_guidance.h").write_text(_header(networks, facts, rules))
-    (folder / "sailnet_guidance.c").write_text(_flight(networks, facts, rules))
-    (folder / "sailnet_guidance_host.c").write_text(_host(networks, facts, rules))
+    (folder / "sailnet_guidance.h").write_text(_header(networks, facts, rules, plan))
+    (folder / "sailnet_guidance.c").write_text(_flight(networks, facts, plan))
+    (folder / "sailnet_guidance_host.c").write_text(_host(networks, facts, plan))
     for name in SIMULATION:
         (folder / name).write_text(filled(name, {}, in_space=facts.components > 3))
 
 
-def _header(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: SteeringRules) -> str:
+def _header(
+    networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: SteeringRules, plan: PlanNetworks | None
+) -> str:
     r, u, v = np.array(facts.target_state)[ORDER[facts.components]][:3]
     return filled(
         "sailnet_guidance.h.in",
         {
             "PROVENANCE": _provenance(facts),
+            "IN_SPACE": str(int(facts.components > 3)),
+            "PLANS": str(int(plan is not None)),
             "VERSION": facts.version,
             "MISSION": facts.mission,
             "MISSION_DIGEST": facts.mission_digest,
@@ -81,11 +94,6 @@ def _header(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: Steering
             "BETA_MIN": literal(facts.beta_min),
             "BETA_MAX": literal(facts.beta_max),
             **{name.upper(): literal(value) for name, value in asdict(rules).items()},
-            "PATIENCE": literal(rules.patience(facts.phi_max, facts.turn_rate)),
-            "REVERSAL_HOURS": _hours(reversal_time(facts.phi_max, facts.turn_rate)),
-            "LARGEST_PATIENCE_HOURS": _hours(rules.largest_patience),
-            **told_of_lateness(rules, r),
-            **told_of_homing(rules, r, facts.components > 3),
             "SLEW_RATE": literal(facts.turn_rate),
             "COSTATE_UNIT": literal(facts.costate_unit),
             "LARGEST_PERIOD": literal(LARGEST_PERIOD),
@@ -114,50 +122,66 @@ def _ageing(facts: GuidanceFacts) -> dict[str, str]:
     }
 
 
-def _parts(facts: GuidanceFacts, rules: SteeringRules) -> dict[str, str]:
-    """What only some missions fly, and is not in the files of others."""
+def _parts(facts: GuidanceFacts) -> dict[str, str]:
+    """The transfer as the tracker has it, and what only the C of a sail that ages has."""
+    problem = problem_of(facts.optics, facts.phi_max, facts.beta, facts.target_state[0])
+    rows = [
+        f"    {literal(float(problem[name]))}, /* {name.replace('_', ' ')} */" for name in PROBLEM.names or ()
+    ]
     return {
         "AGEING": '\n#include "ageing.inc"\n' if facts.degradation.loss > 0.0 else "",
-        **asked_of_lateness(rules),
-        **flown_of_homing(rules, facts.components > 3),
+        "PROBLEM": "\n".join(rows),
     }
-
-
-def _hours(time: float) -> str:
-    return f"{time * units.TU / units.HOUR:.1f}"
 
 
 def _days(time: float) -> str:
     return f"{time * units.TU / units.DAY:.0f}"
 
 
-def _flight(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: SteeringRules) -> str:
-    tables = flight_tables(networks, facts)
-    values = {"PROVENANCE": _provenance(facts), "TABLES": tables, **_parts(facts, rules)}
-    return filled("sailnet_guidance.c.in", values, in_space=facts.components > 3)
+def _flight(networks: AnyGuidanceNetworks, facts: GuidanceFacts, plan: PlanNetworks | None) -> str:
+    tables = flight_tables(networks, facts, plan)
+    values = {"PROVENANCE": _provenance(facts), "TABLES": tables, **_parts(facts)}
+    return filled("sailnet_guidance.c.in", values, in_space=facts.components > 3, without=[TYPES])
 
 
-def _host(networks: AnyGuidanceNetworks, facts: GuidanceFacts, rules: SteeringRules) -> str:
+def _host(networks: AnyGuidanceNetworks, facts: GuidanceFacts, plan: PlanNetworks | None) -> str:
     flown = networks.all
     if networks.approach:
         # tau comes as a power of 2; the C gives those inputs first that are known first.
+        order = range(len(networks.tau.inputs))[::-1]
         units = (LOG2_E, *[1.0] * (len(flown) - 1))
-        approach = stage_tables("approach", flown, units, range(len(networks.tau.inputs))[::-1])
-        stages = {"FORM": "approach", "TABLES_OF_APPROACH": approach}
+        approach = stage_tables("approach", flown, units, order)
+        stages = {"FORM": "approach", "TABLES_OF_APPROACH": approach, **_stages_of_plan(plan, order)}
     else:
         stages = {
             "FORM": "paper",
             "TABLES_OF_TAU": stage_tables("tau", flown[:1]),
             "TABLES_OF_COMMAND": stage_tables("command", flown[1:]),
+            "NETWORKS_OF_PLANS": "",
         }
     values = {
         "PROVENANCE": _provenance(facts),
         "LIMITS": limits(networks, facts),
         "CONSTANTS": constants(facts, networks.approach),
         "DOMAIN": domain_tables(facts),
-        **_parts(facts, rules),
+        **_parts(facts),
     }
-    return filled("sailnet_guidance_host.c.in", values | stages, in_space=facts.components > 3)
+    return filled(
+        "sailnet_guidance_host.c.in", values | stages, in_space=facts.components > 3, without=[TYPES]
+    )
+
+
+def _stages_of_plan(plan: PlanNetworks | None, order: Sequence[int]) -> dict[str, str]:
+    """In space those of w come alone: of a stage only the last network has two outputs."""
+    if plan is None:
+        return {"NETWORKS_OF_PLANS": ""}
+    flown = list(plan.all)
+    tables = {"NETWORKS_OF_PLANS": '\n#include "networks_plan.inc"\n'}
+    if len(flown) > 3:
+        tables["TABLES_OF_PLAN_W"] = stage_tables("plan_w", [flown.pop()], order=order)
+        flown.append(flown.pop(1))
+    of_plan = f"{scale_of_plan()}\n{stage_tables('plan', flown, order=order)}"
+    return {**tables, "TABLES_OF_PLAN": of_plan}
 
 
 def _provenance(facts: GuidanceFacts) -> str:

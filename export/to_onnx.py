@@ -23,7 +23,7 @@ class Graph:
 
     Attributes:
         file: name of the file.
-        module: maps its inputs to one (n,) tensor for each output.
+        module: maps its inputs to one (n,) or (n, k) tensor for each output.
         inputs: name and number of columns k of each input, (n, k), or (n,) where k is None. ``state`` is
             (r, u, v), ``state_and_tau`` (r, u, v, tau), ``approach`` ``APPROACH_INPUTS``, ``beta`` itself; in
             space (r, latitude, u, v, w), ``APPROACH_INPUTS_IN_SPACE``, and ``lateral`` ``LATERAL_INPUTS``.

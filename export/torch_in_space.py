@@ -11,16 +11,22 @@ from export.torch_networks import TorchApproachGuidance, TorchNetwork
 from sailnet.guidance.facts import GuidanceFacts, round_down
 from sailnet.networks.approach import LATERAL_BLUR
 from sailnet.networks.guidance_in_space import GuidanceNetworksInSpace
+from sailnet.networks.plan_networks import PlanNetworks
 
 STEPS = 3
 """Each cubes the error of an angle: that of the first guess is below 0.08 rad, of the last below 1e-30."""
 
 
 class TorchGuidanceInSpace(TorchApproachGuidance):
-    """(n, 5) states and (n,) beta to cone angle, time of flight [TU], lambda_v, clock angle and lambda_w."""
+    """(n, 5) states and (n,) beta to cone angle, time of flight [TU], lambda_v, clock angle and lambda_w.
 
-    def __init__(self, networks: GuidanceNetworksInSpace, facts: GuidanceFacts) -> None:
-        super().__init__(networks, facts)
+    With networks of a plan (n, 5) directions of the arrival costates come last, of any size.
+    """
+
+    def __init__(
+        self, networks: GuidanceNetworksInSpace, facts: GuidanceFacts, plan: PlanNetworks | None = None
+    ) -> None:
+        super().__init__(networks, facts, plan)
         self.lambda_w = TorchNetwork(networks.lambda_w)
         self.register_buffer("target_radius", torch.tensor(facts.target_state[0], dtype=torch.float64))
         self.register_buffer("lateral_blur2", torch.tensor(LATERAL_BLUR**2, dtype=torch.float64))
@@ -76,4 +82,6 @@ class TorchGuidanceInSpace(TorchApproachGuidance):
         unit = self.get_buffer("costate_unit")
         lambda_v, lambda_w = unit * self.lambda_v(even), unit * self.lambda_w(even, factors)
         clock = self.clock_angle(0.0 - lambda_v, 0.0 - lambda_w)
-        return self.size(even), even[:, 6] * torch.exp(self.tau(even)), lambda_v, clock, lambda_w
+        time_of_flight = even[:, 6] * torch.exp(self.tau(even))
+        command = self.size(even), time_of_flight, lambda_v, clock, lambda_w
+        return *command, *self.arrival_direction(even, factors)

@@ -12,6 +12,7 @@ from sailnet.networks.approach import SMALLEST_SCALE
 from sailnet.networks.centred import centred_biases
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.network import EXTRAPOLATION, Network
+from sailnet.networks.plan_networks import ARRIVAL_SCALE, PlanNetworks
 
 
 class TorchNetwork(nn.Module):
@@ -101,11 +102,17 @@ class TorchPaperGuidance(TorchGuidance):
 class TorchApproachGuidance(TorchGuidance):
     """Approach coordinates: (n, 3) states and (n,) beta to cone angle [rad], time of flight [TU], lambda_v.
 
+    With networks of a plan (n, 3) directions of the arrival costates come last, of any size.
     States are clamped to the box of trained ones, widened, and beta to its range.
     """
 
-    def __init__(self, networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> None:
+    def __init__(
+        self, networks: AnyGuidanceNetworks, facts: GuidanceFacts, plan: PlanNetworks | None = None
+    ) -> None:
         super().__init__(networks)
+        self.plan = nn.ModuleList([] if plan is None else map(TorchNetwork, plan.all))
+        self.lateral = [] if plan is None else [bool(network.factors) for network in plan.all]
+        self.register_buffer("arrival_scale", torch.tensor(ARRIVAL_SCALE, dtype=torch.float64))
         low, high = np.array(facts.state_min), np.array(facts.state_max)
         margin = EXTRAPOLATION * (high - low)
         target = np.array(facts.target_state)
@@ -141,11 +148,30 @@ class TorchApproachGuidance(TorchGuidance):
         s = torch.sqrt(s2)
         return torch.stack([missing[:, 0] / s2, missing[:, 1] / s, missing[:, 2] / s, s, sail], dim=1)
 
+    def arrival_direction(self, inputs: Tensor, factors: Tensor | None = None) -> tuple[Tensor, ...]:
+        """One (n, k) direction of the arrival costates, of any size; none without networks of a plan.
+
+        Args:
+            inputs: (n, 5) or (n, 8) approach coordinates.
+            factors: in space (n, 2) ``LATERAL_INPUTS``.
+        """
+        if not len(self.plan):
+            return ()
+        s = inputs[:, -2]
+        scale = s / (s + self.get_buffer("arrival_scale"))
+        given = [
+            network(inputs, factors) if lateral else network(inputs)
+            for network, lateral in zip(self.plan, self.lateral, strict=True)
+        ]
+        position = len(given) // 2
+        return (torch.stack([*given[:position], *(scale * one for one in given[position:])], dim=1),)
+
     def forward(self, state: Tensor, beta: Tensor) -> tuple[Tensor, ...]:
         """Evaluate."""
         inputs = self.coordinates(state, beta)
         angle, lambda_v = self.angle_and_costate(inputs)
-        return angle, inputs[:, 3] * torch.exp(self.tau(inputs)), lambda_v
+        time_of_flight = inputs[:, 3] * torch.exp(self.tau(inputs))
+        return angle, time_of_flight, lambda_v, *self.arrival_direction(inputs)
 
 
 class TorchBaseline(nn.Module):

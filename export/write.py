@@ -1,6 +1,7 @@
 """One export: everything computed and checked beside the target folder, then moved into it."""
 
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 from tqdm import tqdm
@@ -18,12 +19,13 @@ from sailnet.artefacts.room import room_told
 from sailnet.errors import NetworkError, reason
 from sailnet.guidance.exported_files import graph_name
 from sailnet.guidance.facts import GuidanceFacts, describe
-from sailnet.guidance.rules import SteeringRules, rules_for
+from sailnet.guidance.rules import RULES, SteeringRules
 from sailnet.mission.mission import Mission
 from sailnet.networks.approach import APPROACH_INPUTS, APPROACH_INPUTS_IN_SPACE, LATERAL_INPUTS
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks, GuidanceNetworksInSpace, load_networks_of
 from sailnet.networks.guidance_networks import COMMAND_INPUTS, STATE_INPUTS
 from sailnet.networks.network import Network, load_network
+from sailnet.networks.plan_networks import PlanNetworks, load_plan_networks
 
 CHECKSUMS = "SHA256SUMS"
 UNFINISHED = ".export-"
@@ -40,6 +42,7 @@ def export(
     progress: bool = True,
     rules: SteeringRules | None = None,
     flight_only: bool = False,
+    plans: bool = True,
 ) -> list[Path]:
     """Write ONNX graphs, C and compiled libraries of the networks in a folder; returns what was written.
 
@@ -47,15 +50,16 @@ def export(
 
     Args:
         networks_folder: holds ``tau``, ``alpha_pre`` and ``lambda_v`` (``.safetensors``), in space also
-            ``lambda_w``.
+            ``lambda_w``; and, for a first plan on board, the networks of the arrival costates.
         target: folder to write to; it keeps what it had if anything fails.
         mission: whose rules of flight are built in, and whose problem the networks must be trained for.
         baseline: ``alpha.safetensors``, a network that gives the signed cone angle from (r, u, v, tau); of
             the plane.
         progress: show a bar on stderr.
-        rules: of steering, which the C has built in; the mission's by default.
+        rules: of steering, which the C has built in.
         flight_only: no ONNX graphs, and of the libraries the flight file in double precision alone: what a
             choice among networks flies.
+        plans: with the networks of a first plan, where there are any.
 
     Raises:
         NetworkError: a network is missing, damaged or does not fit.
@@ -71,37 +75,27 @@ def export(
                 f"a baseline takes {COMMAND_INPUTS} and flies with a tau of {STATE_INPUTS}, "
                 f"not {alpha.inputs} with {networks.tau.inputs}"
             )
-    rules = rules or rules_for(mission)
+    rules = rules or RULES
     try:
         target.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=target, prefix=UNFINISHED) as name, room_told(Path(name)):
             beside = Path(name)
-            facts = describe(networks, mission)
-            write_c(networks, facts, beside, rules)
+            plan = load_plan_networks(networks_folder, mission) if plans else None
+            facts = describe(networks, mission, plan=plan)
+            write_c(networks, facts, beside, rules, plan)
             if flight_only:
                 return _moved(beside, target, compile_libraries(beside, beside, [BUILDS["f64"]]))
             compiled = compile_libraries(beside, beside)
-            _write_graphs(networks, facts, alpha, mission, beside, progress)
+            for graph in tqdm(_graphs(networks, facts, plan), "ONNX graphs", disable=not progress):
+                write_onnx(graph, facts, beside)
+            if alpha is not None:
+                pair = Graph("baseline_f64.onnx", TorchBaseline(networks.tau, alpha), STATE, COMMAND[:2])
+                write_onnx(pair, describe(networks, mission, alpha), beside)
             return _moved(beside, target, compiled)
     except CompilerError as error:
         raise ExportError(str(error)) from error
     except OSError as error:
         raise ExportError(f"cannot write to {target}: {reason(error)}") from error
-
-
-def _write_graphs(
-    networks: AnyGuidanceNetworks,
-    facts: GuidanceFacts,
-    alpha: Network | None,
-    mission: Mission,
-    beside: Path,
-    progress: bool,
-) -> None:
-    for graph in tqdm(_graphs(networks, facts), "ONNX graphs", disable=not progress):
-        write_onnx(graph, facts, beside)
-    if alpha is not None:
-        pair = Graph("baseline_f64.onnx", TorchBaseline(networks.tau, alpha), STATE, COMMAND[:2])
-        write_onnx(pair, describe(networks, mission, alpha), beside)
 
 
 def _moved(beside: Path, target: Path, compiled: list[Path]) -> list[Path]:
@@ -112,10 +106,13 @@ def _moved(beside: Path, target: Path, compiled: list[Path]) -> list[Path]:
     return [file.replace(target / file.name) for file in moved]
 
 
-def _graphs(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> list[Graph]:
+def _graphs(
+    networks: AnyGuidanceNetworks, facts: GuidanceFacts, plan: PlanNetworks | None = None
+) -> list[Graph]:
+    given = () if plan is None else ("arrival_direction",)
     if isinstance(networks, GuidanceNetworksInSpace):
-        return _graphs_in_space(networks, facts)
-    guidance = torch_guidance(networks, facts)
+        return _graphs_in_space(networks, TorchGuidanceInSpace(networks, facts, plan), given)
+    guidance = torch_guidance(networks, facts, plan)
     whole: Inputs
     of_tau: Inputs
     of_command: Inputs
@@ -128,13 +125,14 @@ def _graphs(networks: AnyGuidanceNetworks, facts: GuidanceFacts) -> list[Graph]:
         Graph("tau.onnx", guidance.tau, of_tau, ["tau"]),
         Graph("alpha_pre.onnx", guidance.alpha_pre, of_command, ["alpha_pre"]),
         Graph("lambda_v.onnx", guidance.lambda_v, of_command, ["lambda_v"]),
-        Graph(graph_name("float32"), guidance.in_float32(), whole, COMMAND),
-        Graph(graph_name("float64"), guidance, whole, COMMAND),
+        Graph(graph_name("float32"), guidance.in_float32(), whole, (*COMMAND, *given)),
+        Graph(graph_name("float64"), guidance, whole, (*COMMAND, *given)),
     ]
 
 
-def _graphs_in_space(networks: GuidanceNetworksInSpace, facts: GuidanceFacts) -> list[Graph]:
-    guidance = TorchGuidanceInSpace(networks, facts)
+def _graphs_in_space(
+    networks: GuidanceNetworksInSpace, guidance: TorchGuidanceInSpace, given: Sequence[str]
+) -> list[Graph]:
     whole: Inputs = {"state": networks.components, "beta": None}
     even: Inputs = {"approach": len(APPROACH_INPUTS_IN_SPACE)}
     odd: Inputs = {**even, "lateral": len(LATERAL_INPUTS)}
@@ -143,8 +141,8 @@ def _graphs_in_space(networks: GuidanceNetworksInSpace, facts: GuidanceFacts) ->
         Graph("alpha_pre.onnx", guidance.alpha_pre, even, ["alpha_pre"]),
         Graph("lambda_v.onnx", guidance.lambda_v, even, ["lambda_v"]),
         Graph("lambda_w.onnx", guidance.lambda_w, odd, ["lambda_w"]),
-        Graph(graph_name("float32"), guidance.in_float32(), whole, COMMAND_IN_SPACE),
-        Graph(graph_name("float64"), guidance, whole, COMMAND_IN_SPACE),
+        Graph(graph_name("float32"), guidance.in_float32(), whole, (*COMMAND_IN_SPACE, *given)),
+        Graph(graph_name("float64"), guidance, whole, (*COMMAND_IN_SPACE, *given)),
     ]
 
 

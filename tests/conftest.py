@@ -18,9 +18,10 @@ from sailnet.mission.mission import Mission, load_mission
 from sailnet.mission.sections import Degradation
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import Network, save_network
+from sailnet.networks.plan_networks import PlanNetworks
 from sailnet.physics.optics import OPTICS
 from sailnet.physics.transfer import Transfer
-from tests.random_networks import random_guidance, random_network, save_guidance
+from tests.random_networks import random_guidance, random_network, random_plan_networks, save_guidance
 from tests.reference import Array
 from tests.small_datasets import NOMINAL, pieces, with_recipe
 from tests.tools import (  # noqa: F401 (hooks)
@@ -135,6 +136,7 @@ class Exported:
     networks: GuidanceNetworks
     weights: Path
     folder: Path
+    plan: PlanNetworks | None
 
 
 @pytest.fixture(scope="session")
@@ -151,10 +153,8 @@ def approach_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory
 
 @pytest.fixture(scope="session")
 def jpl_exported(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Exported:
-    """In approach coordinates, of a sail that is not ideal and ages; with all that own missions say."""
-    flight = mission.flight.model_copy(update={"late_share": 0.1, "missed_wait": 0.5, "homing": 0.5})
-    ages = {"degradation": Degradation(loss=0.2), "flight": flight}
-    jpl = mission.with_optics(OPTICS["jpl"]).model_copy(update=ages)
+    """In approach coordinates, of a sail that is not ideal and ages."""
+    jpl = mission.with_optics(OPTICS["jpl"]).model_copy(update={"degradation": Degradation(loss=0.2)})
     return _export("jpl", random_guidance(approach=True, mission=jpl), jpl, tmp_path_factory)
 
 
@@ -185,16 +185,19 @@ def _export(
     base = folders.getbasetemp()
     made = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / f"{name}_exported"
     weights, folder, finished = made / "networks", made / "exported", made / "finished"
+    plan = random_plan_networks(mission=mission) if networks.approach else None
     with FileLock(f"{made}.lock"):
         if not finished.exists():
             save_guidance(networks, weights)
+            if plan is not None:
+                save_guidance(plan, weights)
             baseline = None
             if alpha is not None:
                 baseline = weights / "alpha.safetensors"
                 save_network(alpha, baseline)
             export(weights, folder, mission, baseline, progress=False)
             finished.touch()
-    return Exported(networks, weights, folder)
+    return Exported(networks, weights, folder, plan)
 
 
 @pytest.fixture(scope="session")

@@ -1,9 +1,13 @@
 """Steering in C held against the reference in NumPy step by step: both start each step from the same memory.
 
 Nothing that rounding did before is left then, and what it does in one step is found by asking: the reference
-answers also with its memory, and the commands' beta, a few rounding errors beside. Within the spread of those
-answers the C's must lie, and where they differ in kind (a status, or a sign that one digit decides) it must
-be of one of those kinds.
+answers also with its memory, its plans, and the commands' beta, a few rounding errors beside. Within the
+spread of those answers the C's must lie, and where they differ in kind (a status, or a sign that one digit
+decides) it must be of one of those kinds.
+
+Of a plan the derivatives are not compared: they are differences of extremals, of which rounding is a part.
+What the next step makes of them is. Of a candidate it is compared what vehicle it is for, and the plan that
+it becomes: until it converges rounding decides of its steps, and both compute these by the same C.
 """
 
 from collections.abc import Callable
@@ -15,50 +19,56 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet.guidance.exported_c import CGuidance
-from sailnet.guidance.homing import FLOWN
 from sailnet.guidance.interface import Commands, Steered
-from sailnet.guidance.memory import ARCS, COUNTS, TILTS, Memory
-from sailnet.guidance.plans import ANGLE, SMALL, Sails
-from sailnet.guidance.rules import rules_for
+from sailnet.guidance.memory import COUNTS, TILTS, Memory
 from sailnet.guidance.steering import ReferenceSteering
-from sailnet.guidance.tilts import spread
+from sailnet.guidance.tracker.library import Planned, Tracker, tracker_type
 from sailnet.mission.mission import Mission
 from sailnet.physics.arrays import Array
 
 ROUNDINGS = 8.0
 """How far a nudge goes, in rounding errors: C rounds less often in any one number."""
 
-PLANS = ("arc_tilt", "arc_time", "ahead", "looked", "promised", "nearest", "nearest_time")
-"""Of a memory: only what flies its model ahead has them."""
+DOUBLE = float(np.finfo(float).eps)
+"""A rounding error of what the tracker computes, in either precision."""
 
 NUDGES = 16
 """Networks round within too, in float by more than a nudge: the farthest of eight fell short once."""
 
+MORE_NUDGES = 20
+"""So many times as many where those miss a decision of rounding."""
+
+OUTSIDE = ("tracker", "time_of_flight")
+"""Of the reference's memory: what is no part of the estimate."""
+
+KINDS = ("planned",)
+"""Of a tracker: what is no matter of degree."""
+
+DEGREES = ("since", "stride", "searched", "regret")
+"""Of a tracker: numbers that are compared, beside those of its plans."""
+
+OF_PLAN = ("direction", "time_to_go", "beta", "across", "residual", "age")
+
 
 def memory_type(precision: str, mission: Mission) -> np.dtype[np.void]:
-    """``sailnet_memory``: the members of the reference's, in order; in space a normal in place of tilts.
+    """``sailnet_memory``: ``estimate``, ``tracker``, and the rest.
 
     Args:
-        precision: of its numbers.
+        precision: of its numbers, but for the tracker's.
         mission: of which it depends what is remembered.
     """
     components = mission.components
-    shapes: dict[str, tuple[str, int | tuple[int, ...]]] = {
-        "state": (precision, components),
-        "normal": (precision, 3),
-        "arc_tilt": (precision, (ARCS,) if components == 3 else (ARCS, 2)),
-        "arc_time": (precision, ARCS),
-        "ahead": (precision, components),
-    }
-    left_out = set() if mission.degradation.loss > 0.0 else {"worn"}
-    if not mission.flight.homing:
-        left_out |= {*PLANS, *COUNTS} - {"periods"}
+    shapes: dict[str, tuple[str, int]] = {"state": (precision, components), "normal": (precision, 3)}
+    left_out = set(OUTSIDE) | (set() if mission.degradation.loss > 0.0 else {"worn"})
     known = [item.name for item in fields(Memory) if item.name not in left_out]
     if components > 3:
         known = [name for name in known if name not in TILTS]
         known.insert(known.index("state") + 1, "normal")
     members = [(name, *shapes.get(name, ("u4" if name in COUNTS else precision,))) for name in known]
-    return np.dtype(members, align=True)
+    estimate = np.dtype(members, align=True)
+    marks = [(name, "u4") for name in ("source", "version", "checksum")]
+    parts = [("estimate", estimate), ("tracker", tracker_type(components)), ("time_of_flight", precision)]
+    return np.dtype([*parts, *marks], align=True)
 
 
 @dataclass
@@ -83,8 +93,17 @@ class Nudged:
         nudged = asked * (1.0 + self.size * self.rng.uniform(-1.0, 1.0, asked.shape))
         sails = np.asarray(beta, float) * (1.0 + self.size * self.rng.uniform(-1.0, 1.0, len(asked)))
         sails = np.clip(sails, *self.beta_range)
-        exact = (asked[:, None] == self.shown).all(axis=2).any(axis=1)
+        exact = self.is_shown(asked)
         return self.guidance.command(np.where(exact[:, None], asked, nudged), sails)
+
+    def is_shown(self, states: Array) -> NDArray[np.bool_]:
+        """(n,) which states are as both were shown them."""
+        return np.asarray((states[:, None] == self.shown).all(axis=2).any(axis=1))
+
+    def arrival_directions(self, states: ArrayLike, beta: ArrayLike | None = None) -> Array | None:
+        sails = np.asarray(beta, float)
+        sails = sails * (1.0 + self.size * self.rng.uniform(-1.0, 1.0, sails.shape))
+        return self.guidance.arrival_directions(states, np.clip(sails, *self.beta_range))
 
 
 class Lockstep:
@@ -103,7 +122,6 @@ class Lockstep:
         self._c = guidance.steering(count)
         components = guidance.mission.components
         flown = guidance.mission
-        self._homes = bool(flown.flight.homing)
         self._kind = memory_type(guidance.precision, flown)
         assert self._c.memories.shape == (count, self._kind.itemsize)
         self._precision = guidance.precision
@@ -123,41 +141,31 @@ class Lockstep:
         # When a sail is nearest: of what is missing, far from the target, hardly any lies along a step, and
         # what is rounded of the rest is some times as much of the step. These networks end flights anywhere.
         self._scales["hold"] = self._scales["memory.held"] = 1.0
-        self._after_miss = rules_for(flown).wait_after_a_miss(flown.problem.target_radius)
-        # What a plan is corrected by comes of small differences, and of rounding it has as much the more.
-        self._scales |= {
-            "memory.arc_tilt": ANGLE / SMALL,
-            "memory.arc_time": ANGLE / SMALL,
-            "memory.nearest": 1.0,
-        }
-        self._planned = {
-            "cone_angle": ANGLE / SMALL,
-            "clock_angle": ANGLE / SMALL,
-            "memory.cone_angle": ANGLE / SMALL,
-            "memory.attitude": ANGLE / SMALL,
-            "memory.slewing": ANGLE / SMALL / rate,
-            "time_of_flight": ANGLE / SMALL,
-            "memory.time_of_flight": ANGLE / SMALL,
-        }
+        # States and unit vectors, whatever is left of them.
+        of_plans = *(f"plan.{name}" for name in OF_PLAN), "candidate.beta", "candidate.across", "flown", "end"
+        self._scales |= dict.fromkeys((f"tracker.{name}" for name in of_plans), 1.0)
+        self._scales |= {"tracker.regret": 1e-3, "lambda_v": 1.0, "lambda_w": 1.0}
         self.compared = self.undecided = 0
 
     def memory(self) -> Memory:
         """That of the C, in the reference's form."""
         packed = self._c.memories.view(self._kind)[:, 0]
-        wide = {name: packed[name].astype(float) for name in self._kind.fields or {}}
+        estimate = packed["estimate"]
+        wide = {name: estimate[name].astype(float) for name in estimate.dtype.names or ()}
+        wide["time_of_flight"] = packed["time_of_flight"].astype(float)
         if "normal" in wide:
             tilt = _tilt_of_normal(wide.pop("normal"))
             wide |= {"cone_angle": tilt, "attitude": tilt} | dict.fromkeys(("measured", "offset"), 0.0 * tilt)
-        counts = {name: packed[name].astype(np.int64) for name in COUNTS if name in wide}
+        counts = {name: estimate[name].astype(np.int64) for name in COUNTS}
         # What the C has not is as it was at the start.
         started = Memory.started(len(packed), 0.0, wide["state"].shape[1])
-        return replace(started, **wide | counts)
+        return replace(started, **wide | counts | {"tracker": packed["tracker"].copy()})
 
-    def put(self, **values: ArrayLike) -> None:
+    def put(self, **values: NDArray[np.generic]) -> None:
         """Into the memory of the C, by the reference's names."""
         packed = self._c.memories.view(self._kind)[:, 0]
         for name, value in values.items():
-            packed[name] = value
+            (packed if name in OUTSIDE else packed["estimate"])[name] = value
 
     def steer(
         self, states: ArrayLike, period: float, sails: NDArray[np.intp], attitudes: ArrayLike | None = None
@@ -169,15 +177,20 @@ class Lockstep:
         """
         shown = np.asarray(states, self._precision).astype(float)
         before = self.memory()
-        # A multiple of the golden section is rounded before its whole turns are taken off.
-        turned = self._after_miss * before.periods.max()
-        self._scales["memory.waited"] = self._scales["memory.wait"] = turned
         measured = None if attitudes is None else np.asarray(attitudes, self._precision).astype(float)
         told = self._c.steer(shown, period, sails, measured)
         self._double.shown = shown
-        sizes = [0.0] + [ROUNDINGS * self._epsilon] * NUDGES
-        answers = [self._answer(before, shown, period, sails, measured, size) for size in sizes]
-        self._compare(_numbers(told, self.memory().rows(sails)), answers)
+        numbers = _numbers(told, self.memory().rows(sails))
+
+        def answers(sizes: list[float]) -> list[dict[str, Array]]:
+            return [self._answer(before, shown, period, sails, measured, size) for size in sizes]
+
+        nudges = [ROUNDINGS * self._epsilon] * NUDGES
+        given = answers([0.0, *nudges])
+        try:
+            self._compare(numbers, given)
+        except AssertionError:
+            self._compare(numbers, given + answers(nudges * MORE_NUDGES))
         return told
 
     def _answer(
@@ -192,40 +205,61 @@ class Lockstep:
         """Of the reference, with a memory that is nudged."""
         memory, rng = before.rows(np.arange(len(before.held))), self._double.rng
         for item in fields(Memory):
-            if item.name not in ("state", *COUNTS, "cone_angle", "attitude", "measured"):
+            if item.name not in ("state", *COUNTS, "tracker", "cone_angle", "attitude", "measured"):
                 value = getattr(memory, item.name)
                 setattr(memory, item.name, value * (1.0 + size * rng.uniform(-1.0, 1.0, value.shape)))
         # The C rounds of a state by how much it changed, the reference, in double precision, the state.
         changed = memory.held[sails, None] + np.nan_to_num(abs(shown - memory.state[sails]), posinf=0.0)
         rounded = size * changed + 2.0 * np.finfo(float).eps * abs(memory.state[sails]) * (size > 0.0)
         memory.state[sails] += rounded * rng.uniform(-1.0, 1.0, changed.shape)
+        for plan in ("plan", "candidate") if size > 0.0 else ():
+            for near in (memory.tracker[plan]["direction"], memory.tracker[plan]["end"]["value"]):
+                near *= 1.0 + ROUNDINGS * DOUBLE * rng.uniform(-1.0, 1.0, near.shape)
         self._double.size, self._reference._memory = size, memory
-        with patch.object(Sails, "after", self._rounded(size)):
+        with patch.object(Tracker, "follow", self._rounded(size)):
             return _numbers(self._reference.steer(shown, period, sails, measured), memory.rows(sails))
 
-    def _rounded(self, size: float) -> Callable[..., Array]:
-        """Where the model flies ahead, in the C's precision: of small differences rounding takes the more."""
-        exact, rng = Sails.after, self._double.rng
+    def _rounded(self, size: float) -> Callable[..., Planned]:
+        """The tracker with its beta, its hold and in space its latitude as the C's precision has them."""
+        exact, rng = Tracker.follow, self._double.rng
 
-        def after(*asked: Any) -> Array:
-            states = exact(*asked)
-            return states + 0.5 * size * states * rng.uniform(-1.0, 1.0, states.shape)
+        def follow(
+            one: Tracker,
+            problem: NDArray[np.void],
+            trackers: NDArray[np.void],
+            states: Array,
+            *given: Any,
+        ) -> Planned:
+            vehicles, hold, most = given
+            beta = vehicles.beta
+            near = np.array(states)
+            # One that is dead reckoned the C rounds.
+            rough = ~self._double.is_shown(near)
+            near[rough] *= 1.0 + size * rng.uniform(-1.0, 1.0, near[rough].shape)
+            for column in (near[:, 1],) if near.shape[1] > 3 else ():
+                column *= 1.0 + size * rng.uniform(-1.0, 1.0, len(near))
+            # A beta that the plan has already, or has but for rounding, does not move it.
+            own = trackers["plan"]["beta"]
+            moves = (beta != own) & ((abs(beta - own) > size * own) | (rng.random(len(near)) < 0.5))
+            beta = np.where(moves, beta * (1.0 + size * rng.uniform(-1.0, 1.0, len(near))), own)
+            estimated = vehicles.estimated * (1.0 + size * rng.uniform(-1.0, 1.0, len(near)))
+            hold = hold * (1.0 + size * rng.uniform(-1.0, 1.0, len(near)))
+            flown = replace(vehicles, beta=beta, estimated=estimated)
+            return exact(one, problem, trackers, near, flown, hold, most)
 
-        return after
+        return follow
 
     def _compare(self, told: dict[str, Array], answers: list[dict[str, Array]]) -> None:
         exact, *nudged = answers
         kinds = np.array([_kinds(answer) for answer in answers])
         decided = (kinds == kinds[0]).all(axis=(0, 2))
-        assert (kinds == _kinds(told)).all(axis=2).any(axis=0).all(), "an answer of another kind"
+        # Each by itself: where rounding decides on several, not all combinations are among the nudged.
+        assert (kinds == _kinds(told)).any(axis=0).all(), "an answer of another kind"
         self.compared += int(decided.sum())
         self.undecided += int((~decided).sum())
         for name, value in exact.items():
             apart = np.max([abs(answer[name] - value) for answer in nudged], axis=0)
-            least: Array | float = self._scales.get(name, 0.0)
-            if self._homes and name in self._planned:
-                flown = spread(exact["memory.homing"] == FLOWN, value)
-                least = np.where(flown, self._planned[name], least)
+            least = self._scales.get(name, 0.0)
             bound = 4.0 * (apart + self._epsilon * np.maximum(abs(value), least))
             wrong = ~(abs(told[name] - value) <= bound)[decided]
             numbers = (numbers[decided][wrong] for numbers in (told[name], value, bound))
@@ -234,7 +268,9 @@ class Lockstep:
 
 def _numbers(steered: Steered, memory: Memory) -> dict[str, Array]:
     """Everything that a step gives, and everything that it leaves in memory, by name."""
-    left = {f"memory.{item.name}": np.asarray(getattr(memory, item.name), float) for item in fields(Memory)}
+    names = [item.name for item in fields(Memory) if item.name != "tracker"]
+    left = {f"memory.{name}": np.asarray(getattr(memory, name), float) for name in names}
+    left |= _of_tracker(memory.tracker)
     said = {item.name: getattr(steered, item.name) for item in fields(Steered)}
     if steered.clock_angle is not None:  # by its direction, as pi is where -pi is
         said["clock_angle"] = np.column_stack([np.cos(steered.clock_angle), np.sin(steered.clock_angle)])
@@ -243,12 +279,25 @@ def _numbers(steered: Steered, memory: Memory) -> dict[str, Array]:
 
 def _kinds(answer: dict[str, Array]) -> NDArray[np.int64]:
     """(n, k) what of an answer is no matter of degree."""
-    signs = [np.sign(answer[name]) for name in ("cone_angle", "lambda_v", "memory.stake", "memory.regret")]
-    signs += [np.sign(answer["lambda_w"])] if "lambda_w" in answer else []
-    plans = [answer[f"memory.{name}"] for name in COUNTS]
-    return np.stack([answer["status"], *signs, answer["memory.unseen"] > 0.0, *plans], axis=1).astype(
-        np.int64
-    )
+    signs = [np.sign(answer[name]) for name in ("cone_angle", "lambda_v", "lambda_w") if name in answer]
+    plans = [answer[f"tracker.{name}"] for name in (*KINDS, "plan.kinds")]
+    others = answer["status"], *(answer[f"memory.{name}"] for name in COUNTS), answer["memory.unseen"] > 0.0
+    return np.column_stack([*others, *signs, *plans]).astype(np.int64)
+
+
+def _of_tracker(trackers: NDArray[np.void]) -> dict[str, Array]:
+    """What of trackers is compared."""
+    numbers = {name: np.asarray(trackers[name], float) for name in (*KINDS, *DEGREES)}
+    plan = trackers["plan"]
+    numbers |= {f"plan.{name}": np.asarray(plan[name], float) for name in OF_PLAN}
+    numbers["plan.kinds"] = np.column_stack([plan["largest"], plan["differentiated"]]).astype(float)
+    for name in ("beta", "across"):
+        numbers[f"candidate.{name}"] = trackers["candidate"][name].copy()
+    numbers["end"] = plan["end"]["value"].copy()
+    attitude = trackers["flown"]
+    parts = [np.reshape(attitude[name], (len(trackers), -1)) for name in ("cosine", "sine", "across")]
+    numbers["flown"] = np.concatenate(parts, axis=1)
+    return {f"tracker.{name}": value for name, value in numbers.items()}
 
 
 def _tilt_of_normal(normal: Array) -> Array:

@@ -11,6 +11,7 @@ from sailnet.networks.approach import APPROACH_INPUTS, APPROACH_INPUTS_IN_SPACE,
 from sailnet.networks.guidance_in_space import NAMES, AnyGuidanceNetworks, GuidanceNetworksInSpace
 from sailnet.networks.guidance_networks import COMMAND_INPUTS, STATE_INPUTS, GuidanceNetworks
 from sailnet.networks.network import Network, save_network
+from sailnet.networks.plan_networks import ARRIVAL_NAMES, PlanNetworks, factors_of_arrival
 from sailnet.networks.trained_domain import AXES, DIRECTIONS, KNOTS, ORBITS
 from sailnet.physics.arrays import Array
 
@@ -35,7 +36,11 @@ OUTPUT_RANGE = {
     "alpha": (-1.05, 1.05),
     "lambda_v": (-50.0, 14.0),
 }
-APPROACH_OUTPUT_RANGE = OUTPUT_RANGE | {"tau": (-14.0, 1.0), "lambda_v": (-3.0, 3.0)}
+APPROACH_OUTPUT_RANGE = {
+    **OUTPUT_RANGE,
+    **{"tau": (-14.0, 1.0), "lambda_v": (-3.0, 3.0)},
+    **dict.fromkeys(ARRIVAL_NAMES[5], (-1.0, 1.0)),
+}
 """tau is log(tau / s) here: a wide range, so that there are arrivals among random states."""
 
 
@@ -88,11 +93,12 @@ def random_network_in_space(
     smallest, largest = (share * mission.sail.beta for share in BETA_SHARES)
     low = (-0.5, -1.0, -1.0, 0.0, -1.0, 0.0, 0.0, smallest)
     high = (0.5, 1.0, 1.0, 0.5, 1.0, 1.0, 16.0, largest)
-    factors = LATERAL_INPUTS if name == "lambda_w" else ()
+    of_arrival = dict(zip(ARRIVAL_NAMES[5], factors_of_arrival(5), strict=True))
+    factors = LATERAL_INPUTS if name == "lambda_w" else of_arrival.get(name, ())
     weights, biases = _random_layers(
         len(low), hidden, max(1, len(factors)), [seed, len(name), *name.encode()]
     )
-    output_min, output_max = (APPROACH_OUTPUT_RANGE | {"lambda_w": (0.0, 3.0)})[name]
+    output_min, output_max = (0.0, 3.0) if factors else APPROACH_OUTPUT_RANGE[name]
     return Network(
         name=name,
         inputs=APPROACH_INPUTS_IN_SPACE,
@@ -159,7 +165,18 @@ def random_guidance_in_space(
     )
 
 
-def save_guidance(networks: AnyGuidanceNetworks, folder: Path) -> None:
-    """Write the files that ``load_networks_of`` reads."""
+def random_plan_networks(seed: int = 0, mission: Mission | None = None) -> PlanNetworks:
+    """Random networks of the arrival costates, of the plane or of space as the mission is."""
+    mission = mission or load_mission("earth_mars")
+    names = ARRIVAL_NAMES[mission.components]
+    if mission.inclined:
+        return PlanNetworks(tuple(random_network_in_space(n, seed=seed, mission=mission) for n in names))
+    return PlanNetworks(
+        tuple(random_network(name, seed=seed, mission=mission, approach=True) for name in names)
+    )
+
+
+def save_guidance(networks: AnyGuidanceNetworks | PlanNetworks, folder: Path) -> None:
+    """Write the files that ``load_networks_of`` or ``load_plan_networks`` reads."""
     for network in networks.all:
         save_network(network, folder / f"{network.name}.safetensors")

@@ -29,7 +29,7 @@ public:
     // Just before steer, where the attitude is measured: the mean cone angle since the last call [rad].
     void measured(sailnet_real cone_angle) { sailnet_measured(&memory_, cone_angle); }
 
-    sailnet_real beta() const { return memory_.beta; }
+    sailnet_real beta() const { return memory_.estimate.beta; }
 
 private:
     sailnet_memory memory_;

@@ -3,7 +3,8 @@
     python guide.py GRAPH R U V
 
 The graph is the law alone: R in AU, U and V in AU/TU, and beta, the sail's characteristic acceleration.
-It has no memory, reserve or reckoning; the C's ``sailnet_steer`` has. A NaN must not enter it.
+It has no memory, plan, thrust margin or dead reckoning; the C's ``sailnet_steer`` has. A NaN must not
+enter it.
 """
 
 import json

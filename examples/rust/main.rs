@@ -23,7 +23,7 @@ struct Command {
 /// Opaque, and larger than `sailnet_memory`: `Guidance::new` makes sure.
 #[repr(C)]
 #[derive(Clone, Copy)]
-struct Memory([u64; 32]);
+struct Memory([u64; 128]);
 
 const ARRIVED: i32 = 1;
 
@@ -42,7 +42,7 @@ struct Guidance {
 
 impl Guidance {
     fn new(period: f64) -> Self {
-        let mut memory = Memory([0; 32]);
+        let mut memory = Memory([0; 128]);
         // SAFETY: the C writes sailnet_memory_bytes() bytes, of an alignment that u64 has.
         unsafe {
             assert!(sailnet_memory_bytes() as usize <= size_of::<Memory>());

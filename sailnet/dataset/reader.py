@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from sailnet.artefacts.column_files import ColumnFile, open_columns
 from sailnet.artefacts.named_columns import Frame, NamedColumns
-from sailnet.artefacts.untrusted import table_of
 from sailnet.dataset.schema import LAYOUT, LAYOUT_IN_SPACE, layout_of
 from sailnet.errors import DatasetError
-from sailnet.mission.mission import Mission, parse_mission
+from sailnet.mission.mission import Mission
+from sailnet.mission.stored import stored_mission
 from sailnet.physics.arrays import Array
 from sailnet.physics.geometry import geometry_of
 
@@ -37,7 +37,7 @@ class Dataset:
     def __init__(self, path: Path, file: ColumnFile) -> None:
         self._path, self._file = path, file
         try:
-            self.mission: Mission = parse_mission(table_of(file.text("mission")), str(path))
+            self.mission: Mission = stored_mission(file.text("mission"), str(path))
         except ValueError as error:
             raise DatasetError(f"{path} is no sailnet data set: its mission: {error}") from error
         if file.layout.schema != layout_of(self.mission).schema:
@@ -71,15 +71,27 @@ class Dataset:
     def read(self, names: Sequence[str], start: int, stop: int) -> dict[str, Array]:
         """Read columns of the samples between two rows; only :meth:`verify` checks the values further.
 
+        Args:
+            names: of the columns. One of the trajectories is repeated for each of a trajectory's samples.
+            start, stop: rows of the samples.
+
         Raises:
             DatasetError: the rows cannot be read, or hold something that is no finite number.
         """
-        columns = self._file.read("samples", names, start, stop)
+        repeated = [name for name in names if name in self.layout.groups["trajectories"]]
+        own = self._file.read("samples", [name for name in names if name not in repeated], start, stop)
+        bounds: NDArray[np.int64] = np.clip(self.first_sample, start, stop)
+        of_trajectories = self.read_trajectories(repeated)
+        columns = {
+            name: np.repeat(of_trajectories[name], np.diff(bounds)) if name in repeated else own[name]
+            for name in names
+        }
         for name, values in columns.items():
             if not np.isfinite(values).all():
                 row = start + int(np.argmin(np.isfinite(values)))
+                group = "trajectories" if name in repeated else "samples"
                 raise DatasetError(
-                    f"{self._path} is no sailnet data set: samples/{name} of row {row} is not finite; "
+                    f"{self._path} is no sailnet data set: {group}/{name} of row {row} is not finite; "
                     "generate it again"
                 )
         return columns

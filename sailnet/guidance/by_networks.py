@@ -11,6 +11,8 @@ from sailnet.guidance.interface import Commands, Steering, as_betas, as_states
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_in_space import GuidanceNetworksInSpace
+from sailnet.networks.plan_networks import PlanNetworks
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)
@@ -19,13 +21,15 @@ class NetworksInSpace:
 
     Attributes:
         networks: give the commands.
+        plan: gives first plans, if there are such networks.
     """
 
     networks: GuidanceNetworksInSpace
+    plan: PlanNetworks | None = None
 
     @cached_property
     def _facts(self) -> GuidanceFacts:
-        return describe(self.networks, self.mission)
+        return describe(self.networks, self.mission, plan=self.plan)
 
     @property
     def mission(self) -> Mission:
@@ -35,7 +39,7 @@ class NetworksInSpace:
     @property
     def networks_digest(self) -> str:
         """SHA-256 over the weights that fly."""
-        return self.networks.digest
+        return self._facts.networks_digest
 
     @property
     def beta_range(self) -> tuple[float, float]:
@@ -53,6 +57,10 @@ class NetworksInSpace:
         with np.errstate(all="ignore"):
             cone, clock, tau, lambda_v, lambda_w = self.networks.command(shown, betas)
         return self._facts.commands(shown, betas, cone, tau, lambda_v, clock, lambda_w)
+
+    def arrival_directions(self, states: ArrayLike, beta: ArrayLike | None = None) -> Array | None:
+        """See ``sailnet.guidance.interface.Guidance``."""
+        return None if self.plan is None else self.plan.direction(states, beta)
 
     def steering(self, count: int) -> Steering:
         """Steering of ``count`` sails; see ``sailnet.guidance.interface.Guidance``."""

@@ -12,6 +12,7 @@ from sailnet.errors import GuidanceError
 from sailnet.guidance.exported_files import SUFFIXES
 from sailnet.guidance.interface import (
     Commands,
+    GuidanceStatus,
     Precision,
     Steered,
     as_attitudes,
@@ -20,8 +21,9 @@ from sailnet.guidance.interface import (
     refuse_attitudes,
 )
 from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
 
-API_VERSION = 6
+API_VERSION = 7
 
 COMMAND_FIELDS = {
     3: ("cone_angle", "time_of_flight", "beta", "hold", "lambda_v"),
@@ -81,6 +83,9 @@ class CGuidance:
             self._command = _declared(
                 loaded, f"sailnet_guidance_batch_{suffix}", None, count, *[pointer] * (3 + given)
             )
+            self._propose = _declared(
+                loaded, f"sailnet_propose_plan_batch_{suffix}", None, count, *[pointer] * 4
+            )
             self._start = _declared(loaded, f"sailnet_start_batch_{suffix}", None, count, pointer)
             self._steer = _declared(
                 loaded, f"sailnet_steer_batch_{suffix}", None, count, *[pointer] * 4, real, *[pointer] * 2
@@ -117,6 +122,19 @@ class CGuidance:
         status = np.empty(len(array), np.int32)
         self._command(len(array), *(place.ctypes.data for place in (array, betas, *outputs, status)))
         return Commands(**dict(zip(fields, outputs.astype(np.float64), strict=True)), status=status)
+
+    def arrival_directions(self, states: ArrayLike, beta: ArrayLike | None = None) -> Array | None:
+        """See ``sailnet.guidance.interface.Guidance``; zeros where a state is not finite."""
+        array = as_states(states, self.precision, self._components)
+        betas = as_betas(beta, len(array), self.mission.sail.beta, self.precision)
+        arrivals = np.zeros((len(array), self._components + 2))
+        status = np.zeros(len(array), np.int32)
+        places = [place.ctypes.data for place in (array, betas, arrivals, status)]
+        self._propose(len(array), *places)
+        finite = np.isfinite(array).all(axis=1)
+        if (status[finite] == GuidanceStatus.INVALID_INPUT).any():
+            return None
+        return arrivals[:, : self._components]
 
     @property
     def steer_address(self) -> int:

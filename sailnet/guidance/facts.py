@@ -15,6 +15,7 @@ from sailnet.mission.mission import Mission
 from sailnet.mission.sections import NO_DEGRADATION, Degradation
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.network import Network, weights_digest
+from sailnet.networks.plan_networks import PlanNetworks
 from sailnet.networks.trained_domain import TrainedDomain
 from sailnet.physics.arrays import Array
 from sailnet.physics.geometry import lengths_of, target_of
@@ -189,18 +190,25 @@ class GuidanceFacts:
             raise GuidanceError(f"the guidance does not say what it is: {error}; export it again") from error
 
 
-def describe(networks: AnyGuidanceNetworks, mission: Mission, alpha: Network | None = None) -> GuidanceFacts:
+def describe(
+    networks: AnyGuidanceNetworks,
+    mission: Mission,
+    alpha: Network | None = None,
+    plan: PlanNetworks | None = None,
+) -> GuidanceFacts:
     """Facts of networks flown by the rules of ``mission``.
 
     Args:
         networks: of the plane or of space.
         mission: the mission that is flown.
         alpha: the network that flies instead of ``alpha_pre`` and ``lambda_v``, for the baseline.
+        plan: networks of a first plan, if there are any.
 
     Raises:
         NetworkError: the networks do not say what states they were trained on.
     """
     flown = networks.all if alpha is None else (networks.tau, alpha)
+    flown = (*flown, *(() if plan is None else plan.all))
     lowest, highest = networks.state_range
     beta_min, beta_max = networks.beta_range
     return GuidanceFacts(

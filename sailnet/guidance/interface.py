@@ -32,7 +32,7 @@ class GuidanceStatus(IntEnum):
     RECKONED = 4
     """From steering: there is no state, and the command is for where the sail must be."""
     AT_LIMIT = 5
-    """From steering: the sail is weaker than the networks have learnt, and no reserve is left."""
+    """From steering: the sail is weaker than the networks have learnt, and no thrust margin is left."""
 
     @property
     def label(self) -> str:
@@ -153,6 +153,22 @@ class Guidance(Protocol):
 
     def steering(self, count: int) -> Steering:
         """Steering of ``count`` sails that start knowing nothing but the mission's beta."""
+
+
+@runtime_checkable
+class FirstPlans(Protocol):
+    """A guidance with networks of the arrival costates: they give plans to begin with."""
+
+    def arrival_directions(self, states: ArrayLike, beta: ArrayLike | None = None) -> Array | None:
+        """Directions of the arrival costates of optimal extremals from some states, by networks.
+
+        Args:
+            states: as of :meth:`command`.
+            beta: likewise.
+
+        Returns:
+            (n, 3), in space (n, 5), of any size; None if it has no networks for it.
+        """
 
 
 def as_states(states: ArrayLike, precision: Precision, components: int = 3) -> NDArray[np.floating]:

@@ -15,10 +15,15 @@ from sailnet.guidance.graph_file import DOUBLE, FLOAT, ROWS, GraphFile, Value, r
 from sailnet.guidance.interface import Commands, Precision, as_betas, as_states
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
 
 _PRECISIONS: dict[int, Precision] = {FLOAT: "float32", DOUBLE: "float64"}
 _SILENT = 4
 """Of onnxruntime's levels: what is wrong is said here."""
+
+
+DIRECTION = "arrival_direction"
+"""The output of a graph that holds networks of a plan, beside the command."""
 
 
 class OnnxGuidance:
@@ -59,7 +64,8 @@ class OnnxGuidance:
         self._facts = facts
         self.beta_range = (facts.beta_min, facts.beta_max)
         self._reads_beta = "beta" in found.inputs
-        self._outputs = list(found.outputs)
+        self._proposes = DIRECTION in found.outputs
+        self._command = [name for name in found.outputs if name != DIRECTION]
         kind = np.dtype(self.precision).type
         self._state_min = np.array(facts.state_min, kind)
 
@@ -71,18 +77,29 @@ class OnnxGuidance:
         """Command the sails at (n, 3) or (n, 5) states; see ``sailnet.guidance.interface.Guidance``."""
         array = as_states(states, self.precision, self._facts.components)
         betas = as_betas(beta, len(array), self.mission.sail.beta, self.precision)
-        valid = np.isfinite(array).all(axis=1)
-        # A NaN never enters the graph: what its operators make of one is not defined.
-        entered = np.where(valid[:, None], array, self._state_min)
-        inputs = {"state": entered, "beta": betas} if self._reads_beta else {"state": entered}
-        return self._facts.commands(array, betas, **self._outputs_for(inputs))
+        return self._facts.commands(array, betas, **self._given(self._command, array, betas))
 
-    def _outputs_for(self, inputs: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+    def arrival_directions(self, states: ArrayLike, beta: ArrayLike | None = None) -> Array | None:
+        """See ``sailnet.guidance.interface.Guidance``; zeros where a state is not finite."""
+        if not self._proposes:
+            return None
+        array = as_states(states, self.precision, self._facts.components)
+        betas = as_betas(beta, len(array), self.mission.sail.beta, self.precision)
+        directions = self._given([DIRECTION], array, betas)[DIRECTION]
+        finite = np.isfinite(array).all(axis=1)
+        return np.where(finite[:, None], directions, 0.0).astype(np.float64)
+
+    def _given(self, names: list[str], states: NDArray[Any], betas: NDArray[Any]) -> dict[str, NDArray[Any]]:
+        """Some outputs of the graph, by their names."""
+        valid = np.isfinite(states).all(axis=1)
+        # A NaN never enters the graph: what its operators make of one is not defined.
+        entered = np.where(valid[:, None], states, self._state_min)
+        inputs = {"state": entered, "beta": betas} if self._reads_beta else {"state": entered}
         try:
-            found = self._session.run(self._outputs, inputs)
+            found = self._session.run(names, inputs)
         except Exception as error:  # as above: shapes that do not fit may show only with so many rows
             raise GuidanceError(f"cannot run {self._graph}: {str(error).strip()}; export it again") from error
-        return dict(zip(self._outputs, found, strict=True))
+        return dict(zip(names, found, strict=True))
 
     def steering(self, count: int) -> ReferenceSteering:
         """Steering by the reference rules; see ``sailnet.guidance.interface.Guidance``."""
@@ -102,5 +119,7 @@ def _checked(content: bytes, components: int) -> tuple[Precision, GraphFile]:
     outputs = dict.fromkeys(("cone_angle", "time_of_flight"), one)
     outputs |= {"lambda_v": one} if "lambda_v" in graph.outputs else {}
     outputs |= dict.fromkeys(("clock_angle", "lambda_w"), one) if components > 3 else {}
+    directions = Value(state.kind, (ROWS, components))
+    outputs |= {DIRECTION: directions} if DIRECTION in graph.outputs else {}
     refuse_foreign(graph, inputs, outputs)
     return _PRECISIONS[state.kind], graph

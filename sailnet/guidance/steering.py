@@ -1,9 +1,9 @@
 """Steering: guidance with a memory. What a flight computer runs once a guidance period.
 
-Beside the command it estimates what the real sail does from the states it is shown, keeps a reserve as large
-as the sail has surprised it, chooses a side where both are almost equally fast, goes on without a state for
-a while, and decides when the flight ends. This is the reference in NumPy for the C of ``sailnet_steer``;
-both are held equal by test.
+It estimates what the real sail does from the measured states, keeps a thrust margin as large as the
+innovations are, tracks the optimal extremal, goes on by dead reckoning without a state, and decides when the
+flight ends. This is the reference in NumPy for the C of ``sailnet_steer``; both are held equal by
+test. The extremals themselves both compute by the same C, which is compared with the optimal solver.
 """
 
 import math
@@ -11,7 +11,6 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sailnet.guidance.homing import NO_PLAN, Homing
 from sailnet.guidance.interface import (
     Commands,
     Guidance,
@@ -22,9 +21,10 @@ from sailnet.guidance.interface import (
 )
 from sailnet.guidance.last_period import Change, predicted
 from sailnet.guidance.memory import Memory
-from sailnet.guidance.rules import LARGEST_PERIOD, SteeringRules, rules_for
-from sailnet.guidance.side import SideKeeping
+from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
 from sailnet.guidance.tilts import angles_of, limited, size_of, spread, tilt_of, turned
+from sailnet.guidance.tracker.commands import Tracking
+from sailnet.guidance.tracker.library import Vehicles
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import Coefficients
 from sailnet.physics.geometry import lengths_of, target_of
@@ -35,29 +35,29 @@ class ReferenceSteering:
 
     *What the sail does.* By how much further the velocity changed than predicted says, along the sail's
     normal, what beta is, and across it what force there is along the surface beside that of the mission's
-    optics, as a share T of beta. With r the mean distance, h the period, dv the surprise, n, t the directions
-    and f the force along the normal per beta / r^2, which is cos^2 alpha of an ideal sail,
+    optics, as a share T of beta. With r the mean distance, h the period, dv the innovation, n, t the
+    directions and f the force along the normal per beta / r^2, which is cos^2 alpha of an ideal sail,
 
         d_beta = (dv . n) r^2 / (h f),    d_T cos(alpha) sin(alpha) / f = -(dv . t) r^2 / (h f beta).
 
     In space dv, n and t have three components, and all the rest is the same.
 
     The estimates start at the mission's beta and at 0, and move by a share of the measurement that falls as
-    1/2, 1/3, 1/4, ... down to h / memory: the mean of all periods at first, with the start value as one of
-    them, and later of those not forgotten. They never leave their ranges. A period in which the sail turned
-    far, or that was not seen, says nothing. The attitude is the commanded one, or the mean that was
-    measured: by how much that exceeds the commanded, on average, is taken off the next command.
+    1, 1/2, 1/3, ... down to h / memory: the mean of all periods at first, and later of those not forgotten.
+    They never leave their ranges. A period in which the sail turned far, or that was not seen, says
+    nothing. The attitude is the commanded one, or the mean that was measured: by how much that exceeds the
+    commanded, on average, is taken off the next command.
 
-    *A reserve.* The networks read beta (1 - a T) (1 - k), with k = b s + c w sqrt(h / tau): s^2 is the
-    mean product of neighbouring surprises, which white noise has by chance alone: some one and a half
-    standard deviations of that chance are taken off; and w^2 is the rest of their mean square. It shrinks
-    to nothing with the time of flight tau, so that arrival is as exact as without.
+    *Thrust margin.* Plans are made for beta (1 - a T) (1 - k), with k = b s + c w sqrt(h / tau): s^2 is the
+    lag-1 autocovariance of the innovation, less some one and a half standard deviations of what white noise
+    has of it by chance; and w^2 is its white variance, the rest. The margin shrinks to nothing with the time
+    of flight tau, so that arrival is as exact as without.
 
-    *Age.* If the mission says how its sail ages, the estimate does so with it, and the networks read the
+    *Age.* If the mission says how its sail ages, the estimate does so with it, and plans are made for the
     share of it that is left after some part of the time to go.
 
-    *A side.* See :class:`sailnet.guidance.side.SideKeeping`; and
-    *the last part* of a flight :mod:`sailnet.guidance.homing`.
+    *A plan.* See :mod:`sailnet.guidance.tracker`. Where none passes through the state the command is the
+    networks'.
 
     *The end.* The flight ends when the predicted time of flight is no longer than a period or the mission's
     threshold, the longer of both: the last command is held until, on the straight line of one such step, the
@@ -67,17 +67,16 @@ class ReferenceSteering:
     Args:
         guidance: gives the commands.
         count: number of sails.
-        rules: the numbers; the mission's by default.
+        rules: the numbers.
     """
 
-    def __init__(self, guidance: Guidance, count: int, rules: SteeringRules | None = None) -> None:
+    def __init__(self, guidance: Guidance, count: int, rules: SteeringRules = RULES) -> None:
         self._guidance, mission = guidance, guidance.mission
-        self._rules = rules = rules or rules_for(mission)
+        self._rules = rules
         self._turn_rate = mission.flight.turn_rate
         self._force: Coefficients = mission.sail.optics.force
         self._degradation = mission.degradation
-        self._side = SideKeeping(mission, rules)
-        self._homing = Homing(guidance, rules)
+        self._tracking = Tracking(guidance)
         components = mission.components
         self._target = target_of(mission.problem, components)
         self._lengths = lengths_of(self._target)
@@ -97,22 +96,19 @@ class ReferenceSteering:
         hold = np.full(len(shown), period if timed else 0.0)
         with np.errstate(all="ignore"):
             known, change = self._known(memory, shown) if timed else (np.full_like(shown, np.nan), None)
-            share = self._aged(memory, known)
-            plan = memory.beta * (1.0 - rules.reserve_tangential * np.maximum(memory.tangential, 0.0))
-            plan *= 1.0 - self._reserve(memory, hold)
-            plan *= share
-        read = np.clip(plan, *self._guidance.beta_range)
-        command = self._command(known, read, hold, sails)
+            own = memory.beta * self._aged(memory, known)
+            plan = own * (1.0 - self._reserve(memory, hold))
+            as_fast = 1.0 - rules.tangential_loss * np.maximum(memory.tangential, 0.0)
+        limits = self._guidance.beta_range
+        read, estimated = (np.clip(beta, *limits) for beta in (plan, own))
+        vehicles = Vehicles(read, estimated, memory.tangential, np.clip(read * as_fast, *limits))
+        command = self._command(known, vehicles.as_fast, hold, sails)
         valid = command.status != GuidanceStatus.INVALID_INPUT
-        tilt, status = tilt_of(command.cone_angle, command.clock_angle), command.status.copy()
-        memory.homing[~valid] = NO_PLAN
         if change is not None:
-            with np.errstate(all="ignore"):
-                homes = self._homing.flown(memory, known, command, read, valid)
-                tilt = self._side.kept(memory, change, command, tilt, valid & ~homes)
-                self._side.left_alone(memory, homes)
-                tilt, command = self._homing.commanded(memory, tilt, command, homes)
-            status, hold = self._end(memory, known, command, command.status.copy(), hold)
+            command, _ = self._tracking.commands(memory.tracker, known, vehicles, memory.held, hold, command)
+        tilt, status = tilt_of(command.cone_angle, command.clock_angle), command.status.copy()
+        if change is not None:
+            status, hold = self._end(memory, known, command, status, hold)
         low, high = self._guidance.beta_range
         left = valid & (status != GuidanceStatus.ARRIVED)
         unseen = left & (memory.unseen > 0.0)
@@ -155,7 +151,7 @@ class ReferenceSteering:
         memory.attitude = np.where(there, np.clip(attitudes, -widest, widest), memory.attitude)
 
     def _command(self, states: Array, beta: Array, hold: Array, sails: NDArray[np.intp]) -> Commands:
-        """Commands for some of the sails, to be held so long [TU]."""
+        """Commands of the guidance for some of the sails, to be held so long [TU]."""
         return self._guidance.command(states, beta)
 
     def _known(self, memory: Memory, shown: Array) -> tuple[Array, Change]:
@@ -187,9 +183,13 @@ class ReferenceSteering:
             -rules.largest_tangential,
             rules.largest_tangential,
         )
+        # The first says by how much the sail differs from the mission's, not how it varies.
+        varies = telling & (memory.samples > 0)
+        share = np.where(varies, share, 0.0)
         memory.variance += share * (relative**2 - memory.variance)
-        memory.slow += share * (relative * memory.surprise - memory.slow)
-        memory.surprise = np.where(telling, relative, memory.surprise)
+        memory.autocovariance += share * (relative * memory.innovation - memory.autocovariance)
+        memory.innovation = np.where(varies, relative, memory.innovation)
+        memory.samples += telling
 
     def _aged(self, memory: Memory, known: Array) -> Array:
         """The estimate ages; the share of it that is planned with."""
@@ -212,10 +212,10 @@ class ReferenceSteering:
         rules, mission = self._rules, self._guidance.mission
         tau = np.maximum(memory.time_of_flight, mission.flight.arrival_threshold)
         chance = memory.variance * np.sqrt(_weight(memory, rules.surprise_memory))
-        slow = np.clip(memory.slow - chance, 0.0, 1.0)
+        slow = np.clip(memory.autocovariance - chance, 0.0, 1.0)
         white = np.clip(memory.variance - slow, 0.0, 1.0) * hold / tau
         reserve = rules.reserve_slow * np.sqrt(slow) + rules.reserve_white * np.sqrt(white)
-        bounded = np.clip(reserve, rules.least_reserve, rules.largest_reserve)
+        bounded = np.clip(reserve, 0.0, rules.largest_reserve)
         kept: Array = bounded * np.minimum(tau / rules.let_go, 1.0)
         return kept
 
@@ -267,5 +267,5 @@ def _wear(halvings: Array) -> Array:
 
 def _weight(memory: Memory, time: float) -> Array:
     """(n,) of a period in the mean of all at first, and later of those not forgotten over ``time`` [TU]."""
-    weight: Array = np.maximum(1.0 / (memory.periods + 1.0), memory.held / time)
+    weight: Array = np.maximum(1.0 / (memory.samples + 1.0), memory.held / time)
     return weight

@@ -57,22 +57,6 @@ def limited(tilt: Array, bound: Array | float) -> Array:
     return tilt * np.where(size > bound, bound / np.where(size > bound, size, 1.0), 1.0)[:, None]
 
 
-def along(tilt: Array, other: Array) -> Array:
-    """(n,) cosine of the angle between the directions across the Sun line that two tilts have; 0 for none."""
-    if tilt.ndim == 1:
-        return np.sign(tilt) * np.sign(other)
-    sizes = size_of(tilt) * size_of(other)
-    return np.asarray((tilt * other).sum(axis=1) / np.where(sizes > 0.0, sizes, 1.0))
-
-
-def in_direction(other: Array, tilt: Array) -> Array:
-    """A tilt of the size of ``tilt`` in the direction that ``other`` has, which has one."""
-    if tilt.ndim == 1:
-        return np.copysign(tilt, other)
-    size = size_of(other)
-    return size_of(tilt)[:, None] * _direction(other, size)
-
-
 def _direction(tilt: Array, size: Array) -> Array:
     return tilt / np.where(size > 0.0, size, 1.0)[:, None]
 

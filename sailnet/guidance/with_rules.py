@@ -4,10 +4,11 @@ from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
-from sailnet.guidance.interface import Commands, Guidance, Steering
+from sailnet.guidance.interface import Commands, FirstPlans, Guidance, Steering
 from sailnet.guidance.rules import SteeringRules
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.mission.mission import Mission
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)
@@ -17,10 +18,12 @@ class WithRules:
     Attributes:
         guidance: gives the commands.
         rules: the numbers of steering.
+        plans: whether plans begin from the guidance's networks; without, its commands fly alone.
     """
 
     guidance: Guidance
     rules: SteeringRules
+    plans: bool = True
 
     @property
     def mission(self) -> Mission:
@@ -40,6 +43,12 @@ class WithRules:
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
         """The guidance's; see ``sailnet.guidance.interface.Guidance``."""
         return self.guidance.command(states, beta)
+
+    def arrival_directions(self, states: ArrayLike, beta: ArrayLike | None = None) -> Array | None:
+        """The guidance's; None without plans."""
+        if not self.plans or not isinstance(self.guidance, FirstPlans):
+            return None
+        return self.guidance.arrival_directions(states, beta)
 
     def steering(self, count: int) -> Steering:
         """Steering of ``count`` sails by these rules."""

@@ -24,7 +24,7 @@ class Bounds(Section):
     Attributes:
         mean_excess: largest mean excess time over the optimum for the true sail parameters [%].
         without_extra_revolution: smallest share of the flights that arrive without an extra revolution [%].
-        failed: largest share of the flights that do not arrive [%].
+        failed: largest share of the flights that fail [%].
         reversals: largest number of attitude reversals in 99 % of the flights.
     """
 

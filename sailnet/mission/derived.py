@@ -53,29 +53,6 @@ PERIOD, KICK = 0.005, 5e-4
 in the last one, which no guidance can take back: with 0.005 TU, 1.6 times the tolerance a period, one
 flight in thirty to Venus missed its first approach under noise, with a third of that one in a thousand."""
 
-PATIENCE = 0.0015
-"""What keeping a side may cost [TU]: later reversals lose the fastest way to near targets."""
-
-LATE_SHARE = 0.1
-"""Who has lost less than this of his time to go is not late. Where a flight of 22 TU to 2.77 AU begins,
-networks err by some per cent; of 140 flights there that took 2 per cent too long 44 waited for nothing."""
-
-LATE_BESIDE = 0.45
-"""And no more than this [TU] of the time that a sail beside the target takes, 1 / (2 pi) of its orbit. Who
-gets no nearer is late by ``late_memory``, 0.5 TU, in the end: to 4 AU, with a share of 0.1, 22 of 500 sails
-turned over for ever where they saw 7.7 TU to go."""
-
-MISSED_WAIT = 0.5
-"""Of the target's orbit: after a miss the next reversal waits up to as long, each time for another share."""
-
-HOMING, HOMING_IN_SPACE = 0.5, 0.35
-"""Of the target's orbit, or of the departure's if that is smaller: from such a time to go on the model is
-flown ahead, so that the target is not missed. A sail that is still far below it flies around the Sun faster
-than the arcs of a plan are fine: with 0.5 of the target's orbit sails to 2 AU were 0.21 % late, not 0.04.
-In space eight arcs reach less far: to 0.8, 1.3 and 0.5 AU (quick; 3, 5 and 7 degrees; 1,000 flights each,
-undisturbed and with noise) sails were late by 2.81 % on average from 0.25 of an orbit on, 2.75 % from 0.35,
-3.24 % from 0.5, and by 12.9 % without."""
-
 LATITUDE = 1.6
 """Its half-width in latitude in three dimensions, in inclinations of the departure orbit; that in w is the
 speed with which an orbit of such an inclination crosses the plane."""
@@ -204,10 +181,6 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
             "arrival_threshold": period,
             "arrival_tolerance": 1e-3,
             "longest": min(10.0 * math.ceil(0.5 * (time + rounding)), LONGEST),
-            "largest_patience": PATIENCE,
-            "late_share": min(LATE_SHARE, _rounded(LATE_BESIDE / target**1.5)),
-            "missed_wait": MISSED_WAIT,
-            "homing": _homing(orbits),
         },
         "generalisation": {
             "r": _interval(departure, departure + outward * depth),
@@ -237,11 +210,6 @@ def _derived(sail: Sail, orbits: Orbits, source: str) -> dict[str, Any]:
         },
         "training": {"paper": PAPER_TRAINING, "wide": WIDE_TRAINING},
     }
-
-
-def _homing(orbits: Orbits) -> float:
-    share = HOMING_IN_SPACE if orbits.inclination > 0.0 else HOMING
-    return _rounded(share * min(1.0, (orbits.departure_radius / orbits.target_radius) ** 1.5))
 
 
 def _approach_time(target: float) -> float:

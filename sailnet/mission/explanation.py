@@ -70,6 +70,9 @@ class _Problem:
     def __str__(self) -> str:
         name = self.key.rpartition(".")[2]
         instead = self.table.instead if issubclass(self.table, Section) else {}
+        retired = self.table.retired if issubclass(self.table, Section) else {}
+        if self.kind == "extra_forbidden" and name in retired:
+            return f"{self.key} is no longer a key: {retired[name]}; delete the line"
         if self.kind == "extra_forbidden":
             known = sorted(
                 [

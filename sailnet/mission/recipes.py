@@ -88,6 +88,11 @@ Emphasis = Annotated[float, Field(ge=0.0, le=1.0)]
 """The power of what a wrong angle costs at a sample by which |alpha| learns from more such samples."""
 
 
+PLAN_EPOCHS, PLAN_SAMPLES = 120, 60_000
+"""Most epochs and training samples of the networks of the arrival costates
+(docs/notebook/arrival-costates.md)."""
+
+
 class CommandRecipe(Grown):
     """What the networks of |alpha| and of its side have of their own: their errors lose the fastest way.
 
@@ -125,6 +130,13 @@ class TrainingRecipe(Grown):
         if self.command is None:
             return self
         return self.model_copy(update={**dict(self.command), "start": None, "command": None})
+
+    @property
+    def of_plan(self) -> "TrainingRecipe":
+        """The recipe of the networks of the arrival costates, which begin with random weights."""
+        most = {"epochs": PLAN_EPOCHS, "train_samples": PLAN_SAMPLES}
+        less = {name: min(getattr(self, name), number) for name, number in most.items()}
+        return self.model_copy(update={**less, "start": None, "command": None})
 
 
 class Training(Section):

@@ -44,6 +44,10 @@ class Section(BaseModel):
     instead: ClassVar[Mapping[str, tuple[str, ...]]] = {}
     """Other keys that a file may say a key by, in other units."""
 
+    retired: ClassVar[Mapping[str, str]] = {}
+    """Keys of earlier versions, and what takes their place: a mission file with one is refused, a mission
+    that is stored in an artefact is read without it, see :mod:`sailnet.mission.stored`."""
+
 
 def read_by(read: Callable[[Any], object]) -> BeforeValidator:
     """What a key holds is read by a function of the library, whose errors are the key's."""
@@ -147,28 +151,25 @@ class Orbits(Section):
         return content
 
 
-class FlightRules(Section):
-    """Closed-loop flight [TU]; how fast the sail turns [deg/h]: as Solar Polar Imager, 70° in 3 h.
+TRACKED = "sailnet_steer tracks the optimal extremal, which needs no such rule"
 
-    ``least_reserve`` is the share of its thrust that the sail keeps in reserve at least; without it the
-    law's own (:attr:`sailnet.guidance.rules.SteeringRules.least_reserve`). ``largest_patience`` [TU] is what
-    it may cost at most to keep a side that is no longer the faster one, ``late_share`` what share of its
-    time to go a sail must have lost to count as late, ``missed_wait`` for how much of the target's orbit it
-    waits at most after a miss, and ``homing`` from a time to go of how much of that orbit on the model is
-    flown ahead (in the plane); without them the law's own, likewise.
-    """
+
+class FlightRules(Section):
+    """Closed-loop flight [TU]; how fast the sail turns [deg/h]: as Solar Polar Imager, 70° in 3 h."""
 
     instead = {"period": ("period_hours",)}
+    retired = {
+        "least_reserve": "the thrust margin follows from the innovation of the estimate alone",
+        "largest_patience": TRACKED,
+        "late_share": TRACKED,
+        "missed_wait": TRACKED,
+        "homing": TRACKED,
+    }
     period: Positive
     arrival_threshold: Positive
     arrival_tolerance: Positive
     longest: Positive
     slew_rate: Positive = 70.0 / 3.0
-    least_reserve: Annotated[float, Field(ge=0.0, le=0.1)] | None = None
-    largest_patience: Annotated[float, Field(ge=0.0, le=0.1)] | None = None
-    late_share: Annotated[float, Field(ge=0.0, le=1.0)] | None = None
-    missed_wait: Annotated[float, Field(ge=0.0, le=2.0)] | None = None
-    homing: Annotated[float, Field(ge=0.0, le=1.0)] | None = None
 
     @model_validator(mode="after")
     def _comes_to_an_end(self) -> "FlightRules":

@@ -15,8 +15,14 @@ from sailnet.networks.approach import (
     approach_coordinates,
     approach_coordinates_in_space,
 )
+from sailnet.networks.approach_inputs import (
+    approach_inputs,
+    time_of_flight,
+    trained_betas,
+    trained_states,
+)
 from sailnet.networks.guidance_networks import APPROACH_SIGN_SCALE, GuidanceNetworks, load_guidance_networks
-from sailnet.networks.network import EXTRAPOLATION, Network, load_network, trained_box, weights_digest
+from sailnet.networks.network import Network, load_network, weights_digest
 from sailnet.networks.trained_domain import TrainedDomain, recorded_domain
 from sailnet.physics.arrays import Array
 from sailnet.physics.geometry import clock_angle, in_space
@@ -100,7 +106,7 @@ class GuidanceNetworksInSpace:
     @property
     def beta_range(self) -> tuple[float, float]:
         """Smallest and largest beta the networks were trained for."""
-        return float(self.tau.input_min[-1]), float(self.tau.input_max[-1])
+        return trained_betas(self.tau)
 
     @property
     def state_range(self) -> tuple[Array, Array]:
@@ -109,13 +115,7 @@ class GuidanceNetworksInSpace:
         Raises:
             NetworkError: they do not say.
         """
-        recorded = [self.tau.provenance.get(name) for name in ("state_min", "state_max")]
-        lowest, highest = trained_box(recorded, self.components)
-        # What was seen to the south is known to the north.
-        lateral = [1, 4]
-        highest[lateral] = np.maximum(highest, -lowest)[lateral]
-        lowest[lateral] = -highest[lateral]
-        return lowest, highest
+        return trained_states(self.tau)
 
     @property
     def domain(self) -> TrainedDomain:
@@ -145,16 +145,11 @@ class GuidanceNetworksInSpace:
             beta: (n,) or one normalised characteristic acceleration, clamped to ``beta_range``; by
                 default the mission's.
         """
-        lowest, highest = self.state_range
-        margin = EXTRAPOLATION * (highest - lowest)
-        within = np.clip(np.asarray(states, float), lowest - margin, highest + margin)
-        sail = np.clip(self.mission.sail.beta if beta is None else beta, *self.beta_range)
-        inputs = approach_coordinates_in_space(self.mission.problem, within, sail)
-        even, s = inputs[:, : len(APPROACH_INPUTS_IN_SPACE)], inputs[:, APPROACH_INPUTS_IN_SPACE.index("s")]
-        cone = cone_angle_size(self.alpha_pre(even), self.mission.problem.phi_max)
+        inputs = approach_inputs(self.tau, states, beta)
+        cone = cone_angle_size(self.alpha_pre(inputs), self.mission.problem.phi_max)
         costates = in_space(np.zeros((len(inputs), 3)))
-        costates[:, 3], costates[:, 4] = self.lambda_v(even), self.lambda_w(inputs)
-        directions, tau = costates[:, 3:] * self.costate_unit, s * np.exp(self.tau(even))
+        costates[:, 3], costates[:, 4] = self.lambda_v(inputs), self.lambda_w(inputs)
+        directions, tau = costates[:, 3:] * self.costate_unit, time_of_flight(self.tau, inputs)
         return Outputs(cone, clock_angle(costates), tau, *directions.T)
 
 

@@ -8,18 +8,28 @@ from numpy.typing import ArrayLike
 
 from sailnet.errors import NetworkError
 from sailnet.mission.mission import Mission
-from sailnet.networks.approach import APPROACH_INPUTS, approach_coordinates
-from sailnet.networks.network import EXTRAPOLATION, Network, load_network, trained_box
+from sailnet.networks.approach import APPROACH_INPUTS
+from sailnet.networks.approach_inputs import (
+    approach_inputs,
+    time_of_flight,
+    trained_betas,
+    trained_states,
+)
+from sailnet.networks.network import Network, load_network, trained_box
 from sailnet.networks.trained_domain import TrainedDomain, recorded_domain
 from sailnet.physics.arrays import Array
 from sailnet.physics.jumps import cone_angle_size, restore
+
+NAMES = ("tau", "alpha_pre", "lambda_v")
+"""Of the networks, in order."""
 
 STATE_INPUTS = ("r", "u", "v")
 COMMAND_INPUTS = ("r", "u", "v", "tau")
 
 SIGN_SCALE = 10.0
 """Size of lambda_v [TU^2/AU] below which the sign network's target is nearly linear in it: the target is
-asinh(lambda_v / SIGN_SCALE), same sign, resolved best where the sign changes (training/TRIED.md)."""
+asinh(lambda_v / SIGN_SCALE), same sign, resolved best where the sign changes
+(docs/notebook/command-target.md)."""
 
 APPROACH_SIGN_SCALE = 0.7
 """The same for lambda_v times the acceleration at the target, which has no unit."""
@@ -99,7 +109,7 @@ class GuidanceNetworks:
         """Smallest and largest beta the networks were trained for."""
         if not self.approach:
             return self.mission.sail.beta, self.mission.sail.beta
-        return float(self.tau.input_min[-1]), float(self.tau.input_max[-1])
+        return trained_betas(self.tau)
 
     @property
     def state_range(self) -> tuple[Array, Array]:
@@ -108,10 +118,11 @@ class GuidanceNetworks:
         Raises:
             NetworkError: they do not say.
         """
-        recorded = [self.tau.provenance.get(name) for name in ("state_min", "state_max")]
-        if recorded == [None, None] and not self.approach:
+        recorded_anything = any(self.tau.provenance.get(name) for name in ("state_min", "state_max"))
+        if not recorded_anything and not self.approach:
             recorded = [self.tau.input_min.tolist(), self.tau.input_max.tolist()]
-        return trained_box(recorded, self.components)
+            return trained_box(recorded, self.components, self.tau.name)
+        return trained_states(self.tau)
 
     @property
     def domain(self) -> TrainedDomain:
@@ -134,12 +145,8 @@ class GuidanceNetworks:
         """
         state = np.asarray(states, float)
         if self.approach:
-            lowest, highest = self.state_range
-            margin = EXTRAPOLATION * (highest - lowest)
-            within = np.clip(state, lowest - margin, highest + margin)
-            sail = np.clip(self.mission.sail.beta if beta is None else beta, *self.beta_range)
-            inputs = approach_coordinates(self.mission.problem, within, sail)
-            tau = inputs[:, 3] * np.exp(self.tau(inputs))
+            inputs = approach_inputs(self.tau, state, beta)
+            tau = time_of_flight(self.tau, inputs)
         else:
             tau = self.tau(state)
             inputs = np.column_stack([state, tau])
@@ -153,7 +160,5 @@ def load_guidance_networks(folder: Path) -> GuidanceNetworks:
     Raises:
         NetworkError: one is missing or damaged, or they do not belong together.
     """
-    tau, alpha_pre, lambda_v = (
-        load_network(folder / f"{name}.safetensors") for name in ("tau", "alpha_pre", "lambda_v")
-    )
+    tau, alpha_pre, lambda_v = (load_network(folder / f"{name}.safetensors") for name in NAMES)
     return GuidanceNetworks(tau, alpha_pre, lambda_v)

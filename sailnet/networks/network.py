@@ -19,7 +19,8 @@ from scipy.special import expit
 from sailnet.artefacts.files import write_bytes, writing
 from sailnet.artefacts.untrusted import table_of
 from sailnet.errors import MissionError, NetworkError, reason
-from sailnet.mission.mission import Mission, parse_mission
+from sailnet.mission.mission import Mission
+from sailnet.mission.stored import stored_mission
 from sailnet.networks.tensor_checks import FACTORS, MOST_BYTES, TEXTS, faults
 from sailnet.physics.arrays import Array
 
@@ -38,7 +39,8 @@ class Network:
     """A feedforward network with its scaling and provenance.
 
     Attributes:
-        name: what it predicts: ``tau``, ``alpha_pre``, ``lambda_v``, ``lambda_w`` or ``alpha``.
+        name: what it predicts: ``tau``, ``alpha_pre``, ``lambda_v``, ``lambda_w``, ``alpha`` or one of
+            ``sailnet.networks.plan_networks.ARRIVAL_NAMES``.
         inputs: names of its inputs, in order.
         factors: names of what its outputs are multiplied by before they are added; with none it has one
             output.
@@ -106,8 +108,8 @@ class Network:
         return np.asarray(self.output_min + (self.output_max - self.output_min) * scaled)
 
 
-def trained_box(recorded: object, components: int) -> tuple[Array, Array]:
-    """(components,) lowest and highest state, as ``tau`` has recorded them: a pair of rows.
+def trained_box(recorded: object, components: int, name: str) -> tuple[Array, Array]:
+    """(components,) lowest and highest state, as network ``name`` has recorded them: a pair of rows.
 
     Raises:
         NetworkError: they are not that.
@@ -119,7 +121,7 @@ def trained_box(recorded: object, components: int) -> tuple[Array, Array]:
         ordered = False
     if not ordered:
         raise NetworkError(
-            "network tau does not say what states it was trained on (state_min, state_max): train again"
+            f"network {name} does not say what states it was trained on (state_min, state_max): train again"
         )
     return box[0], box[1]
 
@@ -173,7 +175,7 @@ def load_network(path: Path) -> Network:
             input_max=tensors["input_max"],
             output_min=float(tensors["output_range"][0]),
             output_max=float(tensors["output_range"][1]),
-            mission=parse_mission(table_of(metadata["mission"]), str(path)),
+            mission=stored_mission(metadata["mission"], str(path)),
             provenance=table_of(metadata["provenance"]),
             factors=tuple(filter(None, metadata.get(FACTORS, "").split(","))),
         )

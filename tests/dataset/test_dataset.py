@@ -23,10 +23,11 @@ from sailnet.dataset import (
 )
 from sailnet.dataset.schema import JUMP_FLAG, LAYOUT, NEGATIVE_ARRIVAL_FLAG
 from sailnet.dataset.writer import _flattened
+from sailnet.errors import DatasetError
 from sailnet.mission.mission import Mission
 from tests.paths import ROOT
 from tests.reference import Array
-from tests.small_datasets import pieces
+from tests.small_datasets import invented_shard, pieces
 
 
 def test_what_was_written_is_read(small: Mission, shard: Block, stored: Path) -> None:
@@ -50,6 +51,36 @@ def test_what_was_written_is_read(small: Mission, shard: Block, stored: Path) ->
         assert [rows for rows, _ in blocks] == [slice(a, min(a + 100, 372)) for a in (0, 100, 200, 300)]
         whole = np.concatenate([block["r"] for _, block in blocks])
         np.testing.assert_array_equal(whole, columns["r"])
+
+
+def test_columns_of_the_trajectories_are_repeated_for_their_samples(mission: Mission, tmp_path: Path) -> None:
+    shard = invented_shard(0.0, 3)
+    write_dataset(tmp_path / "long.h5", mission, iter([shard]), {})
+    expected = np.repeat(shard.trajectories["lambda_u0"], shard.lengths)
+    assert len(set(shard.lengths)) > 5
+    with open_dataset(tmp_path / "long.h5") as found:
+        columns = found.read(["lambda_u0", "r", "flags"], 0, found.samples)
+        assert list(columns) == ["lambda_u0", "r", "flags"]
+        np.testing.assert_array_equal(columns["lambda_u0"], expected)
+        np.testing.assert_array_equal(columns["r"], shard.samples["r"])
+        blocks = list(found.blocks(["lambda_u0"], most=17))
+        assert all(len(block["lambda_u0"]) == rows.stop - rows.start for rows, block in blocks)
+        np.testing.assert_array_equal(np.concatenate([block["lambda_u0"] for _, block in blocks]), expected)
+        first = int(found.first_sample[4])
+        np.testing.assert_array_equal(
+            found.read(["lambda_u0"], first, first + 1)["lambda_u0"], expected[first]
+        )
+
+
+def test_no_trajectory_without_a_jump_gives_its_samples_a_jump_time(mission: Mission, tmp_path: Path) -> None:
+    shard = invented_shard(0.0, 3)
+    shard.trajectories["jump_time"][2] = np.nan
+    write_dataset(tmp_path / "jumps.h5", mission, iter([shard]), {})
+    row = int(shard.lengths[:2].sum())
+    with open_dataset(tmp_path / "jumps.h5") as found:
+        assert len(found.read(["jump_time"], 0, row)["jump_time"]) == row
+        with pytest.raises(DatasetError, match=f"trajectories/jump_time of row {row} is not finite"):
+            found.read(["jump_time"], 0, found.samples)
 
 
 def test_a_data_set_prints_its_columns_with_units_where_they_have_any(stored: Path) -> None:

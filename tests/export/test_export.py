@@ -1,7 +1,6 @@
 import dataclasses
 import errno
 import json
-import math
 import re
 import shutil
 from dataclasses import dataclass
@@ -27,12 +26,12 @@ from sailnet.errors import GuidanceError, NetworkError
 from sailnet.guidance.backends import Backend, load_guidance
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts, describe, round_down
-from sailnet.guidance.interface import Precision
+from sailnet.guidance.interface import FirstPlans, Precision
 from sailnet.guidance.onnx_graphs import OnnxGuidance
-from sailnet.guidance.rules import RULES, rules_for
 from sailnet.networks.approach import approach_coordinates
 from sailnet.networks.guidance_networks import GuidanceNetworks
 from sailnet.networks.network import load_network, save_network
+from sailnet.networks.plan_networks import unit_vectors
 from sailnet.physics.arrays import Array
 from sailnet.physics.optics import OPTICS, Optics
 from tests.conftest import Exported
@@ -270,45 +269,11 @@ def test_every_file_is_listed(exported: Exported) -> None:
 
 
 def test_same_weights_same_c(exported: Exported, tmp_path: Path) -> None:
-    write_c(exported.networks, describe(exported.networks, MISSION), tmp_path)
+    facts = describe(exported.networks, MISSION, plan=exported.plan)
+    write_c(exported.networks, facts, tmp_path, plan=exported.plan)
     assert (tmp_path / "sailnet_guidance.c").read_bytes() == (
         exported.folder / "sailnet_guidance.c"
     ).read_bytes()
-
-
-def test_the_c_keeps_what_the_mission_says(exported: Exported, tmp_path: Path) -> None:
-    flight = MISSION.flight.model_copy(update={"least_reserve": 0.02, "largest_patience": 0.001})
-    cautious = MISSION.model_copy(update={"flight": flight})
-    write_c(exported.networks, describe(exported.networks, MISSION), tmp_path, rules_for(cautious))
-    patience = RULES.patience(MISSION.problem.phi_max, MISSION.flight.turn_rate)
-    for folder, kept, patient, hours in (
-        (exported.folder, RULES.least_reserve, patience, ("5.1", "14.0")),
-        (tmp_path, 0.02, 0.001, ("5.1", "1.4")),
-    ):
-        header = (folder / "sailnet_guidance.h").read_text()
-        for name, said in (("LEAST_RESERVE", kept), ("PATIENCE", patient)):
-            (number,) = re.findall(rf"define SAILNET_{name} .*?\(([0-9.e-]+)", header)
-            assert float(number) == said
-        assert re.findall(r"slew rate, (\S+) hours, but no\s+more than\s+(\S+)\. ", header) == [hours]
-
-
-def test_only_a_mission_that_asks_who_is_late_or_flies_ahead_has_that_in_its_c(
-    exported: Exported, tmp_path: Path
-) -> None:
-    flight = MISSION.flight.model_copy(update={"late_share": 0.15, "missed_wait": 0.25, "homing": 0.125})
-    far = MISSION.model_copy(update={"flight": flight})
-    write_c(exported.networks, describe(exported.networks, MISSION), tmp_path, rules_for(far))
-    for name in ("sailnet_guidance.c", "sailnet_guidance_host.c", "sailnet_guidance.h"):
-        for only in ("LATE_SHARE", "MISSED_WAIT", "LONGEST_WAIT", "HOMING"):
-            assert only not in (exported.folder / name).read_text()
-            assert only in (tmp_path / name).read_text()
-    header = (tmp_path / "sailnet_guidance.h").read_text()
-    assert "#define SAILNET_LATE_SHARE SAILNET_REAL(0.15)\n" in header
-    waits = re.findall(r"#define SAILNET_(?:MISSED|LONGEST)_WAIT SAILNET_REAL\((\S+)\)\n", header)
-    orbit = math.tau * MISSION.transfer.target_radius**1.5
-    horizon = re.findall(r"#define SAILNET_HOMING_HORIZON SAILNET_REAL\((\S+)\)\n", header)
-    assert [float(time) for time in horizon] == pytest.approx([0.125 * orbit], rel=1e-12)
-    assert [float(wait) for wait in waits] == pytest.approx([0.25 * orbit, 0.25 * orbit], rel=1e-12)
 
 
 def snapshot(folder: Path) -> dict[str, bytes]:
@@ -549,3 +514,31 @@ def test_a_rounded_bound_never_exceeds_the_bound(value: float) -> None:
     assert round_down(value, np.float64) == value
     rounded = round_down(value, np.float32)
     assert rounded <= value < float(np.nextafter(np.float32(rounded), np.float32(2.0)))
+
+
+@pytest.mark.parametrize("precision", get_args(Precision))
+def test_every_back_end_proposes_the_same_plans(approach_exported: Exported, precision: Precision) -> None:
+    plan = approach_exported.plan
+    assert plan is not None
+    states = np.random.default_rng(4).uniform(STATE_MIN, STATE_MAX, (2000, 3)).astype(precision)
+    beta = (MISSION.sail.beta * np.random.default_rng(5).uniform(0.7, 1.3, 2000)).astype(precision)
+    expected = plan.direction(states.astype(float), beta.astype(float))
+    bound = 1e-10 if precision == "float64" else 1e-3
+    states[7, 1] = np.nan
+    others = np.arange(2000) != 7
+    for backend in get_args(Backend):
+        guidance = load_guidance(MISSION, backend, precision, approach_exported.folder)
+        assert isinstance(guidance, FirstPlans)
+        found = guidance.arrival_directions(states, beta)
+        assert found is not None
+        np.testing.assert_array_equal(found[7], 0.0)
+        np.testing.assert_allclose(unit_vectors(found)[others], expected[others], rtol=0, atol=bound)
+
+
+@pytest.mark.parametrize("backend", get_args(Backend))
+def test_what_was_exported_without_networks_of_plans_proposes_none(
+    paper_exported: Exported, backend: Backend
+) -> None:
+    guidance = load_guidance(MISSION, backend, folder=paper_exported.folder)
+    assert isinstance(guidance, FirstPlans)
+    assert guidance.arrival_directions([[1.0, 0.0, 1.0]]) is None

@@ -9,7 +9,7 @@ import onnx
 import onnxruntime
 import pytest
 
-from export.agreement import compare, sails_of_box
+from export.agreement import compare, compare_directions, sails_of_box
 from export.command import main
 from export.templates import filled
 from export.to_c import write_c
@@ -18,10 +18,10 @@ from sailnet.errors import GuidanceError
 from sailnet.guidance.backends import load_guidance
 from sailnet.guidance.facts import METADATA_KEY, GuidanceFacts, describe
 from sailnet.guidance.interface import Precision
-from sailnet.guidance.rules import rules_for
 from sailnet.mission.mission import load_mission
 from sailnet.networks.approach import approach_coordinates_in_space
 from sailnet.networks.guidance_networks import load_guidance_networks
+from sailnet.networks.plan_networks import load_plan_networks
 from sailnet.physics.arrays import Array
 from tests.conftest import Exported
 from tests.paths import ROOT
@@ -30,6 +30,7 @@ from tests.random_networks import (
     STATE_MIN_IN_SPACE,
     random_guidance,
     random_guidance_in_space,
+    random_plan_networks,
     save_guidance,
 )
 
@@ -42,6 +43,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """What the command wrote, of random networks."""
     folder = tmp_path_factory.mktemp("space")
     save_guidance(random_guidance_in_space(), folder / "networks")
+    save_guidance(random_plan_networks(mission=MISSION), folder / "networks")
     assert main([str(folder / "networks"), str(folder / "out"), "--mission", "earth_mars_3d"]) == 0
     return folder / "out"
 
@@ -60,7 +62,8 @@ def test_the_command_writes_what_flies(made: Path) -> None:
     assert {"lambda_w.onnx", "guidance_f32.onnx", "guidance_f64.so", "guidance_f32_host.so"} <= names
     model = onnx.load(made / "guidance_f64.onnx")
     (facts,) = [GuidanceFacts.from_json(p.value) for p in model.metadata_props if p.key == METADATA_KEY]
-    assert facts == describe(random_guidance_in_space(), MISSION)
+    plan = random_plan_networks(mission=MISSION)
+    assert facts == describe(random_guidance_in_space(), MISSION, plan=plan)
     assert {t.data_type for t in model.graph.initializer} & {onnx.TensorProto.FLOAT} == set()
 
 
@@ -95,6 +98,16 @@ def test_c_onnxruntime_and_pytorch_command_the_same_attitudes(made: Path) -> Non
         assert float(str(record["share_compared"])) > 0.98
         assert float(str(record["largest"])) < (1e-11 if record["precision"] == "float64" else 2e-2)
         assert float(str(record["median"])) < (1e-14 if record["precision"] == "float64" else 2e-6)
+
+
+@pytest.mark.exhaustive
+def test_c_onnxruntime_and_numpy_propose_the_same_plans(made: Path) -> None:
+    plan = random_plan_networks(mission=MISSION)
+    records = compare_directions(plan, made, sails_of_box(random_guidance_in_space(), 5_000, seed=3))
+    assert [record["precision"] for record in records] == 3 * ["float64"] + 3 * ["float32"]
+    for record in records:
+        assert float(str(record["largest"])) < (1e-9 if record["precision"] == "float64" else 2e-2)
+        assert float(str(record["median"])) < (1e-13 if record["precision"] == "float64" else 1e-5)
 
 
 @pytest.mark.exhaustive
@@ -136,7 +149,8 @@ def test_the_plane_s_c_is_what_ships(tmp_path: Path) -> None:
     for name in ("earth_mars", "earth_mars_jpl"):
         mission, folder = load_mission(name), ROOT / "sailnet" / "shipped" / name
         networks = load_guidance_networks(folder)
-        write_c(networks, describe(networks, mission), tmp_path, rules_for(mission))
+        plan = load_plan_networks(folder, mission)
+        write_c(networks, describe(networks, mission, plan=plan), tmp_path, plan=plan)
         for file in tmp_path.iterdir():
             assert file.read_bytes() == (folder / file.name).read_bytes(), file.name
 

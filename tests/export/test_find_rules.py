@@ -12,7 +12,6 @@ from export.find_rules import FLOOR, SOUGHT, Trials, main, search
 from sailnet import load_mission
 from sailnet.campaign.plan import Plan, parse_plan
 from sailnet.guidance.rules import RULES
-from sailnet.mission.written import whole_text
 from sailnet.networks.guidance_networks import load_guidance_networks
 
 pytestmark = pytest.mark.slow
@@ -72,21 +71,10 @@ def test_candidates_are_flown_over_the_series_asked_for(
     assert list(best["series"]) == ["nominal"]
     assert main([*words, "--candidate", "patience=1"]) == 1
     assert "the rules have no number patience; these are: memory" in capsys.readouterr().err
-    assert main([*words, "--candidate", "wait=0"]) == 0
-    assert json.loads(output.read_text().splitlines()[-1])["rules"] == {**as_it_is, "wait": 0.0}
+    assert main([*words, "--candidate", "foresight=0"]) == 0
+    assert json.loads(output.read_text().splitlines()[-1])["rules"] == {**as_it_is, "foresight": 0.0}
     assert main([*words[:-1], "calm", "--candidate", ""]) == 1
     assert "the campaign has no series calm; it has: nominal; bias" in capsys.readouterr().err
-
-
-def test_rules_are_those_of_the_mission_that_is_named(tmp_path: Path) -> None:
-    """By whatever name the networks know it: a mission of one's own is a file."""
-    mission = load_mission("earth_mars")
-    own = mission.model_copy(update={"flight": mission.flight.model_copy(update={"least_reserve": 0.02})})
-    (tmp_path / "own.toml").write_text(whole_text(own))
-    output = tmp_path / "tried.jsonl"
-    words = [str(SHIPPED), str(output), "--flights", "3", "--series", "nominal", "--candidate", ""]
-    assert main([*words, "--mission", str(tmp_path / "own.toml")]) == 0
-    assert json.loads(output.read_text())["rules"]["least_reserve"] == 0.02
 
 
 def test_a_damaged_output_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

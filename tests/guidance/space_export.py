@@ -8,20 +8,16 @@ from c_runtime.shared_library import compile_libraries
 from export.to_c import write_c
 from sailnet.guidance.exported_c import CGuidance
 from sailnet.guidance.facts import GuidanceFacts, describe
-from sailnet.guidance.rules import rules_for
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.mission.sections import Degradation
 from sailnet.networks.guidance_in_space import GuidanceNetworksInSpace
+from sailnet.networks.plan_networks import PlanNetworks
 from sailnet.physics.optics import OPTICS
+from tests.random_networks import random_plan_networks
 
 MISSION = load_mission("earth_mars_3d")
-AGEING = MISSION.with_optics(OPTICS["jpl"]).model_copy(
-    update={
-        "degradation": Degradation(loss=0.2),
-        "flight": MISSION.flight.model_copy(update={"late_share": 0.3, "missed_wait": 0.5, "homing": 0.5}),
-    }
-)
-"""A sail that is not ideal, and known to age; late by its time to go."""
+AGEING = MISSION.with_optics(OPTICS["jpl"]).model_copy(update={"degradation": Degradation(loss=0.2)})
+"""A sail that is not ideal, and known to age."""
 
 
 @dataclass(frozen=True)
@@ -29,6 +25,7 @@ class CInSpace:
     """Exported C. A build is there to be loaded where all are compiled."""
 
     networks: GuidanceNetworksInSpace
+    plan: PlanNetworks
     facts: GuidanceFacts
     folder: Path
 
@@ -52,6 +49,7 @@ def export_c(networks: GuidanceNetworksInSpace, folder: Path) -> CInSpace:
 def write_only(networks: GuidanceNetworksInSpace, folder: Path) -> CInSpace:
     """The files that others compile, or read."""
     folder.mkdir(parents=True, exist_ok=True)
-    facts = describe(networks, networks.mission)
-    write_c(networks, facts, folder, rules_for(networks.mission))
-    return CInSpace(networks, facts, folder)
+    plan = random_plan_networks(mission=networks.mission)
+    facts = describe(networks, networks.mission, plan=plan)
+    write_c(networks, facts, folder, plan=plan)
+    return CInSpace(networks, plan, facts, folder)

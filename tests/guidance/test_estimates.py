@@ -35,8 +35,8 @@ def test_a_force_along_the_surface_is_found_on_either_side(angle: float, tangent
         state = runge_kutta_step(state, steered.cone_angle, 1.05 * BETA, PERIOD, tangential)
     assert steering._memory.tangential[0] == pytest.approx(tangential, rel=0.03)
     assert steered.beta[0] == pytest.approx(1.05 * BETA, rel=2e-3)
-    # A share of what weakens the sail is not planned with; what strengthens it is no reason for less.
-    lost = RULES.reserve_tangential * max(tangential, 0.0)
+    # The networks are asked for a weaker sail where that force weakens it, and for no stronger one.
+    lost = RULES.tangential_loss * max(tangential, 0.0)
     assert told.asked[-1] / steered.beta[0] == pytest.approx(1.0 - lost, abs=5e-3)
 
 
@@ -48,7 +48,7 @@ def test_the_shipped_c_finds_the_force_along_the_surface(precision: Precision) -
     for _ in range(1000):
         steered = steering.steer(state[[0, 2, 3]].T, 0.005, ONE)
         state = runge_kutta_step(state, steered.cone_angle, 0.97 * BETA, 0.005, 0.08)
-    found = steering.memories.view(memory_type(precision, MISSION))["tangential"].item()
+    found = steering.memories.view(memory_type(precision, MISSION))["estimate"]["tangential"].item()
     assert found == pytest.approx(0.08, rel=0.03)
     assert steered.beta[0] == pytest.approx(0.97 * BETA, rel=2e-3)
 
@@ -80,14 +80,13 @@ def test_what_a_sail_does_by_its_mission_s_optics_is_no_surprise(angle: float, s
 @pytest.mark.parametrize("optics", [OPTICS["ideal"], OPTICS["jpl"], Optics(0.8, 0.3, front_lambertian=0.9)])
 @pytest.mark.parametrize("angle", [0.4, -1.0])
 def test_a_period_says_what_beta_is_whatever_the_optics(optics: Optics, angle: float) -> None:
-    """A first period counts for half: the mission's beta is the other."""
     told = Told(cone_angle=angle)
     told.mission = MISSION.with_optics(optics)
     steering, state = ReferenceSteering(told, 1), departed()
     steering.steer(state[[0, 2, 3]].T, 1e-3, ONE)
     state = hold_angle(state, 1.06 * BETA, angle, 1e-3, optics.force)[:4]
     steered = steering.steer(state[[0, 2, 3]].T, 1e-3, ONE)
-    assert steered.beta[0] / BETA == pytest.approx(1.03, abs=2e-5)
+    assert steered.beta[0] / BETA == pytest.approx(1.06, abs=4e-5)
 
 
 def test_what_a_sail_does_by_other_optics_surprises() -> None:
@@ -113,8 +112,8 @@ def test_the_exported_c_knows_the_optics_of_its_mission(
         steering = guidance.steering(1)
         packed = memory_type(precision, guidance.mission)
         if guidance.mission.degradation.loss > 0.0:
-            steering.memories.view(packed)["worn"] = 1.0  # it will not age any more
-        memory = estimates_of(steering, lambda: steering.memories.view(packed)[0], "jpl", 300)  # noqa: B023
+            steering.memories.view(packed)["estimate"]["worn"] = 1.0  # it will not age any more
+        memory = estimates_of(steering, lambda: steering.memories.view(packed)["estimate"][0], "jpl", 300)  # noqa: B023
         found.append((abs(memory["beta"].item() / BETA - 1.0), abs(memory["tangential"].item())))
     (beta, tangential), (_, unknown) = found
     assert beta < (1e-9 if precision == "float64" else 2e-5)
@@ -165,11 +164,16 @@ def test_a_sail_that_is_measured_to_be_askew_is_made_right(kind: str) -> None:
         unaware = blind.steer(shown, PERIOD, ONE)
         attitude = steered.cone_angle + askew
         state = hold_command(state, attitude, BETA, PERIOD)
-    wanted = guidance.command(shown, steered.beta * (1.0 - RULES.least_reserve)).cone_angle
-    # All but the first of the mean of 60, in which nothing was known.
-    assert attitude - wanted == pytest.approx(askew / 60, rel=0.1)
+    if isinstance(steering, ReferenceSteering):
+        memory = steering._memory
+        found, wanted = memory.offset[0], memory.cone_angle[0]
+    else:
+        estimate = steering.memories.view(memory_type("float64", MISSION))["estimate"][0, 0]
+        found, wanted = estimate["offset"], estimate["cone_angle"]
+    assert found == pytest.approx(askew, rel=1e-6)
+    assert attitude[0] == pytest.approx(wanted, abs=1e-6)
     assert steered.beta[0] == pytest.approx(BETA, rel=1e-6)
-    assert abs(unaware.beta[0] / BETA - 1.0) > 1e-3
+    assert abs(unaware.beta[0] / BETA - 1.0) > 1e-5
 
 
 def test_a_sail_that_lags_is_neither_askew_nor_of_another_force() -> None:
@@ -217,6 +221,5 @@ def test_what_is_known_of_a_sail_s_age_is_what_sunlight_took() -> None:
     # It is planned with a sail that is older by a part of the time to go.
     ahead = RULES.foresight * told.time_of_flight / (radius * MISSION.problem.target_radius) / dose
     later = 1.0 - 0.5 ** (halvings + ahead)
-    kept = 1.0 - RULES.least_reserve
-    assert told.asked[-1] == pytest.approx(BETA * (1.0 - loss * later) * kept, rel=1e-3)
+    assert told.asked[-1] == pytest.approx(BETA * (1.0 - loss * later), rel=1e-3)
     assert told.asked[-1] < steered.beta[0] * 0.998

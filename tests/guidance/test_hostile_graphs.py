@@ -43,7 +43,8 @@ def growing(model: onnx.ModelProto) -> None:
 
 def outer(model: onnx.ModelProto) -> None:
     """Every row with every other."""
-    model.graph.node.append(onnx.helper.make_node("Unsqueeze", ["cone_angle", "val_14"], ["column"]))
+    model.graph.initializer.append(onnx.numpy_helper.from_array(np.array([1]), "axes"))
+    model.graph.node.append(onnx.helper.make_node("Unsqueeze", ["cone_angle", "axes"], ["column"]))
     model.graph.node.append(onnx.helper.make_node("Add", ["column", "cone_angle"], ["more"]))
 
 
@@ -88,6 +89,11 @@ def third(model: onnx.ModelProto) -> None:
     model.graph.input[2].name = "third"
 
 
+def narrow_directions(model: onnx.ModelProto) -> None:
+    (output,) = (output for output in model.graph.output if output.name == "arrival_direction")
+    output.type.tensor_type.shape.dim[1].dim_value = 2
+
+
 def of_strings(model: onnx.ModelProto) -> None:
     model.graph.output[0].type.tensor_type.elem_type = onnx.TensorProto.STRING
 
@@ -95,7 +101,7 @@ def of_strings(model: onnx.ModelProto) -> None:
 SPOILT: dict[str, tuple[Spoil, str]] = {
     "a loop without end": (endless, "holds field 6, which none of sailnet's does"),
     "another operator": (
-        node("ConstantOfShape", "val_14"),
+        node("ConstantOfShape", "state"),
         "operator 'ConstantOfShape', which sailnet does not",
     ),
     "another domain": (node("Gelu", "tau", domain="com.microsoft"), "'Gelu' is of another domain"),
@@ -108,6 +114,7 @@ SPOILT: dict[str, tuple[Spoil, str]] = {
     "an input of another width": (wider, r"its inputs are state \(n, 4\)"),
     "a third input": (third, r"its inputs are .*third \(n\)"),
     "strings": (of_strings, r"its outputs are cone_angle \(n\) of type 8"),
+    "directions of two components": (narrow_directions, r"its outputs are .*arrival_direction \(n, 2\)"),
     "metadata without end": (described("[" * 100_000), "nested without end"),
     "no metadata": (described("null"), "it holds None, not a table"),
     "another fact": (fact("phi_max", "wide"), "phi_max is 'wide'"),
@@ -132,8 +139,8 @@ def test_what_sailnet_does_not_write_is_refused_before_it_runs(name: str, tmp_pa
 def test_what_fails_only_when_it_runs_is_told_as_well(tmp_path: Path) -> None:
     """A scalar where the file's own list of shapes says a row: the fuzzer of the loaders found it."""
     model = onnx.load(SHIPPED)
-    (scaled,) = (node for node in model.graph.node if node.input[:1] == ["tau.output_range"])
-    scaled.input[1] = "tau.output_min"
+    (clamped,) = (node for node in model.graph.node if node.input[:1] == ["state"])
+    clamped.input[0] = "tau.output_min"
     path = tmp_path / SHIPPED.name
     path.write_bytes(model.SerializeToString())
     write_checksums([path], tmp_path / "SHA256SUMS")

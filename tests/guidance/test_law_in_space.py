@@ -248,7 +248,7 @@ CLOCK = """
 void clock_angles(int n, const sailnet_real *x, const sailnet_real *y, sailnet_real *angle)
 {
     for (int i = 0; i < n; i++) {
-        angle[i] = sailnet_clock_angle(&x[i], &y[i]);
+        angle[i] = sailnet_angle(&x[i], &y[i]);
     }
 }
 """

@@ -31,20 +31,23 @@ def planned(real: Array, times: Array) -> tuple[Array, Array, Array]:
 
 
 def expected_reserve(real: Array, estimates: Array, times: Array) -> Array:
-    """The formula of ``ReferenceSteering`` over the surprises, of all periods after the second."""
+    """The formula of ``ReferenceSteering`` over the innovations, of all periods after the second."""
     reserves = []
     mean_square = mean_product = last = 0.0
     for k in range(1, len(real)):
         surprise = float(np.clip((real[k - 1] - estimates[k - 1]) / BETA, -0.5, 0.5))
-        share = max(1.0 / (k + 1), PERIOD / RULES.surprise_memory)
-        mean_square += share * (surprise**2 - mean_square)
-        mean_product += share * (surprise * last - mean_product)
-        last = surprise
-        slow = max(mean_product - mean_square * math.sqrt(share), 0.0)
+        # The first says what vehicle it is, not how it varies.
+        if k > 1:
+            share = max(1.0 / k, PERIOD / RULES.surprise_memory)
+            mean_square += share * (surprise**2 - mean_square)
+            mean_product += share * (surprise * last - mean_product)
+            last = surprise
+        chance = max(1.0 / (k + 1), PERIOD / RULES.surprise_memory)
+        slow = max(mean_product - mean_square * math.sqrt(chance), 0.0)
         white = max(mean_square - slow, 0.0)
         k_slow, k_white = RULES.reserve_slow, RULES.reserve_white
         wanted = k_slow * np.sqrt(slow) + k_white * np.sqrt(white * PERIOD / times[k - 1])
-        bounded = max(min(wanted, RULES.largest_reserve), RULES.least_reserve)
+        bounded = min(wanted, RULES.largest_reserve)
         reserves.append(bounded * min(times[k - 1] / RULES.let_go, 1.0))
     return np.array(reserves)
 
@@ -53,7 +56,7 @@ RNG = np.random.default_rng(3)
 COUNT = 400
 WHITE = RNG.uniform(-0.06, 0.06, COUNT)
 SLOW = 0.02 * np.sin(np.arange(COUNT) * PERIOD / 0.3)
-STRONG = RNG.uniform(-0.3, 0.3, COUNT)
+STRONG = 10.0 * SLOW
 TIMES = np.linspace(4.0, 0.02, COUNT)
 
 
@@ -62,7 +65,7 @@ def test_the_reserve_is_as_large_as_the_surprises_say(surprises: Array, bound: b
     real = BETA * (1.0 + surprises)
     estimates, plans, _ = planned(real, TIMES)
     reserve = expected_reserve(real, estimates, TIMES)
-    np.testing.assert_allclose((1.0 - plans / estimates)[1:], reserve, rtol=0, atol=2e-4)
+    np.testing.assert_allclose((1.0 - plans / estimates)[1:], reserve, rtol=0, atol=4e-4)
     assert 0.01 < reserve.max() <= RULES.largest_reserve
     full = reserve[TIMES[:-1] > RULES.let_go]
     assert (full.max() == RULES.largest_reserve) == bound
@@ -80,13 +83,11 @@ def test_what_is_white_needs_less_than_what_is_slow() -> None:
     assert 0.0 < reserves[0] < 0.5 * reserves[1]
 
 
-def test_a_sail_that_does_not_surprise_keeps_a_little_back_and_lets_go_of_it() -> None:
+def test_a_sail_without_innovation_keeps_no_thrust_margin() -> None:
     times = np.concatenate([np.full(100, 4.0), np.linspace(4.0, 0.02, 100)])
     estimates, plans, status = planned(np.full(200, BETA), times)
     np.testing.assert_allclose(estimates, BETA, rtol=1e-6)
-    kept = RULES.least_reserve * np.minimum(times / RULES.let_go, 1.0)
-    np.testing.assert_allclose(plans[1:], (1.0 - kept[:-1]) * BETA, rtol=1e-6)
-    assert 0.0 < RULES.least_reserve < 0.01
+    np.testing.assert_allclose(plans, BETA, rtol=1e-6)
     assert not status.any()
 
 
@@ -97,8 +98,9 @@ def test_a_plan_below_the_range_of_the_networks_is_told() -> None:
     np.testing.assert_array_equal(plans[told], low)
     assert np.all(plans[~told] >= low)
     assert told.sum() > 50
-    # Before the estimate itself is there: the plan is less.
-    assert np.any(told & (estimates > low))
+    # Before the estimate itself is there, by what is kept back.
+    estimates, _, status = planned((0.802 + WHITE[:100]) * BETA, np.full(100, 4.0))
+    assert np.any((status == GuidanceStatus.AT_LIMIT) & (estimates > low))
     assert not np.any(planned(np.full(100, 0.97 * BETA), np.full(100, 4.0))[2])
 
 
@@ -111,15 +113,3 @@ def test_networks_for_one_beta_have_no_limit() -> None:
         steered = steering.steer(state[[0, 2, 3]].T, PERIOD, ONE)
         assert steered.status[0] == GuidanceStatus.OK
         state = hold_command(state, steered.cone_angle, 0.8 * BETA, PERIOD)
-
-
-@pytest.mark.parametrize(("said", "kept"), [(None, RULES.least_reserve), (0.0, 0.0), (0.02, 0.02)])
-def test_a_mission_may_say_what_is_kept_at_least(said: float | None, kept: float) -> None:
-    flight = MISSION.flight.model_copy(update={"least_reserve": said})
-    told = Told()
-    told.mission = MISSION.model_copy(update={"flight": flight})
-    steering, state = ReferenceSteering(told, 1), departed()
-    for _ in range(2):  # the reserve goes by the time to go that was predicted before
-        steered = steering.steer(state[[0, 2, 3]].T, PERIOD, ONE)
-        state = hold_command(state, steered.cone_angle, BETA, PERIOD)
-    assert told.asked[1] == pytest.approx(steered.beta[0] * (1.0 - kept), rel=1e-7)

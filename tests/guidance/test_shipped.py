@@ -5,7 +5,7 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from export.agreement import compare, sails_of_box
+from export.agreement import compare, compare_directions, sails_of_box
 from sailnet.campaign.printed import CASE_ERROR, CASE_OPTIMUM, CASES, NOISE, NOISE_START
 from sailnet.campaign.random_flights import fly_random_starts
 from sailnet.campaign.scores import attitude_violations
@@ -17,6 +17,7 @@ from sailnet.guidance.rules import RULES
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission, load_mission, shipped_missions
 from sailnet.networks.guidance_networks import load_guidance_networks
+from sailnet.networks.plan_networks import load_plan_networks
 from tests.paths import ROOT
 
 SHIPPED = ROOT / "sailnet" / "shipped"
@@ -73,8 +74,9 @@ def test_both_layouts_and_onnx_fly_to_the_same_place(mission: Mission) -> None:
     guidances = [load_guidance(mission, layout=layout) for layout in get_args(Layout)]
     guidances.append(load_guidance(mission, "onnx"))
     flight, *others = (fly(mission, guidance, starts, disturbance=noise).ends for guidance in guidances)
+    # A correction ends where the residual is below the goal: rounding may decide of one more step.
     for ends in others:
-        np.testing.assert_allclose(ends, flight, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(ends, flight, rtol=0, atol=1e-5)
         assert not np.array_equal(ends, flight)
 
 
@@ -117,7 +119,10 @@ def test_flights_are_nearly_as_fast_as_the_optimum(mission: Mission) -> None:
 def test_c_onnxruntime_and_pytorch_agree() -> None:
     folder = SHIPPED / "earth_mars"
     networks = load_guidance_networks(folder)
-    records = compare(networks, folder, sails_of_box(networks, 100_000, seed=3))
+    plan = load_plan_networks(folder, networks.mission)
+    assert plan is not None
+    sails = sails_of_box(networks, 100_000, seed=3)
+    records = [*compare(networks, folder, sails), *compare_directions(plan, folder, sails)]
     assert {record["precision"] for record in records} == {"float32", "float64"}
     for record in records:
         largest, median = record["largest"], record["median"]
@@ -136,5 +141,7 @@ def test_the_model_card_tells_the_data_set() -> None:
     networks = load_guidance_networks(SHIPPED / "earth_mars")
     card = (SHIPPED / "earth_mars" / "MODEL_CARD.md").read_text()
     assert str(networks.tau.provenance["dataset"]) in card
-    for network in (networks.tau, networks.alpha_pre, networks.lambda_v):
+    plan = load_plan_networks(SHIPPED / "earth_mars", networks.mission)
+    assert plan is not None
+    for network in (*networks.all, *plan.all):
         assert f"{network.provenance['test_mse']:.2e}" in card

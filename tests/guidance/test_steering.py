@@ -22,7 +22,7 @@ LOW, HIGH = MISSION.generalisation.corners
 @pytest.mark.parametrize("precision", ["float64", "float32"])
 def test_the_reference_steers_as_the_shipped_c(precision: Precision) -> None:
     rng = np.random.default_rng(21)
-    count, steps = 40, 300
+    count, steps = 40, 150
     starts = rng.uniform(LOW, HIGH, (count, 3))
     starts[:20] = MISSION.problem.target_state + rng.uniform(-4e-3, 4e-3, (20, 3))
     starts[20:22] = (1.0, 0.5, 0.7)  # no network was trained there
@@ -33,7 +33,7 @@ def test_the_reference_steers_as_the_shipped_c(precision: Precision) -> None:
     assert isinstance(guidance, CGuidance)
     lockstep = Lockstep(guidance, count)
     seen: Counter[int] = Counter()
-    stopped, learnt = 0, 0.0
+    tracked, learnt = 0, 0.0
     askew, before = rng.uniform(-0.05, 0.05, count), np.zeros(count)
     for step in range(steps):
         sails = np.flatnonzero(rng.random(count) < 0.9)
@@ -44,7 +44,7 @@ def test_the_reference_steers_as_the_shipped_c(precision: Precision) -> None:
         told = lockstep.steer(shown, period, sails, measured if step // 25 % 2 else None)
         before[sails] = told.cone_angle
         seen.update(told.status.tolist())
-        stopped += int((told.arrived & (told.hold == 0.0)).sum())
+        tracked += int((lockstep.memory().tracker["planned"][sails] != 0).sum())
         states[:, sails] = hold_command(
             states[:, sails], told.cone_angle + askew[sails], beta[sails], told.hold
         )
@@ -52,19 +52,19 @@ def test_the_reference_steers_as_the_shipped_c(precision: Precision) -> None:
         states[[[0], [2], [3]], over] = rng.uniform(LOW, HIGH, (len(over), 3)).T
         learnt = max(learnt, abs(told.beta - MISSION.sail.beta).max())
     assert min(seen[status] for status in GuidanceStatus) > 5, seen
-    assert (lockstep.undecided < 10, stopped > 1) == (True, True)
+    assert lockstep.undecided < 0.1 * lockstep.compared
+    assert tracked > 0.5 * steps * count
     assert learnt > 0.1 * MISSION.sail.beta
 
 
-def test_the_estimate_is_the_mean_of_what_was_measured_with_the_mission_s_beta_as_the_first() -> None:
+def test_the_estimate_is_what_was_measured_from_the_first_period_on() -> None:
     state, period, beta = np.array([[1.1], [0.0], [0.05], [0.95]]), 0.005, 1.08 * MISSION.sail.beta
     steering, estimates = ReferenceSteering(GUIDANCE, 1), []
     for _ in range(40):
         steered = steering.steer(state[[0, 2, 3]].T, period, np.arange(1))
         estimates.append(steered.beta[0] / MISSION.sail.beta)
         state = hold_command(state, steered.cone_angle, beta, period)
-    expected = 1.08 - 0.08 / np.arange(1, 41)
-    np.testing.assert_allclose(estimates, expected, atol=5e-5)
+    np.testing.assert_allclose(estimates, [1.0] + [1.08] * 39, atol=5e-5)
 
 
 @pytest.mark.parametrize(("share", "end"), [(0.5, 0), (1.6, 1)])

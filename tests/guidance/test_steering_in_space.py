@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike
 
 from sailnet.errors import GuidanceError
 from sailnet.guidance.interface import Commands, GuidanceStatus, Steered
-from sailnet.guidance.rules import RULES, SteeringRules
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.mission.mission import load_mission
 from sailnet.physics.arrays import Array
@@ -19,10 +18,8 @@ from tests.guidance.pilots import ONE, PERIOD, Told
 from tests.pilots import Pilot
 
 MISSION = load_mission("earth_mars_3d")
-PATIENCE = RULES.patience(MISSION.problem.phi_max, MISSION.flight.turn_rate)
 START = np.array([1.1, 0.02, 0.05, 0.95, -0.03])
 MIRROR = np.array([1.0, -1.0, 1.0, 1.0, -1.0])
-ANGLE = 0.8
 
 
 @dataclass
@@ -60,8 +57,7 @@ def test_the_estimate_finds_what_the_sail_really_does(clock: float) -> None:
     for _ in range(60):
         steered = steering.steer([state], PERIOD, ONE)
         state = flown(state, steered, real)
-    # The first guess is one of the means.
-    assert steered.beta[0] == pytest.approx(real - 0.1 * MISSION.sail.beta / 60.0, rel=1e-4)
+    assert steered.beta[0] == pytest.approx(real, rel=1e-4)
 
 
 def test_what_pushes_along_the_surface_is_found_whatever_way_the_sail_points() -> None:
@@ -77,13 +73,12 @@ def test_what_pushes_along_the_surface_is_found_whatever_way_the_sail_points() -
 
 
 def test_in_the_plane_it_steers_as_the_plane_s() -> None:
-    """The same states, noise and reversals, of a sail whose commands lie in the orbital plane."""
+    """The same states and noise, of a sail whose commands lie in the orbital plane."""
     flat = Told()
     space = ToldInSpace()
     rng = np.random.default_rng(3)
     both = ReferenceSteering(flat, 1), ReferenceSteering(space, 1)
     state = np.array([1.1, 0.0, 0.05, 0.95, 0.0])
-    kept = 0
     for k in range(150):
         flat.cone_angle = float(rng.choice([-1.0, 1.0]) * rng.uniform(0.3, 0.9))
         flat.lambda_v = space.lambda_v = float(rng.uniform(0.0, 0.4))
@@ -91,7 +86,6 @@ def test_in_the_plane_it_steers_as_the_plane_s() -> None:
         space.cone_angle, space.clock_angle = abs(flat.cone_angle), 0.0 if flat.cone_angle > 0.0 else np.pi
         shown = np.full((1, 5), np.nan) if k % 40 == 39 else state[None] + 0.0
         planar, found = both[0].steer(shown[:, [0, 2, 3]], PERIOD, ONE), both[1].steer(shown, PERIOD, ONE)
-        kept += planar.cone_angle[0] * flat.cone_angle < 0.0
         assert found.clock_angle is not None
         signed = found.cone_angle * np.cos(found.clock_angle)
         np.testing.assert_allclose(signed, planar.cone_angle, rtol=0, atol=1e-12)
@@ -101,7 +95,6 @@ def test_in_the_plane_it_steers_as_the_plane_s() -> None:
         state = flown(state, found, 0.93 * MISSION.sail.beta)
         state[[0, 2, 3]] += rng.normal(0.0, 1e-5, 3)
         state[[1, 4]] = 0.0
-    assert kept > 20
 
 
 def test_a_mirror_mirrors_every_command() -> None:
@@ -122,47 +115,6 @@ def test_a_mirror_mirrors_every_command() -> None:
         for name in ("cone_angle", "hold", "beta", "status"):
             np.testing.assert_array_equal(getattr(mirrored, name), getattr(told, name))
         state = flown(state, told, 0.95 * MISSION.sail.beta)
-
-
-def clocks(wanted: list[float], size: float) -> list[float]:
-    """Of the commands of a sail that stands still, told to have these clock angles."""
-    told = ToldInSpace(cone_angle=ANGLE)
-    steering = ReferenceSteering(told, 1)
-    commanded = []
-    for clock in wanted:
-        told.clock_angle = clock
-        told.lambda_v, told.lambda_w = -size * np.cos(clock), -size * np.sin(clock)
-        steered = steering.steer([START], PERIOD, ONE)
-        assert steered.clock_angle is not None
-        assert steered.cone_angle[0] == pytest.approx(ANGLE, abs=1e-15)
-        commanded.append(float(steered.clock_angle[0]))
-    return commanded
-
-
-def cost_of(kept: float, wanted: float, size: float) -> float:
-    """What a period with another clock angle costs [TU], by how the speeds differ after a moment."""
-    moment, problem, beta = 1e-6, MISSION.problem, MISSION.sail.beta
-    attitudes = np.array([[ANGLE, ANGLE], [kept, wanted]])
-    states = np.repeat(START[:, None], 2, axis=1)
-    change = runge_kutta_change_in_space(states, attitudes, beta, moment)
-    costates = -size * np.array([np.cos(wanted), np.sin(wanted)]) * problem.target_radius**2 / beta
-    return float(PERIOD * costates @ (change[3:, 0] - change[3:, 1]) / moment)
-
-
-@pytest.mark.parametrize("turn", [np.pi, 2.4, -1.7])
-@pytest.mark.parametrize("periods", [1, 4])
-def test_a_clock_angle_is_kept_until_that_has_cost_what_patience_allows(turn: float, periods: int) -> None:
-    first = 0.7
-    size = PATIENCE / (periods - 0.5) / cost_of(first, first + turn, 1.0)
-    told = clocks([first] * 5 + [first + turn] * 30, size)
-    wanted = float(np.angle(np.exp(1j * (first + turn))))
-    np.testing.assert_allclose(told[: 5 + periods], first, atol=1e-12)
-    np.testing.assert_allclose(told[5 + periods :], wanted, atol=1e-12)
-
-
-def test_a_turn_by_less_than_a_right_angle_is_followed_at_once() -> None:
-    angles = [0.1, 1.5, 2.9, -2.0, -0.6]
-    np.testing.assert_allclose(clocks(angles, 1e-6), angles, atol=1e-12)
 
 
 def test_without_a_state_it_goes_by_where_the_sail_must_be() -> None:
@@ -188,14 +140,3 @@ def test_the_end_is_where_all_five_are_nearest() -> None:
 def test_measured_attitudes_are_refused_by_name() -> None:
     with pytest.raises(GuidanceError, match="no measured attitudes"):
         ReferenceSteering(ToldInSpace(), 1).steer([START], PERIOD, ONE, [0.1])
-
-
-def test_rules_without_patience_turn_at_once() -> None:
-    rules = SteeringRules(largest_patience=0.0, largest_wait=0.0)
-    told = ToldInSpace(lambda_v=0.1)
-    steering = ReferenceSteering(told, 1, rules)
-    for clock in (0.3, -2.8, 0.3):
-        told.clock_angle = clock
-        steered = steering.steer([START], PERIOD, ONE)
-        assert steered.clock_angle is not None
-        assert steered.clock_angle[0] == pytest.approx(clock)

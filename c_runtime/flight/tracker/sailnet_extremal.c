@@ -29,7 +29,7 @@ static const double error_weights[STAGES] = {0.0012326388888888888,  0.0, -0.004
 #define SHRINK 0.1
 #define GROW 4.0
 /* Halvings of the interval in which an event lies. */
-#define HALVINGS 40
+#define HALVINGS 20
 
 /* An extremal on its way: between two events the law is smooth. */
 typedef struct {
@@ -39,28 +39,23 @@ typedef struct {
     double side;        /* in the plane the sign that it has there */
 } sailnet_arc;
 
-static double size_of(double value)
-{
-    return value < 0.0 ? -value : value;
-}
-
-double sailnet_inverse_root(double value)
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value)
 {
     uint64_t bits;
     double root;
     (void)memcpy(&bits, &value, sizeof bits);
     bits = UINT64_C(0x5FE6EB50C7B537A9) - (bits >> 1);
     (void)memcpy(&root, &bits, sizeof root);
-    for (int32_t i = 0; i < 4; i++) {
-        root *= 1.5 - 0.5 * value * root * root;
-    }
-    return root;
+    /* The bits err by 3.5 %: a step of fourth order and one of third leave rounding. */
+    const double off = 1.0 - value * (root * root);
+    root += root * off * ((0.5 + 0.375 * off) + 0.3125 * (off * off));
+    const double rest = 1.0 - value * (root * root);
+    return root + root * (rest * (0.5 + 0.375 * rest));
 }
 
-/* A square root; of 0 or less 0. */
-static double root_of(double value)
+SAILNET_TRACKER_API double sailnet_root(double value)
 {
-    return value > 0.0 ? value * sailnet_inverse_root(value) : 0.0;
+    return value > 0.0 ? value * sailnet_reciprocal_root(value) : 0.0;
 }
 
 /* The force of a cone angle across the Sun line: radial, lateral. */
@@ -69,6 +64,27 @@ static void force_at(const sailnet_problem *problem, double cosine, double sine,
     const double normal = problem->square * cosine + problem->linear;
     force[0] = cosine * (normal * cosine + problem->across * sine * sine);
     force[1] = cosine * sine * (normal - problem->across * cosine);
+}
+
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude)
+{
+    double force[2];
+    double along = 0.0;
+    force_at(problem, attitude->cosine, attitude->sine, force);
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        along += costate[STATES - SAILNET_ACROSS + i] * attitude->across[i];
+    }
+    return costate[STATES - SAILNET_ACROSS - 1] * force[0] + along * force[1];
+}
+
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential)
+{
+    const double c = problem->bound_cosine;
+    const double s = sailnet_absolute(problem->bound_sine);
+    problem->across += tangential;
+    problem->edge_radial += tangential * s * (2.0 * c * c - s * s);
+    problem->edge_lateral += tangential * c * (2.0 * s * s - c * c);
 }
 
 /*
@@ -80,13 +96,14 @@ static void inside_the_bound(const sailnet_problem *problem, double lambda_u, do
 {
     const double x = -3.0 * lambda_u;
     const double y = 2.8284271247461903 * lateral;
-    const double size = root_of(x * x + y * y);
-    const double whole = 3.0 * size + x;
-    /* cos^2 = 2 (size + x) / whole, sin^2 = (size - x) / whole; the smaller of both by y^2 = (size + x) (size - x). */
-    const double more = x > 0.0 ? size + x : y * y / (size - x);
-    const double less = x > 0.0 ? y * y / (size + x) : size - x;
-    double c = whole > 0.0 ? root_of(2.0 * more / whole) : 1.0;
-    double s = whole > 0.0 ? root_of(less / whole) : 0.0;
+    const double size = sailnet_root(x * x + y * y);
+    /* The tangent is (size - x) / (sqrt(2) y), or y / (sqrt(2) (size + x)): the larger of both numbers is exact. */
+    const double above = x > 0.0 ? y : size - x;
+    const double below = 1.4142135623730951 * (x > 0.0 ? size + x : y);
+    const double square2 = above * above + below * below;
+    const double whole = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
+    double c = whole > 0.0 ? below * whole : 1.0;
+    double s = above * whole;
     const double linear = problem->linear;
     const double across = problem->across;
     if ((linear != 0.0) || (across != 0.0)) {
@@ -107,9 +124,13 @@ static void inside_the_bound(const sailnet_problem *problem, double lambda_u, do
             /* A turn by arctan(step). */
             const double turned = c - s * step;
             const double rest = s + c * step;
-            const double per = sailnet_inverse_root(turned * turned + rest * rest);
+            const double per = sailnet_reciprocal_root(turned * turned + rest * rest);
             c = turned * per;
             s = rest * per;
+            /* What is left is its square. */
+            if (!(sailnet_absolute(step) > 1e-6)) {
+                break;
+            }
         }
     }
     *cosine = c;
@@ -120,9 +141,9 @@ static void inside_the_bound(const sailnet_problem *problem, double lambda_u, do
 static double lateral_of(const double *unknown)
 {
 #if SAILNET_IN_SPACE
-    return root_of(unknown[LAMBDA_V] * unknown[LAMBDA_V] + unknown[LAMBDA_V + 1] * unknown[LAMBDA_V + 1]);
+    return sailnet_root(unknown[LAMBDA_V] * unknown[LAMBDA_V] + unknown[LAMBDA_V + 1] * unknown[LAMBDA_V + 1]);
 #else
-    return size_of(unknown[LAMBDA_V]);
+    return sailnet_absolute(unknown[LAMBDA_V]);
 #endif
 }
 
@@ -209,18 +230,18 @@ static double step_by(const sailnet_arc *arc, const double *unknown, double step
                       double *reached)
 {
     for (int32_t i = 0; i < (STAGES - 1); i++) {
-        for (int32_t n = 0; n < UNKNOWNS; n++) {
-            double sum = 0.0;
-            for (int32_t j = 0; j <= i; j++) {
-                sum += stage_weights[i][j] * stage[j][n];
+        (void)memcpy(reached, unknown, UNKNOWNS * sizeof reached[0]);
+        for (int32_t j = 0; j <= i; j++) {
+            const double share = step * stage_weights[i][j];
+            for (int32_t n = 0; n < UNKNOWNS; n++) {
+                reached[n] += share * stage[j][n];
             }
-            reached[n] = unknown[n] + step * sum;
         }
         rates(arc, reached, stage[i + 1]);
     }
     double size = 0.0;
     for (int32_t n = STATES; n < UNKNOWNS; n++) {
-        size += size_of(unknown[n]);
+        size += sailnet_absolute(unknown[n]);
     }
     double error = 0.0;
     for (int32_t n = 0; n < UNKNOWNS; n++) {
@@ -228,7 +249,7 @@ static double step_by(const sailnet_arc *arc, const double *unknown, double step
         for (int32_t j = 0; j < STAGES; j++) {
             sum += error_weights[j] * stage[j][n];
         }
-        const double own = size_of(step * sum);
+        const double own = sailnet_absolute(step * sum);
         /* Relative to the size of all costates; what is not a number stays none. */
         const double counted = n < STATES ? own : own / size;
         error = counted <= error ? error : counted;
@@ -309,7 +330,7 @@ static int32_t event_in(const sailnet_arc *arc, const double *before, const doub
             const double slope0 = guard_slope(arc, before, stage[0], i) * whole;
             const double slope1 = guard_slope(arc, after, stage[STAGES - 1], i) * whole;
             const double at = whole * share_until(g0 > 0.0 ? g0 : 0.0, slope0, g1, slope1);
-            if (at < *step || which < 0) {
+            if ((which < 0) || (sailnet_absolute(at) < sailnet_absolute(*step))) {
                 *step = at;
                 which = i;
             }
@@ -318,16 +339,26 @@ static int32_t event_in(const sailnet_arc *arc, const double *before, const doub
     return which;
 }
 
-/* What the next step is multiplied by: the fifth root of tolerance over error, but for a little. */
+/* The fifth root of a positive number, to 3.4 %: of its bits, which are nearly its logarithm, and of which the upper half
+   is divided by 5. */
+static double about_fifth_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x3325CFAACD9E8600) + (bits >> 32) * UINT64_C(0x33333333);
+    (void)memcpy(&root, &bits, sizeof root);
+    return root;
+}
+
+/* What the next step is multiplied by. */
 static double factor_of(double tolerance, double error)
 {
     double factor = SHRINK;
     if (error <= 1e-6 * tolerance) {
         factor = GROW;
     } else if (error == error) {
-        const double fourth = root_of(root_of(tolerance / error));
-        const double sixteenth = root_of(root_of(fourth));
-        factor = 0.9 * sixteenth * sixteenth * sixteenth;
+        factor = 0.9 * about_fifth_root(tolerance / error);
     } else {
         /* It is not a number: much shorter. */
     }
@@ -335,11 +366,12 @@ static double factor_of(double tolerance, double error)
     return factor < GROW ? factor : GROW;
 }
 
-/* The longest step that the primer leaves. */
-static double longest_step(const double *unknown, const double *rate)
+/* A step, or the longest that the primer leaves. */
+static double limited_step(const double *unknown, const double *rate, double step)
 {
     double primer = 0.0;
     double change = 0.0;
+    double limited = step;
 #if SAILNET_IN_SPACE
     /* Where the thrust turns about the Sun line, it is what is across that line. */
     const int32_t first = unknown[LAMBDA_U] > 0.0 ? LAMBDA_V : LAMBDA_U;
@@ -350,51 +382,58 @@ static double longest_step(const double *unknown, const double *rate)
         primer += unknown[n] * unknown[n];
         change += rate[n] * rate[n];
     }
-    const double longest = OF_PRIMER * root_of(primer / change);
-    return longest > SHORTEST_STEP ? longest : SHORTEST_STEP;
+    if (!(step * step * change <= OF_PRIMER * OF_PRIMER * primer)) {
+        const double longest = OF_PRIMER * sailnet_root(primer / change);
+        limited = longest > SHORTEST_STEP ? longest : SHORTEST_STEP;
+    }
+    return limited < step ? limited : step;
 }
 
-int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES], double tau,
-                         double tolerance, sailnet_end *end)
+/* The first trial of `step` from `unknown` that ends an arc, or none: as in event_in; and to the event itself. */
+static int32_t end_at_event(const sailnet_arc *arc, const double *unknown, double stage[STAGES][UNKNOWNS],
+                            double *reached, double left, double *step)
+{
+    const int32_t which = event_in(arc, unknown, reached, stage, step);
+    if (which >= 0) {
+        (void)step_by(arc, unknown, *step, stage, reached);
+        /* By one step of Newton's method. */
+        const double slope = guard_slope(arc, reached, stage[STAGES - 1], which);
+        const double more = slope != 0.0 ? -guard(arc, reached, which) / slope : 0.0;
+        if ((sailnet_absolute(more) < 0.1 * sailnet_absolute(*step)) && (sailnet_absolute(*step + more) < left)) {
+            *step += more;
+            (void)step_by(arc, unknown, *step, stage, reached);
+        }
+    }
+    return which;
+}
+
+/*
+ * An end of an extremal, `span` [TU] farther from arrival; nearer, if that is negative. Its rates are computed.
+ * Returns the steps it took; 0 if it did not get there.
+ */
+static int32_t fly(const sailnet_problem *problem, double span, double tolerance, sailnet_end *end)
 {
     sailnet_arc arc = {problem, {0.0, 0.0}, 0, 1.0};
     double *const unknown = end->value;
     double stage[STAGES][UNKNOWNS];
     double reached[UNKNOWNS];
-    (void)memset(unknown, 0, sizeof end->value);
-    unknown[0] = problem->target_radius;
-    unknown[STATES - 1 - SAILNET_IN_SPACE] = sailnet_inverse_root(problem->target_radius);
-    (void)memcpy(&unknown[STATES], direction, STATES * sizeof direction[0]);
+    const double sign = span < 0.0 ? -1.0 : 1.0;
+    double left = sailnet_absolute(span);
+    double wanted = FIRST_STEP;
+    int32_t steps = 0;
     force_at(problem, problem->bound_cosine, problem->bound_sine, arc.at_bound);
     begin_arc(&arc, unknown);
     rates(&arc, unknown, stage[0]);
-    double left = tau;
-    double wanted = FIRST_STEP;
-    int32_t steps = 0;
     while ((left > 0.0) && (steps < SAILNET_MOST_STEPS)) {
-        const double longest = longest_step(unknown, stage[0]);
-        double step = wanted < longest ? wanted : longest;
-        step = step < left ? step : left;
+        const double longest = limited_step(unknown, stage[0], wanted);
+        double step = sign * (longest < left ? longest : left);
         const double error = step_by(&arc, unknown, step, stage, reached);
         steps++;
-        wanted = step * factor_of(tolerance, error);
+        wanted = sign * step * factor_of(tolerance, error);
         if (error <= tolerance) {
-            double until = step;
-            const int32_t which = event_in(&arc, unknown, reached, stage, &until);
-            if (which >= 0) {
-                (void)step_by(&arc, unknown, until, stage, reached);
-                /* To the event itself, by one step of Newton's method. */
-                const double slope = guard_slope(&arc, reached, stage[STAGES - 1], which);
-                const double more = slope < 0.0 ? -guard(&arc, reached, which) / slope : 0.0;
-                if ((size_of(more) < 0.1 * until) && (until + more < left)) {
-                    until += more;
-                    (void)step_by(&arc, unknown, until, stage, reached);
-                }
-                step = until;
-                wanted = FIRST_STEP;
-            }
+            const int32_t which = end_at_event(&arc, unknown, stage, reached, left, &step);
             (void)memcpy(unknown, reached, sizeof reached);
-            left = step < left ? left - step : 0.0;
+            left = sign * step < left ? left - sign * step : 0.0;
             if (which == 0) {
                 arc.bound = 1 - arc.bound;
                 arc.side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
@@ -404,6 +443,7 @@ int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[
                 /* The same arc goes on. */
             }
             if (which >= 0) {
+                wanted = FIRST_STEP;
                 rates(&arc, unknown, stage[0]);
             } else {
                 (void)memcpy(stage[0], stage[STAGES - 1], sizeof stage[0]);
@@ -414,11 +454,27 @@ int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[
     return left > 0.0 ? 0 : steps;
 }
 
-void sailnet_optimal_attitude(const sailnet_problem *problem, const double costate[SAILNET_STATES],
-                              sailnet_attitude *attitude)
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end)
+{
+    (void)memset(end->value, 0, sizeof end->value);
+    end->value[0] = problem->target_radius;
+    end->value[STATES - 1 - SAILNET_IN_SPACE] = sailnet_reciprocal_root(problem->target_radius);
+    (void)memcpy(&end->value[STATES], direction, (size_t)STATES * sizeof direction[0]);
+    return fly(problem, tau > 0.0 ? tau : 0.0, tolerance, end);
+}
+
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end)
+{
+    return fly(problem, -lapse, tolerance, end);
+}
+
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude)
 {
     double unknown[UNKNOWNS] = {0.0};
-    (void)memcpy(&unknown[STATES], costate, STATES * sizeof costate[0]);
+    (void)memcpy(&unknown[STATES], costate, (size_t)STATES * sizeof costate[0]);
     const double lateral = lateral_of(unknown);
     if (inner(problem, unknown) > 0.0) {
         inside_the_bound(problem, unknown[LAMBDA_U], lateral, &attitude->cosine, &attitude->sine);

@@ -2,58 +2,17 @@
  * Extremals of minimum time, backward from the target orbit: Eqs. (14)-(19), with delta = 0.
  *
  * An extremal that arrives is a direction of the arrival costates, constant along the whole flight, and the time to go.
- * Everything here is in double precision, whatever sailnet_real is: perturbations grow by thousands along a flight.
  * Freestanding C99 without libm; it compiles where it lies, with -DSAILNET_IN_SPACE=1 in three dimensions.
  */
 #ifndef SAILNET_EXTREMAL_H
 #define SAILNET_EXTREMAL_H
 
-#include <stdint.h>
+#include "sailnet_tracker_types.h"
 
-#ifndef SAILNET_IN_SPACE
-#define SAILNET_IN_SPACE 0
+/* The flight file holds all of this in one translation unit, where functions are static. */
+#ifndef SAILNET_TRACKER_API
+#define SAILNET_TRACKER_API
 #endif
-
-/* Components of a state: r [AU], u and v [AU/TU]; in space r, the tangent of the latitude, u, v and w. */
-#if SAILNET_IN_SPACE
-#define SAILNET_STATES 5
-#else
-#define SAILNET_STATES 3
-#endif
-
-/* Steps of one extremal, and how many of these may be rejected or end at an event: no loop is longer. */
-#define SAILNET_MOST_STEPS 300
-
-/* What the extremals are of. Forces are per beta / r^2. */
-typedef struct {
-    double beta;          /* normalised characteristic acceleration */
-    double target_radius; /* [AU] */
-    double square;        /* the force along the normal is square cos^2 + linear cos of the cone angle, */
-    double linear;
-    double across;        /* and along the surface, away from the Sun, across cos sin */
-    double bound_cosine;  /* of the cone angle that is best where the bound on it is active */
-    double bound_sine;
-    double edge_radial;   /* the optimum is inside the bound where lambda_u edge_radial - |lambda_v| edge_lateral > 0; */
-    double edge_lateral;  /* in space |(lambda_v, lambda_w)| */
-} sailnet_problem;
-
-/* One end of an extremal: the state, then its costates; and their rates by the time to go. */
-typedef struct {
-    double value[2 * SAILNET_STATES];
-    double rate[2 * SAILNET_STATES];
-} sailnet_end;
-
-/* The cosine and sine of the optimal cone angle, Eq. (11) for a flat sail of any optics, and the direction of the
-   thrust across the Sun line: in the plane a sign, in space along and northward. */
-typedef struct {
-    double cosine;
-    double sine;
-#if SAILNET_IN_SPACE
-    double across[2];
-#else
-    double across[1];
-#endif
-} sailnet_attitude;
 
 /*
  * The state and costates `tau` before arrival, of the extremal that arrives with costates along `direction`.
@@ -61,14 +20,33 @@ typedef struct {
  * tolerance: local error of a step, in AU and AU/TU, of costates relative to their size.
  * Returns the steps it took; 0 if it did not get there: too many steps, or numbers that are not finite.
  */
-int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES], double tau,
-                         double tolerance, sailnet_end *end);
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end);
+
+/* An end of an extremal `lapse` [TU] later; the rest is as for sailnet_extremal. */
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end);
 
 /* The optimal attitude of costates. */
-void sailnet_optimal_attitude(const sailnet_problem *problem, const double costate[SAILNET_STATES],
-                              sailnet_attitude *attitude);
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude);
+
+/* The product of costates and the force of an attitude, per beta / r^2: of the optimal one it is least. */
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude);
+
+/* The same for a sail that light pushes along its surface by so much more, per beta / r^2: as is learnt of a vehicle. */
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential);
 
 /* value^(-1/2) of a positive number, to a few units of rounding. */
-double sailnet_inverse_root(double value);
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value);
+
+/* A square root; of 0 or less 0. */
+SAILNET_TRACKER_API double sailnet_root(double value);
+
+static inline double sailnet_absolute(double value)
+{
+    return value < 0.0 ? -value : value;
+}
 
 #endif

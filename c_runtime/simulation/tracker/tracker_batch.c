@@ -1,13 +1,33 @@
-/* Plans of many sails, corrected one after the other: what simulation loads of the tracker. */
-#include "sailnet_plan.h"
+/* Trackers of many sails, one after the other: what simulation loads. */
+#include "sailnet_tracker.h"
 
+uint64_t tracker_size(void);
 uint64_t tracker_plan_size(void);
 uint64_t tracker_problem_size(void);
 void tracker_extremals(const sailnet_problem *problem, uint64_t count, const double *directions, const double *tau,
                        double tolerance, sailnet_end *ends, int32_t *steps);
-void tracker_correct(const sailnet_problem *problem, uint64_t count, const uint64_t *sails, sailnet_plan *plans,
-                     const double *states, const double *beta, const double *ahead, int32_t most, sailnet_end *ends,
-                     sailnet_attitude *attitudes, int32_t *computed);
+void tracker_correct(const sailnet_problem *problem, uint64_t count, sailnet_plan *plans, const double *states,
+                     int32_t most, int32_t *computed);
+void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double *held, int32_t *needs);
+void tracker_propose(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers, const int32_t *needs,
+                     const double *directions, const double *tau, const double *tangential, const double *beta);
+void tracker_follow(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers, const double *states,
+                    const double *tangential, const double *beta, const double *estimated, const double *hold,
+                    int32_t most, sailnet_planned *planned, int32_t *flown);
+
+/* Of a vehicle that light pushes along its surface by more than the problem's. */
+static sailnet_problem of_vehicle(const sailnet_problem *problem, double tangential, double beta)
+{
+    sailnet_problem own = *problem;
+    own.beta = beta;
+    sailnet_push_aside(&own, tangential);
+    return own;
+}
+
+uint64_t tracker_size(void)
+{
+    return sizeof(sailnet_tracker);
+}
 
 uint64_t tracker_plan_size(void)
 {
@@ -27,15 +47,45 @@ void tracker_extremals(const sailnet_problem *problem, uint64_t count, const dou
     }
 }
 
-/* Of the sails with these numbers, from states and with beta of their own; attitudes `ahead` [TU] later. */
-void tracker_correct(const sailnet_problem *problem, uint64_t count, const uint64_t *sails, sailnet_plan *plans,
-                     const double *states, const double *beta, const double *ahead, int32_t most, sailnet_end *ends,
-                     sailnet_attitude *attitudes, int32_t *computed)
+/* Of each plan, for its own beta. */
+void tracker_correct(const sailnet_problem *problem, uint64_t count, sailnet_plan *plans, const double *states,
+                     int32_t most, int32_t *computed)
 {
-    sailnet_problem own = *problem;
     for (uint64_t i = 0; i < count; i++) {
-        computed[i] = sailnet_track(problem, &states[i * SAILNET_STATES], beta[i], most, &plans[sails[i]], &ends[i]);
-        own.beta = plans[sails[i]].beta;
-        sailnet_planned_attitude(&own, &ends[i], ahead[i], &attitudes[i]);
+        sailnet_problem own = *problem;
+        own.beta = plans[i].beta;
+        computed[i] = sailnet_correct_plan(&own, &states[i * SAILNET_STATES], most, &plans[i]);
+    }
+}
+
+/* And whether each then needs a proposal. */
+void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double *held, int32_t *needs)
+{
+    for (uint64_t i = 0; i < count; i++) {
+        sailnet_time_passes(&trackers[i], held[i]);
+        needs[i] = sailnet_needs_proposal(&trackers[i]);
+    }
+}
+
+/* To those that need one. */
+void tracker_propose(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers, const int32_t *needs,
+                     const double *directions, const double *tau, const double *tangential, const double *beta)
+{
+    for (uint64_t i = 0; i < count; i++) {
+        if (needs[i] != 0) {
+            const sailnet_problem own = of_vehicle(problem, tangential[i], beta[i]);
+            sailnet_propose(&own, &trackers[i], &directions[i * SAILNET_STATES], tau[i]);
+        }
+    }
+}
+
+void tracker_follow(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers, const double *states,
+                    const double *tangential, const double *beta, const double *estimated, const double *hold,
+                    int32_t most, sailnet_planned *planned, int32_t *flown)
+{
+    for (uint64_t i = 0; i < count; i++) {
+        const sailnet_problem own = of_vehicle(problem, tangential[i], beta[i]);
+        flown[i] = sailnet_follow(&own, &trackers[i], &states[i * SAILNET_STATES], estimated[i], hold[i], most,
+                                  &planned[i]);
     }
 }

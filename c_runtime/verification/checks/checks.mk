@@ -2,9 +2,9 @@
 # is missing is left out with a line that says so; with REQUIRE=1, or CI set, it fails instead.
 
 REQUIRE ?= $(CI)
-FUZZ_RUNS ?= 200000
+FUZZ_RUNS ?= 40000
 # Pseudo-random inputs of the fuzz harness under memcheck and for coverage, and cases of the unit tests there.
-MEMCHECK_RUNS ?= 2000
+MEMCHECK_RUNS ?= 500
 MEMCHECK_CASES ?= 1000
 COVERAGE_RUNS ?= 20000
 COVERAGE_CASES ?= 10000

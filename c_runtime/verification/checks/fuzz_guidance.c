@@ -4,8 +4,6 @@
  */
 #include "sailnet_guidance.h"
 
-#include "../longest_wait.h"
-
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -35,7 +33,7 @@ enum { MOST_CALLS = 6 };
         }                                                                                     \
     } while (0)
 
-#ifdef SAILNET_IN_SPACE
+#if SAILNET_IN_SPACE
 #define COMPONENTS 5
 #else
 #define COMPONENTS 3
@@ -43,7 +41,7 @@ enum { MOST_CALLS = 6 };
 
 static sailnet_real *component(sailnet_state *state, int i)
 {
-#ifdef SAILNET_IN_SPACE
+#if SAILNET_IN_SPACE
     sailnet_real *const all[COMPONENTS] = {&state->r, &state->u, &state->v, &state->latitude, &state->w};
 #else
     sailnet_real *const all[COMPONENTS] = {&state->r, &state->u, &state->v};
@@ -152,7 +150,7 @@ static void next_memory(source *from, sailnet_memory *memory)
         (void)memset(memory, (next_byte(from) & 1) != 0 ? 0xFF : 0, sizeof *memory);
     } else {
         const sailnet_real value = next_real(from, -2.0, 2.0);
-        const size_t place = next_byte(from) % (sizeof *memory / sizeof value);
+        const size_t place = (256u * (size_t)next_byte(from) + next_byte(from)) % (sizeof *memory / sizeof value);
         (void)memcpy((unsigned char *)memory + place * sizeof value, &value, sizeof value);
     }
 }
@@ -166,7 +164,7 @@ static int is_same(const void *a, const void *b, size_t size)
 
 static int is_state_finite(const sailnet_state *state)
 {
-#ifdef SAILNET_IN_SPACE
+#if SAILNET_IN_SPACE
     if (!isfinite(state->latitude) || !isfinite(state->w)) {
         return 0;
     }
@@ -189,19 +187,21 @@ static void forget(sailnet_command *command, int pattern)
     (void)VALGRIND_MAKE_MEM_UNDEFINED(command, sizeof *command);
 }
 
-static void check_command(const sailnet_command *command, sailnet_status status)
+static void check_command(const sailnet_command *command, sailnet_status status, uint32_t from)
 {
     PROMISED((int)status >= (int)SAILNET_OK && (int)status <= (int)SAILNET_AT_LIMIT);
     PROMISED(command->cone_angle >= -SAILNET_PHI_MAX && command->cone_angle <= SAILNET_PHI_MAX);
-    PROMISED(command->time_of_flight >= -LONGEST_SANE_TIME && command->time_of_flight <= LONGEST_SANE_TIME);
+    /* A plan in a memory of any bits may be for any time. */
+    PROMISED(isfinite(command->time_of_flight) && isfinite(command->lambda_v));
+    PROMISED(from == SAILNET_FROM_PLAN || fabs((double)command->time_of_flight) <= (double)LONGEST_SANE_TIME);
     PROMISED(command->beta >= SAILNET_BETA_MIN && command->beta <= SAILNET_BETA_MAX);
-    PROMISED(command->hold >= SAILNET_REAL(0.0) && isfinite(command->hold) && isfinite(command->lambda_v));
-#ifdef SAILNET_IN_SPACE
+    PROMISED(command->hold >= SAILNET_REAL(0.0) && isfinite(command->hold));
+#if SAILNET_IN_SPACE
     PROMISED(command->cone_angle >= SAILNET_REAL(0.0) && isfinite(command->lambda_w));
     PROMISED((double)command->clock_angle > -PI && (double)command->clock_angle <= PI);
 #endif
     if (status == SAILNET_INVALID_INPUT) {
-#ifdef SAILNET_IN_SPACE
+#if SAILNET_IN_SPACE
         PROMISED(command->clock_angle == SAILNET_REAL(0.0) && command->lambda_w == SAILNET_REAL(0.0));
 #endif
         PROMISED(command->cone_angle == SAILNET_REAL(0.0));
@@ -210,7 +210,7 @@ static void check_command(const sailnet_command *command, sailnet_status status)
     }
 }
 
-#ifdef SAILNET_IN_SPACE
+#if SAILNET_IN_SPACE
 /* In a mirror the command is mirrored, to the bit. */
 static void check_the_mirror(const sailnet_state *state, sailnet_real beta, const sailnet_command *command,
                              sailnet_status status)
@@ -234,7 +234,7 @@ static sailnet_status checked_guidance(const sailnet_state *state, sailnet_real 
     sailnet_command again;
     forget(command, 0x5A);
     const sailnet_status status = sailnet_guidance(state, beta, command);
-    check_command(command, status);
+    check_command(command, status, SAILNET_FROM_NETWORKS);
     PROMISED(status <= SAILNET_INVALID_INPUT && (status == SAILNET_INVALID_INPUT) == !valid);
     PROMISED(command->hold == SAILNET_REAL(0.0));
     PROMISED(command->beta == used_beta(beta));
@@ -245,7 +245,7 @@ static sailnet_status checked_guidance(const sailnet_state *state, sailnet_real 
         forget(&again, 0x7F);
         PROMISED(sailnet_guidance(state, beta, &again) == status);
         PROMISED(is_same(&again, command, sizeof again));
-#ifdef SAILNET_IN_SPACE
+#if SAILNET_IN_SPACE
         if (valid) {
             check_the_mirror(state, beta, command, status);
         }
@@ -261,80 +261,60 @@ static sailnet_status checked_guidance(const sailnet_state *state, sailnet_real 
     return status;
 }
 
-#ifdef SAILNET_IN_SPACE
-/* As steering reads what is remembered. */
-static double remembered(sailnet_real value)
+#if SAILNET_IN_SPACE
+/* What is remembered is the normal of the command. */
+static void check_the_normal(const sailnet_command *command, const sailnet_memory *after)
 {
-    const double known = isnan(value) ? -1.0 : (double)value;
-    return fmin(fmax(known, -1.0), 1.0);
+    const sailnet_real *const normal = after->estimate.normal;
+    const double across = sin((double)command->cone_angle);
+    PROMISED(fabs((double)normal[0] - cos((double)command->cone_angle)) < 1e-5);
+    PROMISED(fabs((double)normal[1] - across * cos((double)command->clock_angle)) < 1e-5);
+    PROMISED(fabs((double)normal[2] - across * sin((double)command->clock_angle)) < 1e-5);
 }
 
-/* The law's cone angle, and its clock angle or another that is worth something. */
 static void check_the_attitude(const sailnet_command *law, const sailnet_command *command, const sailnet_memory *after)
 {
+    (void)after;
     PROMISED(is_same(&law->cone_angle, &command->cone_angle, sizeof law->cone_angle));
-    PROMISED(is_same(&law->clock_angle, &command->clock_angle, sizeof law->clock_angle) ||
-             after->stake >= SAILNET_REAL(0.0));
-}
-
-/*
- * What is remembered is the normal of the command, and a clock angle that was kept is that of the normal before; unless
- * that had hardly a direction across the Sun line, as among any bits.
- */
-static void check_the_normal(const sailnet_command *command, const sailnet_memory *before, const sailnet_memory *after)
-{
-    const double across = sin((double)command->cone_angle);
-    const double along = remembered(before->normal[1]);
-    const double northward = remembered(before->normal[2]);
-    const int has_direction = hypot(along, northward) > 1e-6;
-    PROMISED(fabs((double)after->normal[0] - cos((double)command->cone_angle)) < 1e-5);
-    if (has_direction || after->stake <= SAILNET_REAL(0.0)) {
-        PROMISED(fabs((double)after->normal[1] - across * cos((double)command->clock_angle)) < 1e-5);
-        PROMISED(fabs((double)after->normal[2] - across * sin((double)command->clock_angle)) < 1e-5);
-    }
-    if (has_direction && after->stake > SAILNET_REAL(0.0)) {
-        const double turn = (double)command->clock_angle - atan2(northward, along);
-        PROMISED(fabs(sin(turn)) < 1e-5 && cos(turn) > 0.0);
-    }
+    PROMISED(is_same(&law->clock_angle, &command->clock_angle, sizeof law->clock_angle));
+    PROMISED(is_same(&law->lambda_w, &command->lambda_w, sizeof law->lambda_w));
 }
 #else
 /* What is commanded for a cone angle, by how askew the sail was measured to be. */
 static sailnet_real told(sailnet_real cone_angle, const sailnet_memory *memory)
 {
-    const sailnet_real corrected = cone_angle - memory->offset;
+    const sailnet_real corrected = cone_angle - memory->estimate.offset;
     const sailnet_real lowered = corrected < SAILNET_PHI_MAX ? corrected : SAILNET_PHI_MAX;
     return lowered > -SAILNET_PHI_MAX ? lowered : -SAILNET_PHI_MAX;
 }
 
-/* The law's cone angle, on either side. */
 static void check_the_attitude(const sailnet_command *law, const sailnet_command *command, const sailnet_memory *after)
 {
-    PROMISED(told(law->cone_angle, after) == command->cone_angle || told(-law->cone_angle, after) == command->cone_angle);
+    PROMISED(told(law->cone_angle, after) == command->cone_angle);
 }
 #endif
 
 /*
- * What steering commands is the law's for the state that it steers by, shown or reckoned, but for what it plans with and
- * for its side. The former is known where there is nothing to reserve for, or all networks are for one beta.
+ * Without a plan steering commands what the law does for the state that it steers by, shown or reckoned, but for the beta
+ * that it plans with: that is known where there is no thrust margin, or all networks are for one beta.
  */
 static void check_against_the_law(const sailnet_command *command, sailnet_status status, const sailnet_memory *after,
                                   sailnet_real period)
 {
     const sailnet_real longest = period > SAILNET_ARRIVAL_THRESHOLD ? period : SAILNET_ARRIVAL_THRESHOLD;
-    const int unreserved = after->tangential <= SAILNET_REAL(0.0) && after->variance == SAILNET_REAL(0.0) &&
-                           after->slow <= SAILNET_REAL(0.0) && SAILNET_LEAST_RESERVE == SAILNET_REAL(0.0) && !SAILNET_AGES;
-    const sailnet_state state = after->state;
+    const sailnet_estimate *const estimate = &after->estimate;
+    const int unreserved = estimate->tangential <= SAILNET_REAL(0.0) && estimate->variance == SAILNET_REAL(0.0) &&
+                           estimate->autocovariance <= SAILNET_REAL(0.0) && !SAILNET_AGES;
+    const sailnet_state state = estimate->state;
     sailnet_command law;
     const sailnet_status of_law = checked_guidance(&state, command->beta, &law, 0);
     PROMISED(of_law != SAILNET_INVALID_INPUT);
     PROMISED(status == SAILNET_ARRIVED ? command->hold <= longest : command->hold == period);
-    if (unreserved || !SAILNET_READS_BETA) {
+    PROMISED(after->source == SAILNET_FROM_PLAN || after->source == SAILNET_FROM_NETWORKS);
+    if (after->source == SAILNET_FROM_NETWORKS && (unreserved || !SAILNET_READS_BETA)) {
         check_the_attitude(&law, command, after);
         PROMISED(is_same(&law.time_of_flight, &command->time_of_flight, sizeof law.time_of_flight));
         PROMISED(is_same(&law.lambda_v, &command->lambda_v, sizeof law.lambda_v));
-#ifdef SAILNET_IN_SPACE
-        PROMISED(is_same(&law.lambda_w, &command->lambda_w, sizeof law.lambda_w));
-#endif
         PROMISED(of_law != SAILNET_OUTSIDE_DOMAIN || status == SAILNET_OUTSIDE_DOMAIN || status == SAILNET_RECKONED);
         PROMISED(of_law != SAILNET_ARRIVED || status == SAILNET_ARRIVED);
     }
@@ -342,7 +322,7 @@ static void check_against_the_law(const sailnet_command *command, sailnet_status
 }
 
 /* For how long nothing was seen, and what was learnt, as only valid states change them. */
-static void check_reckoning(const sailnet_memory *before, const sailnet_memory *after, int shown)
+static void check_reckoning(const sailnet_estimate *before, const sailnet_estimate *after, int shown)
 {
     if (shown) {
         PROMISED(after->unseen == SAILNET_REAL(0.0));
@@ -351,16 +331,26 @@ static void check_reckoning(const sailnet_memory *before, const sailnet_memory *
         PROMISED(after->unseen <= SAILNET_LONGEST_RECKONING);
     }
     if (!shown || before->unseen != SAILNET_REAL(0.0)) {
-        PROMISED(is_same(&before->surprise, &after->surprise, sizeof after->surprise));
+        PROMISED(is_same(&before->innovation, &after->innovation, sizeof after->innovation));
         const sailnet_real kept = used_beta(before->beta);
         PROMISED(isnan(before->beta) || after->beta == kept || (SAILNET_AGES && after->beta < kept));
     }
+}
+
+static int is_same_memory(const sailnet_memory *a, const sailnet_memory *b)
+{
+    return is_same(&a->estimate, &b->estimate, offsetof(sailnet_estimate, periods)) &&
+           a->estimate.periods == b->estimate.periods && a->estimate.samples == b->estimate.samples &&
+           is_same(&a->tracker, &b->tracker, offsetof(sailnet_tracker, computed)) &&
+           a->tracker.computed == b->tracker.computed &&
+           is_same(&a->time_of_flight, &b->time_of_flight, sizeof a->time_of_flight) && a->source == b->source;
 }
 
 static void check_steer(sailnet_memory *memory, const sailnet_state *state, sailnet_real period, int twice)
 {
     const int timed = period > SAILNET_REAL(0.0) && period <= SAILNET_LARGEST_PERIOD;
     const int valid = timed && state != NULL && is_state_finite(state);
+    const sailnet_estimate *const estimate = &memory->estimate;
     sailnet_memory before;
     sailnet_memory other;
     sailnet_command command;
@@ -369,44 +359,106 @@ static void check_steer(sailnet_memory *memory, const sailnet_state *state, sail
     (void)memcpy(&other, memory, sizeof other);
     forget(&command, 0x5A);
     const sailnet_status status = sailnet_steer(memory, state, period, &command);
-    check_command(&command, status);
-    PROMISED(memory->beta == command.beta);
-    PROMISED(fabs((double)memory->tangential) <= (double)SAILNET_LARGEST_TANGENTIAL);
-#ifdef SAILNET_IN_SPACE
+    check_command(&command, status, memory->source);
+    PROMISED(estimate->beta == command.beta);
+    PROMISED(fabs((double)estimate->tangential) <= (double)SAILNET_LARGEST_TANGENTIAL);
+#if SAILNET_IN_SPACE
     for (int i = 0; i < 3; i++) {
-        PROMISED(fabs((double)memory->normal[i]) <= 1.0);
+        PROMISED(fabs((double)estimate->normal[i]) <= 1.0);
     }
 #else
-    PROMISED(fabs((double)memory->offset) <= (double)SAILNET_LARGEST_OFFSET);
+    PROMISED(fabs((double)estimate->offset) <= (double)SAILNET_LARGEST_OFFSET);
 #endif
     PROMISED(status != SAILNET_INVALID_INPUT || !valid);
     PROMISED(status != SAILNET_RECKONED || (timed && !valid));
     if (status != SAILNET_INVALID_INPUT) {
-        PROMISED(timed && is_state_finite(&memory->state));
-        PROMISED(!valid || is_same(&memory->state, state, sizeof *state));
-        PROMISED(memory->regret >= SAILNET_REAL(0.0) && memory->regret <= SAILNET_LARGEST_PERIOD);
-        PROMISED(memory->late >= SAILNET_REAL(0.0) && memory->late <= SAILNET_LARGEST_PERIOD);
-        PROMISED(memory->wait >= SAILNET_REAL(0.0) && memory->wait <= LONGEST_WAIT);
-        PROMISED(isfinite(memory->slewing) || isinf(before.slewing) || isnan(before.slewing));
-#ifdef SAILNET_IN_SPACE
-        PROMISED(isfinite(memory->stake));
-        check_the_normal(&command, &before, memory);
+        PROMISED(timed && is_state_finite(&estimate->state));
+        PROMISED(!valid || is_same(&estimate->state, state, sizeof *state));
+        PROMISED(isfinite(estimate->slewing) || isinf(before.estimate.slewing) || isnan(before.estimate.slewing));
+        PROMISED(memory->tracker.computed >= 0 && memory->tracker.computed <= 8);
+#if SAILNET_IN_SPACE
+        check_the_normal(&command, memory);
 #endif
         check_against_the_law(&command, status, memory, period);
-        check_reckoning(&before, memory, valid);
-        PROMISED(memory->periods - before.periods == (before.periods == UINT32_MAX ? 0u : 1u));
+        check_reckoning(&before.estimate, estimate, valid);
+        PROMISED(estimate->periods - before.estimate.periods == (before.estimate.periods == UINT32_MAX ? 0u : 1u));
     } else {
+        PROMISED(memory->source == SAILNET_FROM_NOTHING);
         PROMISED(command.hold == (timed ? period : SAILNET_REAL(0.0)));
-        PROMISED(memory->held == SAILNET_REAL(0.0));
-        PROMISED(memory->periods == before.periods);
-        PROMISED(isnan(before.beta) || command.beta == used_beta(before.beta));
+        PROMISED(estimate->held == SAILNET_REAL(0.0));
+        PROMISED(estimate->periods == before.estimate.periods);
+        PROMISED(is_same(&memory->tracker, &before.tracker, sizeof before.tracker));
+        PROMISED(isnan(before.estimate.beta) || command.beta == used_beta(before.estimate.beta));
     }
     if (twice) {
         forget(&again, 0x7F);
         PROMISED(sailnet_steer(&other, state, period, &again) == status);
         PROMISED(is_same(&again, &command, sizeof again));
-        PROMISED(is_same(&other, memory, offsetof(sailnet_memory, periods)));
-        PROMISED(other.periods == memory->periods);
+        PROMISED(is_same_memory(&other, memory));
+    }
+}
+
+/* What is sealed is restored; but for one flipped bit a flight begins. */
+static void check_saving(const sailnet_memory *memory, source *from)
+{
+    const size_t bytes = offsetof(sailnet_memory, checksum) + sizeof memory->checksum;
+    const size_t place = (256u * (size_t)next_byte(from) + next_byte(from)) % bytes;
+    const unsigned bit = next_byte(from) % 8u;
+    sailnet_memory sealed;
+    sailnet_memory restored;
+    sailnet_memory started;
+    (void)memcpy(&sealed, memory, sizeof sealed);
+    sailnet_seal(&sealed);
+    (void)memcpy(&restored, &sealed, sizeof restored);
+    PROMISED(sailnet_restore(&restored) == SAILNET_OK && is_same(&restored, &sealed, sizeof sealed));
+    ((unsigned char *)&restored)[place] ^= (unsigned char)(1u << bit);
+    sailnet_start(&started);
+    PROMISED(sailnet_restore(&restored) == SAILNET_INVALID_INPUT && is_same_memory(&restored, &started));
+    sailnet_seal(NULL);
+    PROMISED(sailnet_restore(NULL) == SAILNET_INVALID_INPUT);
+}
+
+/* A plan of any numbers: it is flown, or everything is as it was. */
+static void check_upload(sailnet_memory *memory, const sailnet_state *state, source *from)
+{
+    const uint8_t kind = next_byte(from);
+    const char *const digest = kind % 8 == 0 ? "another" : SAILNET_MISSION_DIGEST;
+    sailnet_arrival arrival;
+    sailnet_memory before;
+    sailnet_plan_report report;
+    for (int i = 0; i < COMPONENTS; i++) {
+        arrival.direction[i] = (double)next_real(from, -1.0, 1.0);
+    }
+    arrival.time_to_go = (double)next_real(from, 0.0, 1.0);
+    arrival.beta = (double)next_real(from, (double)SAILNET_BETA_MIN, (double)SAILNET_BETA_MAX);
+    (void)memcpy(&before, memory, sizeof before);
+    const sailnet_status status = sailnet_plan_upload(memory, digest, state, &arrival);
+    PROMISED(status == SAILNET_OK || status == SAILNET_INVALID_INPUT);
+    if (status == SAILNET_OK) {
+        PROMISED(kind % 8 != 0 && is_state_finite(state));
+        sailnet_report_plan(memory, &report);
+        PROMISED(report.planned == 1 && report.residual <= 1e-3 && report.time_to_go > 0.0);
+        PROMISED(report.beta >= (double)SAILNET_BETA_MIN && report.beta <= (double)SAILNET_BETA_MAX);
+        PROMISED(is_same(&before.estimate, &memory->estimate, sizeof before.estimate));
+    } else {
+        PROMISED(is_same(&before, memory, sizeof before));
+    }
+    PROMISED(sailnet_plan_upload(NULL, digest, state, &arrival) == SAILNET_INVALID_INPUT);
+    PROMISED(sailnet_plan_upload(memory, digest, state, NULL) == SAILNET_INVALID_INPUT);
+}
+
+/* What the networks propose is finite. */
+static void check_proposal(const sailnet_state *state, sailnet_real beta)
+{
+    sailnet_arrival arrival;
+    (void)VALGRIND_MAKE_MEM_UNDEFINED(&arrival, sizeof arrival);
+    const sailnet_status status = sailnet_propose_plan(state, beta, &arrival);
+    PROMISED((status == SAILNET_OK) == (SAILNET_PLANS && is_state_finite(state)));
+    if (status == SAILNET_OK) {
+        for (int i = 0; i < COMPONENTS; i++) {
+            PROMISED(isfinite(arrival.direction[i]));
+        }
+        PROMISED(isfinite(arrival.time_to_go) && arrival.beta == (double)used_beta(beta));
     }
 }
 
@@ -420,7 +472,7 @@ static void check_start(const sailnet_state *state)
     (void)memset(&second, 0x5A, sizeof second);
     sailnet_start(&first);
     sailnet_start(&second);
-    PROMISED(first.beta == SAILNET_BETA && first.periods == 0);
+    PROMISED(first.estimate.beta == SAILNET_BETA && first.estimate.periods == 0);
     PROMISED(sailnet_steer(&first, state, SAILNET_REAL(0.01), &of_first) ==
              sailnet_steer(&second, state, SAILNET_REAL(0.01), &of_second));
     PROMISED(is_same(&of_first, &of_second, sizeof of_first));
@@ -436,7 +488,7 @@ static void check_null_pointers(const sailnet_memory *memory, const sailnet_stat
     sailnet_command command;
     (void)memcpy(&untouched, memory, sizeof untouched);
     sailnet_start(NULL);
-#ifndef SAILNET_IN_SPACE
+#if !SAILNET_IN_SPACE
     sailnet_measured(NULL, period);
 #endif
     PROMISED(sailnet_guidance(given, period, NULL) == SAILNET_INVALID_INPUT);
@@ -445,7 +497,7 @@ static void check_null_pointers(const sailnet_memory *memory, const sailnet_stat
     PROMISED(is_same(&untouched, memory, sizeof untouched));
     forget(&command, 0x5A);
     PROMISED(sailnet_steer(NULL, given, period, &command) == SAILNET_INVALID_INPUT);
-    check_command(&command, SAILNET_INVALID_INPUT);
+    check_command(&command, SAILNET_INVALID_INPUT, SAILNET_FROM_NOTHING);
     PROMISED(command.hold == SAILNET_REAL(0.0));
     PROMISED(checked_guidance(NULL, period, &command, 1) == SAILNET_INVALID_INPUT);
     check_steer(&untouched, NULL, period, 1);
@@ -460,7 +512,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     (void)memset(&memory, 0, sizeof memory); /* its padding too */
     sailnet_start(&memory);
     for (int call = 0; call < MOST_CALLS && from.left > 0; call++) {
-        const uint8_t kind = next_byte(&from) % 8;
+        const uint8_t kind = next_byte(&from) % 11;
         if (kind == 0) {
             next_memory(&from, &memory);
             continue;
@@ -472,9 +524,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         } else if (kind < 4) {
             check_null_pointers(&memory, &given, next_real(&from, 0.0, 0.1), next_byte(&from));
             check_start(&given);
+        } else if (kind == 8) {
+            check_upload(&memory, &given, &from);
+        } else if (kind == 9) {
+            check_saving(&memory, &from);
+        } else if (kind == 10) {
+            check_proposal(&given, next_real(&from, 0.1, 0.25));
         } else {
             const int lost = next_byte(&from) % 8 == 0;
-#ifndef SAILNET_IN_SPACE
+#if !SAILNET_IN_SPACE
             if (kind == 7) {
                 sailnet_measured(&memory, next_real(&from, -1.5, 1.5));
             }

@@ -1,4 +1,4 @@
-"""Frama-C's Eva on one build of an exported guidance, and on the tracker."""
+"""Frama-C's Eva on one build of an exported guidance, and on the tracker alone."""
 
 import re
 import subprocess
@@ -10,7 +10,8 @@ from c_runtime.builds import Build
 FRAMA_C = "frama-c"
 DRIVER = Path(__file__).parent / "eva.c"
 TRACKER_DRIVER = Path(__file__).parent / "tracker.c"
-ENTRIES = ("prove_guidance", "prove_steering", "prove_null_pointers")
+ENTRIES = ("prove_guidance", "prove_steering", "prove_plans", "prove_saving", "prove_null_pointers")
+TRACKER_ENTRIES = ("prove_tracker", "prove_take_plan")
 CONTRACTS = (
     "sailnet_fraction",
     "sailnet_power",
@@ -18,6 +19,8 @@ CONTRACTS = (
     "sailnet_clamped",
     "sailnet_per_root",
     "sailnet_size",
+    "sailnet_follow",
+    "sailnet_take_plan",
 )
 OF_LAYOUTS = {
     "flight": (),
@@ -26,6 +29,12 @@ OF_LAYOUTS = {
 """With a contract, too, where networks need them."""
 # Every loop is unrolled, so that each weight is seen with the interval of its own input.
 PRECISION = ("-eva-precision", "0", "-eva-auto-loop-unroll", "100", "-eva-slevel", "200")
+# What stages and states are written in is unrolled; where a plan is flown what it commands is written.
+OF_THE_TRACKER = (
+    *("-eva-precision", "0", "-eva-auto-loop-unroll", "12"),
+    *("-eva-slevel-function", "sailnet_follow:20,keep_attitude:20,begin:20,prove_tracker:20"),
+    *("-eva-split-return-function", "sailnet_follow:0"),
+)
 
 
 class ProofError(Exception):
@@ -44,7 +53,9 @@ def analyse(exported: Path, build: Build, timeout: float = 300.0) -> list[str]:
     source = (exported / build.source).read_text(encoding="utf-8")
     own = OF_LAYOUTS[build.layout]
     contracts = ",".join([*CONTRACTS, *(name for name in own if f"{name}(" in source)])
-    options = (*PRECISION, "-eva-use-spec", contracts)
+    # What is written where a function succeeds is read only there.
+    succeed = f"sailnet_follow:0,sailnet_tracks:0,sailnet_propose_plan_{build.suffix}:0"
+    options = (*PRECISION, "-eva-use-spec", contracts, "-eva-split-return-function", succeed)
     flags = (f"-I{exported}", *build.analysed)
     return [problem for entry in ENTRIES for problem in _unproved(DRIVER, entry, options, flags, timeout)]
 
@@ -61,7 +72,11 @@ def analyse_tracker(folder: Path, in_space: bool, timeout: float = 300.0) -> lis
         ProofError: Eva failed to analyse the files.
     """
     flags = (f"-I{folder}", f"-DSAILNET_IN_SPACE={int(in_space)}")
-    return _unproved(TRACKER_DRIVER, "prove_tracker", ("-eva-precision", "1"), flags, timeout)
+    return [
+        problem
+        for entry in TRACKER_ENTRIES
+        for problem in _unproved(TRACKER_DRIVER, entry, OF_THE_TRACKER, flags, timeout)
+    ]
 
 
 def _unproved(

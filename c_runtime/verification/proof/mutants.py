@@ -25,8 +25,6 @@ class Mutant:
     """Where these are not empty, only such builds are concerned."""
     ages: bool = False
     """The guard is in files of sails that are known to age alone."""
-    homes: bool = False
-    """The guard is in files alone that fly the model ahead."""
     form: str = ""
     """``plane`` or ``space`` where the guard stands in such files alone."""
 
@@ -73,14 +71,14 @@ MUTANTS = (
     ),
     Mutant(
         "clock angle unbounded",
-        "return sailnet_limited(&angle, SAILNET_OF_CLOCK_ANGLE);",
+        "return sailnet_limited(&angle, SAILNET_OF_ANGLE);",
         "return angle;",
         form="space",
     ),
     Mutant(
         "pi rounded up",
-        "#define SAILNET_LARGEST_CLOCK_ANGLE 3.1415925f",
-        "#define SAILNET_LARGEST_CLOCK_ANGLE 3.1415927f",
+        "#define SAILNET_LARGEST_ANGLE 3.1415925f",
+        "#define SAILNET_LARGEST_ANGLE 3.1415927f",
         precision="float32",
         form="space",
     ),
@@ -102,28 +100,28 @@ MUTANTS = (
     ),
     Mutant(
         "first factor unbounded on a host",
-        "output[3] * sailnet_clamped(y_z, R(-1.0), R(1.0))",
-        "output[3] * y_z",
+        "factors[0] = sailnet_clamped(y_z, R(-1.0), R(1.0));",
+        "factors[0] = y_z;",
         layout="host",
         form="space",
     ),
     Mutant(
         "second factor unbounded on a host",
-        "output[4] * sailnet_clamped(y_w, R(-1.0), R(1.0))",
-        "output[4] * y_w",
+        "factors[1] = sailnet_clamped(y_w, R(-1.0), R(1.0));",
+        "factors[1] = y_w;",
         layout="host",
         form="space",
     ),
     Mutant(
         "normal trusted",
-        "memory->normal[i] = sailnet_limited(&memory->normal[i], SAILNET_OF_SHARE);",
+        "estimate->normal[i] = sailnet_limited(&estimate->normal[i], SAILNET_OF_SHARE);",
         "",
         form="space",
     ),
     Mutant(
         "normal remembered as computed",
-        "memory->normal[i] = sailnet_limited(&normal[i], SAILNET_OF_SHARE);",
-        "memory->normal[i] = normal[i];",
+        "estimate->normal[i] = sailnet_limited(&normal[i], SAILNET_OF_SHARE);",
+        "estimate->normal[i] = normal[i];",
         form="space",
     ),
     Mutant(
@@ -151,23 +149,23 @@ MUTANTS = (
     ),
     Mutant(
         "memory and estimate trusted",
-        "memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);",
+        "estimate->beta = sailnet_limited(&estimate->beta, SAILNET_OF_BETA);",
         "",
     ),
     Mutant(
         "angle told trusted",
-        "memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);",
+        "estimate->cone_angle = sailnet_limited(&estimate->cone_angle, SAILNET_OF_CONE_ANGLE);",
         "",
         form="plane",
     ),
     Mutant(
         "tangential force trusted",
-        "memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);",
+        "estimate->tangential = sailnet_limited(&estimate->tangential, SAILNET_OF_TANGENTIAL);",
         "",
     ),
     Mutant(
         "offset trusted",
-        "memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);",
+        "estimate->offset = sailnet_limited(&estimate->offset, SAILNET_OF_OFFSET);",
         "",
         form="plane",
     ),
@@ -178,13 +176,17 @@ MUTANTS = (
         form="plane",
     ),
     Mutant(
-        "variance trusted", "memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);", ""
+        "variance trusted", "estimate->variance = sailnet_limited(&estimate->variance, SAILNET_OF_SHARE);", ""
     ),
-    Mutant("what is slow trusted", "memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);", ""),
+    Mutant(
+        "autocovariance trusted",
+        "estimate->autocovariance = sailnet_limited(&estimate->autocovariance, SAILNET_OF_SHARE);",
+        "",
+    ),
     Mutant(
         "aged estimate trusted",
-        "memory->beta = sailnet_limited(&aged, SAILNET_OF_BETA);",
-        "memory->beta = aged;",
+        "estimate->beta = sailnet_limited(&aged, SAILNET_OF_BETA);",
+        "estimate->beta = aged;",
         ages=True,
     ),
     Mutant("held beyond the step", "sailnet_clamped(share, R(0.0), R(1.0))", "share"),
@@ -196,28 +198,33 @@ MUTANTS = (
     ),
     Mutant(
         "inputs not clamped",
-        "sailnet_limited(&input[i], SAILNET_OF_INPUTS + i) - numbers[0]",
-        "input[i] - numbers[0]",
+        "sailnet_limited(&input[i], SAILNET_OF_INPUTS + i) - number[0]",
+        "input[i] - number[0]",
         layout="flight",
     ),
     Mutant(
-        "an arc that no plan has",
-        "    if (memory->arc >= (uint32_t)SAILNET_ARCS) {\n        memory->arc = 0u;\n    }\n",
-        "",
-        homes=True,
-    ),
-    Mutant(
-        "times of a plan trusted",
-        "sailnet_clamped(memory->arc_time[k], R(0.0), SAILNET_HOMING_HORIZON);",
-        "memory->arc_time[k];",
-        homes=True,
-    ),
-    Mutant(
         "a plan's cone angle unbounded",
+        "        command->cone_angle = sailnet_limited(&angle, SAILNET_OF_CONE_ANGLE);\n",
+        "        command->cone_angle = angle;\n",
+        form="plane",
+    ),
+    Mutant(
+        "a plan's cone angle in space unbounded",
         "sailnet_size(sailnet_limited(&size, SAILNET_OF_CONE_ANGLE))",
         "sailnet_size(size)",
         form="space",
-        homes=True,
+    ),
+    Mutant("numbers of a plan trusted", "return sailnet_limited(&value, SAILNET_OF_PLAN);", "return value;"),
+    Mutant("a plan uploaded that is not there", "(state != NULL) && (plan != NULL) &&", "(state != NULL) &&"),
+    Mutant(
+        "a plan uploaded for a mission that is not there",
+        "(memory != NULL) && (mission_digest != NULL) &&",
+        "(memory != NULL) &&",
+    ),
+    Mutant(
+        "a memory restored that is not there",
+        "    if (memory != NULL) {\n        if ((memory->version ==",
+        "    {\n        if ((memory->version ==",
     ),
     Mutant("one weight too many read", "= &from[inputs];", "= &from[inputs + 1];", layout="flight"),
     Mutant(

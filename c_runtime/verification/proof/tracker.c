@@ -1,40 +1,61 @@
 /*
- * What Frama-C's Eva proves of the tracker, for any bits of a plan, a state, a problem and a beta: every index is
- * within its array, nothing is read before it is written, no integer overflows, every loop ends within its budget.
- * Numbers may be NaN or infinite: what is commanded is bounded elsewhere.
+ * What Frama-C's Eva proves of the tracker, for any bits of what it remembers, a state and a problem: every index
+ * is within its array, nothing is read before it is written, no integer overflows, every loop ends within its budget.
+ * Numbers may be NaN or infinite: what is commanded is bounded by sailnet_steer. The contracts by which eva.c knows
+ * sailnet_follow and sailnet_take_plan are asserted here.
  */
 #include "sailnet_extremal.c"
 #undef STATES
-#define size_of size_of_number
 #include "sailnet_plan.c"
+#undef STATES
+#include "sailnet_tracker.c"
 
 typedef union {
-    uint64_t bits[sizeof(sailnet_plan) / sizeof(uint64_t)];
-    sailnet_plan value;
-} any_plan_bits;
+    uint64_t bits[sizeof(sailnet_tracker) / sizeof(uint64_t)];
+    sailnet_tracker value;
+} any_tracker_bits;
 typedef union {
     uint64_t bits[sizeof(sailnet_problem) / sizeof(uint64_t)];
     sailnet_problem value;
 } any_problem_bits;
 typedef union {
-    uint64_t bits[SAILNET_STATES + 2];
-    double value[SAILNET_STATES + 2];
+    uint64_t bits[2 * SAILNET_STATES + 4];
+    double value[2 * SAILNET_STATES + 4];
 } any_numbers_bits;
-extern any_plan_bits plan_bits;
+extern any_tracker_bits tracker_bits;
 extern any_problem_bits problem_bits;
 extern any_numbers_bits number_bits;
-extern int32_t any_budget;
+
+/* Of a guidance period. */
+#define BUDGET 8
 
 void prove_tracker(void)
 {
-    sailnet_end end;
-    sailnet_attitude attitude;
-    const double *const numbers = number_bits.value;
-    const int32_t most = any_budget;
-    if ((most > 0) && (most <= SAILNET_MOST_EXTREMALS)) {
-        const int32_t computed =
-            sailnet_track(&problem_bits.value, numbers, numbers[SAILNET_STATES], most, &plan_bits.value, &end);
-        sailnet_planned_attitude(&problem_bits.value, &end, numbers[SAILNET_STATES + 1], &attitude);
-        /*@ assert budget: computed <= 2 * SAILNET_MOST_EXTREMALS; */
+    sailnet_planned planned;
+    sailnet_tracker *const tracker = &tracker_bits.value;
+    const double *const state = number_bits.value;
+    const double *const direction = &state[SAILNET_STATES];
+    const double *const numbers = &direction[SAILNET_STATES];
+    sailnet_time_passes(tracker, numbers[0]);
+    if (sailnet_needs_proposal(tracker) != 0) {
+        sailnet_propose(&problem_bits.value, tracker, direction, numbers[1]);
     }
+    const int32_t flown =
+        sailnet_follow(&problem_bits.value, tracker, state, numbers[2], numbers[3], BUDGET, &planned);
+    /*@ assert flown: 0 <= flown <= 1; */
+    if (flown != 0) {
+        /*@ assert planned: \initialized(&planned); */
+    }
+    /* The plan for another beta, the plan for its own, and the candidate: that they share the budget is tested. */
+    /*@ assert budget: 0 <= tracker->computed <= 3 * BUDGET; */
+}
+
+void prove_take_plan(void)
+{
+    const double *const state = number_bits.value;
+    const double *const direction = &state[SAILNET_STATES];
+    const double *const numbers = &direction[SAILNET_STATES];
+    const int32_t taken =
+        sailnet_take_plan(&problem_bits.value, &tracker_bits.value, state, direction, numbers[0]);
+    /*@ assert taken: 0 <= taken <= 1; */
 }

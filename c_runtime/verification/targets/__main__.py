@@ -21,6 +21,7 @@ from c_runtime.verification.targets.table import BLOCK, limits, table
 from sailnet.artefacts.files import fill_block, split_at_block, write_text
 from sailnet.errors import SailnetError
 from sailnet.networks.guidance_networks import load_guidance_networks
+from sailnet.networks.plan_networks import load_plan_networks
 from sailnet.workers.interruption import run_command
 
 
@@ -54,7 +55,9 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         if options.table is not None:
             split_at_block(options.table, BLOCK)  # before, not after, all the work
-        guidance = ReferenceGuidance(load_guidance_networks(options.networks or options.exported))
+        weights = options.networks or options.exported
+        networks = load_guidance_networks(weights)
+        guidance = ReferenceGuidance(networks, load_plan_networks(weights, networks.mission))
         bench = Bench(guidance, options.exported.resolve(), options.build.resolve()) if present else None
         measured, failed = _measure(bench, present, options.layouts) if bench else ([], False)
         checked = limits(measured)

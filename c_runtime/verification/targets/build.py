@@ -173,13 +173,13 @@ def link(target: Target, sources: list[Path], options: list[str], program: Path)
         TargetError: the compiler refused.
     """
     own = HERE / target.folder
-    files = [*sources, *sorted(own.glob("*.[cS]"))]
+    files = [str(file) for file in (*sources, *sorted(own.glob("*.[cS]")))]
     linking: tuple[str, ...] = ("-static",)
     if not target.hosted:
-        files.append(HERE / "firmware" / "memory.c")
+        files += [str(HERE / "firmware" / "memory.c"), *(["-lgcc"] if target.arithmetic else [])]
         linking = ("-static", *BARE_LINKING, f"-Wl,-T,{own / 'memory.ld'}", *FREESTANDING)
     firmware = [*_common(target), *FIRMWARE, *target.machine, "-I", str(HERE / "firmware"), *options]
-    _run([*firmware, *linking, *map(str, files), "-o", str(program)])
+    _run([*firmware, *linking, *files, "-o", str(program)])
 
 
 def _common(target: Target) -> list[str]:

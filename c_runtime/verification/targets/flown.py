@@ -15,12 +15,13 @@ from sailnet.guidance.interface import Precision
 from sailnet.mission.disturbances import Disturbance
 from sailnet.mission.mission import Mission
 
-BOUNDS = {"float32": 2e-4, "float64": 1e-12}
+BOUNDS = {"float32": 2e-4, "float64": 1e-9}
 """On the difference from the host's end, in r [AU], latitude [rad] and speeds [AU/TU], with sums fused.
 
-Rounding alone: commands that differ by it are held for a period, and guidance steers against what comes of
-them. The plant is the same, in float64. In float32 r is known to 6e-8 AU, and what is left of that when a
-flight ends is a speed of 2 sqrt(6e-8 a), a the acceleration at the target: 2e-4 AU/TU at 1 AU.
+Rounding alone: commands that differ by it are held for a period, corrections of plans magnify it, and
+guidance steers against what comes of them. The plant is the same, in float64. In float32 r is known to
+6e-8 AU, and what is left of that when a flight ends is a speed of 2 sqrt(6e-8 a), a the acceleration at the
+target: 2e-4 AU/TU at 1 AU.
 """
 
 

@@ -30,6 +30,9 @@ NUDGE = 2e-6
 """A state is clear of switches if the sign and status stay when what is missing to the target or beta,
 relatively, change by this."""
 
+FAR = 0.3
+"""Of a turn between two guidance periods [rad]."""
+
 Bounds = tuple[float, float, float, float]
 """Largest |difference| / (1 + |reference|) of cone angle [rad], time of flight [TU], beta and hold [TU]."""
 
@@ -38,10 +41,10 @@ COMMAND_BOUNDS: dict[Precision, Bounds] = {
     "float64": (1e-12, 1e-12, 1e-15, 0.0),
 }
 STEERING_BOUNDS: dict[Precision, Bounds] = {
-    "float32": (5e-5, 5e-6, 1e-6, 5e-7),
-    "float64": (1e-11, 1e-12, 1e-12, 1e-13),
+    "float32": (1e-3, 1e-5, 2e-6, 2e-6),
+    "float64": (1e-4, 4e-6, 1e-6, 1e-6),
 }
-"""When a sail is nearest to the target is known no better than its state, which a float rounds by 1e-7."""
+"""A plan passes through the state to its goal of up to 4e-6: rounding decides where Newton's method ends."""
 
 
 @dataclass(frozen=True)
@@ -170,11 +173,11 @@ def golden_steering(guidance: ReferenceGuidance, histories: list[History], preci
         steered = [steering.steer(row[None, :3], float(row[3]), np.arange(1)) for row in given.astype(float)]
         outputs = np.array([[s.cone_angle[0], s.time_of_flight[0], s.beta[0], s.hold[0]] for s in steered])
         valid = np.array([s.status[0] for s in steered]) != GuidanceStatus.INVALID_INPUT
-        # Nor any in which the sail turns over or keeps its side: rounding may decide when.
+        # Nor any in which the sail turns far or keeps its side: rounding may decide when.
         angle, lambda_v = (
             np.array([getattr(s, name)[0] for s in steered])[valid] for name in ("cone_angle", "lambda_v")
         )
-        if (angle * angle[0] <= 0.0).any() or (angle * lambda_v > 0.0).any():
+        if (abs(np.diff(angle)) > FAR).any() or (angle * lambda_v > 0.0).any():
             continue
         if not _clear(guidance, np.column_stack([states.astype(float), outputs[:, 2]])[valid]).all():
             continue

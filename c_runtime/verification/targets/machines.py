@@ -24,6 +24,7 @@ class Target:
         fuses: it has fused multiply-add.
         hosted: there is an operating system and a C library.
         retires: the processor counts its instructions itself.
+        arithmetic: of doubles in software, by the compiler's library: patterns of its functions' names.
     """
 
     name: str
@@ -38,6 +39,7 @@ class Target:
     fuses: bool = True
     hosted: bool = False
     retires: bool = False
+    arithmetic: tuple[str, ...] = ()
 
 
 SMALL = ("-Os", "-fno-schedule-insns", "-fno-schedule-insns2")
@@ -68,6 +70,7 @@ TARGETS = (
         folder="cortex_m",
         packages=ARM,
         precisions={"float32": 2.0},
+        arithmetic=("__aeabi_d*", "__aeabi_f2d"),
     ),
     Target(
         name="cortex-m7",

@@ -4,6 +4,7 @@ import shutil
 import subprocess
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatch
 from pathlib import Path
 from typing import get_args
 
@@ -19,6 +20,7 @@ from c_runtime.verification.targets.build import (
     golden_main,
     write_golden,
 )
+from c_runtime.verification.targets.elf import HELPERS_STACK
 from c_runtime.verification.targets.golden import (
     COMMAND_BOUNDS,
     STEERING_BOUNDS,
@@ -195,6 +197,9 @@ class Bench:
         wrong += _disagreement("steering", ran.steering, golden[1], errors[1], STEERING_BOUNDS[precision])
         wrong += [f"{other_bits} numbers are not the host's, bit for bit"] * (other_bits > 0 and not contract)
         wrong += [f"{program.sizes.static} bytes of static memory are written"] * (program.sizes.static > 0)
+        allowed = (*HELPERS_STACK, *target.arithmetic)
+        strange = [name for name in program.sizes.helpers if not any(fnmatch(name, each) for each in allowed)]
+        wrong += [f"functions that are elsewhere are called: {', '.join(strange)}"] * bool(strange)
         return Measured(target, precision, layout, contract, program, ran, errors, other_bits, tuple(wrong))
 
     def _run(self, target: Target, precision: Precision, layout: str, contract: bool) -> tuple[Program, Run]:

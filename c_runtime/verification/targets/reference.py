@@ -10,6 +10,8 @@ from sailnet.guidance.interface import Commands, Steering, as_betas, as_states
 from sailnet.guidance.steering import ReferenceSteering
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_networks import GuidanceNetworks
+from sailnet.networks.plan_networks import PlanNetworks
+from sailnet.physics.arrays import Array
 
 
 @dataclass(frozen=True)
@@ -18,17 +20,19 @@ class ReferenceGuidance:
 
     Attributes:
         networks: the trio.
+        plan: networks of a first plan, if there are any.
         mission: whose rules are flown; the networks' own.
         facts: what its exported C says about itself.
     """
 
     networks: GuidanceNetworks
+    plan: PlanNetworks | None = None
     mission: Mission = field(init=False)
     facts: GuidanceFacts = field(init=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "mission", self.networks.mission)
-        object.__setattr__(self, "facts", describe(self.networks, self.mission))
+        object.__setattr__(self, "facts", describe(self.networks, self.mission, plan=self.plan))
 
     @property
     def networks_digest(self) -> str:
@@ -48,6 +52,10 @@ class ReferenceGuidance:
         shown = np.where(finite[:, None], state, self.mission.problem.target_state)
         cone_angle, tau = self.networks.command(shown, sail)
         return self.facts.commands(state, sail, cone_angle, tau)
+
+    def arrival_directions(self, states: ArrayLike, beta: ArrayLike | None = None) -> Array | None:
+        """See :class:`sailnet.guidance.interface.Guidance`."""
+        return None if self.plan is None else self.plan.direction(states, beta)
 
     def steering(self, count: int) -> Steering:
         """See :class:`sailnet.guidance.interface.Guidance`."""

@@ -12,23 +12,25 @@ BLOCK = "targets"
 MEGAHERTZ = 100.0
 
 HEAD = (
-    "| processor | precision | compiled with | instructions, guidance | steering | code [B] | constants [B] "
+    "| processor | precision | compiled with | instructions, law | steer | code [B] | constants [B] "
     "| static [B] | stack [B] | largest error | CPI | ms |"
 )
 CAPTION = """\
 {commands:,} golden commands and {steps} golden calls of steering on each, in emulation; written by
-`make targets-table`. *Instructions*: of a call with valid input on average, and in brackets the most
-of any call.
+`make targets-table`. *Law* is the tier `sailnet_guidance`, as compiled with `-DSAILNET_LAW_ONLY`; *steer* is
+`sailnet_steer`. *Instructions*: of a call with valid input on average, and in brackets the most
+of any call, which in steering is a first plan by the networks and the eight extremals of a guidance period.
 *Code*, *constants* and *static* memory (which is written) are of the flight file alone.
-*Code*: of guidance alone, which is what a linker keeps of it with `-ffunction-sections -Wl,--gc-sections`, /
+*Code*: of the law alone, which is what a linker keeps of it with `-ffunction-sections -Wl,--gc-sections`, /
 with steering, constants between functions included.
-*Stack*: of guidance / of steering, the larger of what was seen written and what the compiler reserves.
+*Stack*: of the law / of steering, the larger of what was seen written and what the compiler reserves.
 *Error*: the
 largest difference from the float64 reference in cone angle [rad] / time of flight [TU], each divided by 1 +
 |reference|. Where products and sums are fused (`fast`) results differ from the host's by rounding; built
 without, and on processors that cannot fuse, all outputs are {same} the host's, bit for bit. *ms* is an
-**estimate**: instructions of guidance at 100 MHz by the cycles per instruction (*CPI*), which are assumed,
-not measured."""
+**estimate**: instructions of the law / of the longest call of steering at 100 MHz by the cycles per
+instruction (*CPI*), which are assumed, not measured. The tracker computes in double precision, whatever
+the precision of the rest: where the processor has none of it, functions of the compiler do."""
 
 
 @dataclass(frozen=True)
@@ -60,8 +62,11 @@ class Limit:
 
 
 INSTRUCTIONS = {("cortex-m4f", "float32"): (15_000, 12_000), ("leon3", "float64"): (22_000, 18_000)}
-"""Limit and aim of one command."""
+"""Limit and aim of one command by the law."""
+INSTRUCTIONS_OF_STEERING = {("cortex-m4f", "float32"): 60_000_000, ("leon3", "float64"): 6_000_000}
+"""Limit of the longest call of steering; without doubles in hardware it takes some twenty times as many."""
 CODE, STACK = 2048, 512
+CODE_OF_STEERING, STACK_OF_STEERING = 24_576, 4096
 
 
 def deployed(measured: Sequence[Measured]) -> list[Measured]:
@@ -81,10 +86,14 @@ def limits(measured: Sequence[Measured]) -> list[Limit]:
         checked += [
             Limit(f"{where}, instructions a command", counts.most, limit, aim),
             Limit(f"{where}, bytes of code, law alone", build.program.law, CODE),
-            Limit(f"{where}, bytes of code with steering", build.program.sizes.code, CODE),
-            Limit(f"{where}, bytes of stack", max(_stack(build)), STACK),
+            Limit(f"{where}, bytes of stack, law alone", _stack(build)[0], STACK),
+            Limit(f"{where}, bytes of code with steering", build.program.sizes.code, CODE_OF_STEERING),
+            Limit(f"{where}, bytes of stack with steering", _stack(build)[1], STACK_OF_STEERING),
             Limit(f"{where}, bytes of static memory", build.program.sizes.static, 0),
         ]
+        if (steering := build.run.steering.counts) is not None:
+            most = INSTRUCTIONS_OF_STEERING[build.target.name, build.precision]
+            checked.append(Limit(f"{where}, instructions a call of steering", steering.most, most))
     return checked
 
 
@@ -108,7 +117,7 @@ def _row(build: Measured) -> str:
         raise ValueError(f"nothing was counted on {build.target.name}")
     sizes, cycles = build.program.sizes, build.target.precisions[build.precision]
     flags = [flag for flag in build.program.flags if not flag.startswith("-D")]
-    milliseconds = guidance.mean * cycles / (1e3 * MEGAHERTZ)
+    milliseconds = [count * cycles / (1e3 * MEGAHERTZ) for count in (guidance.mean, steering.most)]
     columns = [
         build.target.title,
         build.precision,
@@ -121,6 +130,6 @@ def _row(build: Measured) -> str:
         " / ".join(map(str, _stack(build))),
         " / ".join(f"{error:.1e}" for error in build.errors[0, :2]),
         f"{cycles:g}",
-        f"{milliseconds:.2f}",
+        " / ".join(f"{each:.2f}" for each in milliseconds),
     ]
     return f"| {' | '.join(columns)} |"

@@ -7,15 +7,14 @@
 #include "steering.inc"
 #include "reckoning.inc"
 #include "learning.inc"
-#include "side.inc"
-#ifndef SAILNET_IN_SPACE
+#include "tracker.inc"
+#include "plans.inc"
+#include "saving.inc"
+#if !SAILNET_IN_SPACE
 #include "measured_attitude.inc"
 #endif
 #include "batch.inc"
 #include "ageing.inc"
-#ifdef SAILNET_HOMING_HORIZON
-#include "homing.inc"
-#endif
 
 int main(void)
 {
@@ -23,16 +22,15 @@ int main(void)
     test_elementary_functions();
     test_steering();
     test_reckoning();
-    test_side();
+    test_tracker();
+    test_plans();
+    test_saving();
     test_learning();
-#ifndef SAILNET_IN_SPACE
+#if !SAILNET_IN_SPACE
     test_measured_attitude();
 #endif
     test_batches();
     test_ageing();
-#ifdef SAILNET_HOMING_HORIZON
-    test_homing();
-#endif
     test_a_flight_ends_at_once_where_the_sail_is_there_and_no_nearer();
     printf("%s, %s: %s\n", SAILNET_MISSION, sizeof(sailnet_real) == 8 ? "float64" : "float32",
            failures == 0 ? "all passed" : "FAILED");

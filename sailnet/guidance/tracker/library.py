@@ -5,6 +5,7 @@ space; what its structures mean is in its headers.
 """
 
 import ctypes
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -15,8 +16,8 @@ from sailnet.artefacts.checksums import verify_checksum
 from sailnet.artefacts.shared_objects import refuse_unloadable
 from sailnet.errors import GuidanceError
 from sailnet.physics.arrays import Array
-from sailnet.physics.real_law import RealLaw
-from sailnet.physics.transfer import Transfer
+from sailnet.physics.optics import Optics
+from sailnet.physics.real_law import RealLaw, force_curve
 
 FOLDER = Path(__file__).parent / "native"
 NAMES = {3: "tracker_plane.so", 5: "tracker_space.so"}
@@ -35,33 +36,115 @@ def plan_type(components: int) -> np.dtype[np.void]:
             ("direction", "f8", (components,)),
             ("time_to_go", "f8"),
             ("beta", "f8"),
+            ("across", "f8"),
             ("residual", "f8"),
             ("jacobian", "f8", (components, components)),
+            ("per_beta", "f8", (components,)),
+            ("per_across", "f8", (components,)),
+            ("end", end_type(components)),
+            ("age", "f8"),
             ("largest", "i4"),
             ("differentiated", "i4"),
         ]
     )
 
 
-def problem_of(transfer: Transfer) -> NDArray[np.void]:
-    """The problem as the C reads it: with the sharp law, whatever the smoothing of the transfer.
+def end_type(components: int) -> np.dtype[np.void]:
+    """``sailnet_end``."""
+    return np.dtype([("value", "f8", (2 * components,)), ("rate", "f8", (2 * components,))])
+
+
+def attitude_type(components: int) -> np.dtype[np.void]:
+    """``sailnet_attitude``."""
+    return np.dtype([("cosine", "f8"), ("sine", "f8"), ("across", "f8", (1 if components == 3 else 2,))])
+
+
+def tracker_type(components: int) -> np.dtype[np.void]:
+    """``sailnet_tracker``."""
+    return np.dtype(
+        [
+            ("plan", plan_type(components)),
+            ("candidate", plan_type(components)),
+            ("since", "f8"),
+            ("stride", "f8"),
+            ("searched", "f8"),
+            ("flown", attitude_type(components)),
+            ("regret", "f8"),
+        ]
+        + [(name, "i4") for name in ("planned", "searching", "computed")],
+        align=True,
+    )
+
+
+def problem_of(optics: Optics, phi_max: float, beta: float, target_radius: float) -> NDArray[np.void]:
+    """The problem as the C reads it, with the sharp law of Eq. (11).
 
     Args:
-        transfer: of one sail, of any optics.
+        optics: of the sail.
+        phi_max: bound on the cone angle [rad].
+        beta: normalised characteristic acceleration.
+        target_radius: of the target orbit [AU].
 
     Raises:
         SolveError: there is no law for such a sail, see :meth:`sailnet.physics.real_law.RealLaw.of`.
     """
-    force = np.array([transfer.optics.force])
-    law = RealLaw.of(force, transfer.phi_max)
-    bound, takeover = float(law.bound[0]), float(law.takeover[0])
+    force = np.array([optics.force])
+    law = RealLaw.of(force, phi_max)
+    bound = float(law.bound[0])
     made = np.zeros((), PROBLEM)
-    made["beta"], made["target_radius"] = transfer.beta, transfer.target_radius
+    made["beta"], made["target_radius"] = beta, target_radius
     made["square"], made["linear"], made["across"] = force[0]
     made["bound_cosine"], made["bound_sine"] = np.cos(bound), np.sin(bound)
-    # sin(takeover - theta) > 0, with theta the angle of the force that is wanted from the Sun line.
-    made["edge_radial"], made["edge_lateral"] = -np.sin(takeover), np.cos(takeover)
+    made["edge_radial"], made["edge_lateral"] = force_curve(law.last, force)[1, :, 0]
     return made
+
+
+@dataclass(frozen=True)
+class Vehicles:
+    """What plans are made for; (n,) each.
+
+    Attributes:
+        beta: normalised characteristic acceleration to plan with.
+        estimated: the same without the thrust margin.
+        tangential: force along the surface beyond that of the mission's optics, as a share of the force along
+            the normal.
+        as_fast: beta of a vehicle of the mission's optics that is as fast: what the networks are asked for,
+            within their range.
+    """
+
+    beta: Array
+    estimated: Array
+    tangential: Array
+    as_fast: Array
+
+    @classmethod
+    def of_mission(cls, beta: Array) -> "Vehicles":
+        """Of the mission's optics, without a thrust margin."""
+        return cls(beta, beta, np.zeros(len(beta)), beta)
+
+    def rows(self, chosen: NDArray[np.bool_]) -> "Vehicles":
+        """Some of them."""
+        columns = (self.beta, self.estimated, self.tangential, self.as_fast)
+        return Vehicles(*(column[chosen] for column in columns))
+
+
+@dataclass(frozen=True)
+class Planned:
+    """What plans command; (n,) each, of which only those count that are flown.
+
+    Attributes:
+        flown: whether there is a plan that passes through the state.
+        cone_angle: [rad], signed in the plane.
+        clock_angle: [rad], 0 in the plane.
+        time_to_go: [TU].
+        costates: (n, 3) or (n, 5) at the middle of the period, scaled to H = 0.
+    """
+
+    flown: NDArray[np.bool_]
+    cone_angle: Array
+    clock_angle: Array
+    time_to_go: Array
+    costates: Array
 
 
 class Tracker:
@@ -78,24 +161,27 @@ class Tracker:
         file = FOLDER / NAMES[components]
         content = verify_checksum(file, FOLDER / "libraries.sha256")
         self.components = components
-        self.plan_type = plan_type(components)
-        self._end = np.dtype([("value", "f8", (2 * components,)), ("rate", "f8", (2 * components,))])
-        across = 1 if components == 3 else 2
-        self._attitude = np.dtype([("cosine", "f8"), ("sine", "f8"), ("across", "f8", (across,))])
+        attitude = attitude_type(components)
+        self._planned = np.dtype(
+            [("attitude", attitude), ("time_to_go", "f8"), ("costates", "f8", (components,))]
+        )
         try:
             refuse_unloadable(content)
             functions = ctypes.CDLL(str(file))
             pointer, number, real = ctypes.c_void_p, ctypes.c_uint64, ctypes.c_double
-            sizes = functions.tracker_plan_size, functions.tracker_problem_size
+            sizes = functions.tracker_size, functions.tracker_plan_size, functions.tracker_problem_size
             for size in sizes:
                 size.restype = number
             functions.tracker_extremals.argtypes = [pointer, number, pointer, pointer, real, pointer, pointer]
-            functions.tracker_correct.argtypes = [
-                pointer, number, *[pointer] * 5, ctypes.c_int32, *[pointer] * 3
-            ]  # fmt: skip
+            most = ctypes.c_int32
+            functions.tracker_correct.argtypes = [pointer, number, pointer, pointer, most, pointer]
+            functions.tracker_time_passes.argtypes = [number, *[pointer] * 3]
+            functions.tracker_propose.argtypes = [pointer, number, *[pointer] * 6]
+            functions.tracker_follow.argtypes = [pointer, number, *[pointer] * 6, most, *[pointer] * 2]
         except (OSError, AttributeError, ValueError) as error:
             raise GuidanceError(f"cannot load {file}: {error}; install sailnet again") from error
-        if [size() for size in sizes] != [self.plan_type.itemsize, PROBLEM.itemsize]:
+        expected = tracker_type(components), plan_type(components), PROBLEM
+        if [size() for size in sizes] != [item.itemsize for item in expected]:
             raise GuidanceError(f"{file} is of another version of sailnet; install sailnet again")
         self._functions = functions
 
@@ -118,7 +204,7 @@ class Tracker:
         times = np.ascontiguousarray(tau, float)
         if given.shape != (len(times), self.components):
             raise GuidanceError(f"{len(times)} times need ({len(times)}, {self.components}) directions")
-        ends, steps = np.zeros(len(times), self._end), np.zeros(len(times), np.int32)
+        ends, steps = np.zeros(len(times), end_type(self.components)), np.zeros(len(times), np.int32)
         self._functions.tracker_extremals(
             problem.ctypes.data,
             len(times),
@@ -134,65 +220,115 @@ class Tracker:
             states[:, 1], states[:, 6] = np.arctan(states[:, 1]), states[:, 6] * square
         return states, steps
 
+    def begun(self, directions: ArrayLike, tau: ArrayLike, beta: ArrayLike) -> NDArray[np.void]:
+        """(n,) plans that are not corrected yet.
+
+        Args:
+            directions: (n, 3) or (n, 5) of the arrival costates, of any size.
+            tau: (n,) times to go [TU].
+            beta: (n,) or one normalised characteristic acceleration.
+        """
+        plans = np.zeros(len(np.asarray(tau)), plan_type(self.components))
+        plans["direction"], plans["time_to_go"], plans["beta"] = directions, tau, beta
+        plans["largest"], plans["residual"] = -1, np.inf
+        return plans
+
     def correct(
-        self,
-        problem: NDArray[np.void],
-        plans: NDArray[np.void],
-        sails: NDArray[np.intp],
-        states: Array,
-        beta: Array,
-        ahead: Array,
-        most: int,
-    ) -> tuple[Array, Array, Array, NDArray[np.int32]]:
-        """Correct the plans of some sails in place, see ``sailnet_correct_plan``.
+        self, problem: NDArray[np.void], plans: NDArray[np.void], states: Array, most: int
+    ) -> NDArray[np.int32]:
+        """Correct plans in place, each for its own beta: see ``sailnet_correct_plan``.
 
         Args:
             problem: of :func:`problem_of`; its beta is not used.
-            plans: of all sails, of ``plan_type``.
-            sails: (n,) which of them.
-            states: (n, 3) or (n, 5) states to pass through.
-            beta: (n,) normalised characteristic accelerations to plan with.
-            ahead: (n,) how much later [TU] the attitudes are wanted.
-            most: extremals computed at most for each.
+            plans: (n,) of :meth:`begun`.
+            states: (n, 3) or (n, 5) to pass through.
+            most: extremals computed at most for each, of which no call computes more than 64.
 
         Returns:
-            (n,) cone angles [rad], signed in the plane; (n,) clock angles [rad], 0 in the plane; (n, 3) or
-            (n, 5) costates now, scaled to H = 0; (n,) extremals computed.
+            (n,) extremals computed.
         """
-        count, size = len(sails), self.components
-        given = np.array(states, float)
-        if size == 5:
-            given[:, 1] = np.tan(given[:, 1])
-        ends, attitudes = np.zeros(count, self._end), np.zeros(count, self._attitude)
-        computed = np.zeros(count, np.int32)
-        rows = np.ascontiguousarray(sails, np.uint64)
-        betas, later = np.ascontiguousarray(beta, float), np.ascontiguousarray(ahead, float)
-        self._functions.tracker_correct(
-            problem.ctypes.data,
-            count,
-            rows.ctypes.data,
-            plans.ctypes.data,
-            given.ctypes.data,
-            betas.ctypes.data,
-            later.ctypes.data,
-            most,
-            ends.ctypes.data,
-            attitudes.ctypes.data,
-            computed.ctypes.data,
+        given, computed = self._as_states(states), np.zeros(len(plans), np.int32)
+        places = [array.ctypes.data for array in (plans, given)]
+        self._functions.tracker_correct(problem.ctypes.data, len(plans), *places, most, computed.ctypes.data)
+        return computed
+
+    def time_passes(self, trackers: NDArray[np.void], held: Array) -> NDArray[np.bool_]:
+        """A period of (n,) ``held`` [TU] is over.
+
+        Returns:
+            (n,) whether they need a proposal.
+        """
+        needs, times = np.zeros(len(trackers), np.int32), np.ascontiguousarray(held, float)
+        places = [array.ctypes.data for array in (trackers, times, needs)]
+        self._functions.tracker_time_passes(len(trackers), *places)
+        return needs.astype(bool)
+
+    def propose(
+        self,
+        problem: NDArray[np.void],
+        trackers: NDArray[np.void],
+        needs: NDArray[np.bool_],
+        directions: ArrayLike,
+        tau: ArrayLike,
+        vehicles: Vehicles,
+    ) -> None:
+        """Propose plans to the trackers that need one: see ``sailnet_propose``.
+
+        Args:
+            problem: of :func:`problem_of`, of the mission's optics; its beta is not used.
+            trackers: (n,) of :func:`tracker_type`, changed in place.
+            needs: (n,) which of them.
+            directions: (n, 3) or (n, 5) of the arrival costates, of any size.
+            tau: (n,) times to go [TU].
+            vehicles: what they are for.
+        """
+        columns = directions, tau, vehicles.tangential, vehicles.beta
+        given = [np.ascontiguousarray(column, float) for column in columns]
+        chosen = np.ascontiguousarray(needs, np.int32)
+        places = [array.ctypes.data for array in (trackers, chosen, *given)]
+        self._functions.tracker_propose(problem.ctypes.data, len(trackers), *places)
+
+    def follow(
+        self,
+        problem: NDArray[np.void],
+        trackers: NDArray[np.void],
+        states: Array,
+        vehicles: Vehicles,
+        hold: Array,
+        most: int,
+    ) -> Planned:
+        """Correct the plans and command: see ``sailnet_follow``.
+
+        Args:
+            problem: of :func:`problem_of`, of the mission's optics; its beta is not used.
+            trackers: (n,) of :func:`tracker_type`, changed in place.
+            states: (n, 3) or (n, 5) to pass through.
+            vehicles: what to plan for.
+            hold: (n,) for how long [TU] the commands are held.
+            most: extremals computed at most for each.
+        """
+        count, given = len(trackers), self._as_states(states)
+        planned, flown = np.zeros(count, self._planned), np.zeros(count, np.int32)
+        columns = vehicles.tangential, vehicles.beta, vehicles.estimated, hold
+        numbers = [np.ascontiguousarray(column, float) for column in columns]
+        places = [array.ctypes.data for array in (trackers, given, *numbers)]
+        self._functions.tracker_follow(
+            problem.ctypes.data, count, *places, most, planned.ctypes.data, flown.ctypes.data
         )
-        cone = np.arctan2(attitudes["sine"], attitudes["cosine"])
+        attitude = planned["attitude"]
+        cone, across = np.arctan2(attitude["sine"], attitude["cosine"]), attitude["across"]
         clock = np.zeros(count)
-        if size == 5:
-            clock = np.arctan2(attitudes["across"][:, 1], attitudes["across"][:, 0])
+        if self.components == 5:
+            clock = np.arctan2(across[:, 1], across[:, 0])
         else:
-            cone = attitudes["across"][:, 0] * cone
-        costates = ends["value"][:, size:].copy()
-        # lambda . dx/dt = -1, and rates are by the time to go.
-        with np.errstate(all="ignore"):
-            costates /= (costates * ends["rate"][:, :size]).sum(axis=1)[:, None]
-        if size == 5:
-            costates[:, 1] *= 1.0 + ends["value"][:, 1] ** 2
-        return cone, clock, costates, computed
+            cone = np.copysign(cone, across[:, 0])
+        return Planned(flown != 0, cone, clock, planned["time_to_go"].copy(), planned["costates"].copy())
+
+    def _as_states(self, states: Array) -> Array:
+        given = np.array(states, float)
+        if self.components == 5:
+            given[:, 1] = np.tan(given[:, 1])
+        return given
 
 
 @cache

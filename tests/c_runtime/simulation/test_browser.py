@@ -30,8 +30,10 @@ from tests.in_a_page import (
 from tests.tools import needs_playground
 
 STARTS = [(1.0, 0.0, 1.0), (1.05, 0.15, 1.03), (1.1, 0.18, 0.93), (1.12, 0.04, 0.86)]
-ROUNDED = 1e-9
+ROUNDED = 1e-5
 """In each number of a whole flight: what elementary functions are rounded differently by, grown."""
+OF_ANGLES = 0.02
+"""In cone angles [rad]: towards arrival that of a plan depends more and more on what is left."""
 
 
 @pytest.fixture(scope="module")
@@ -131,7 +133,8 @@ def test_flights_are_the_native_ones(
         assert len(records) == len(recorded)
         np.testing.assert_array_equal(records["status"], recorded["status"])
         for name in ("time", "r", "theta", "u", "v", "beta_estimate", "cone_angle"):
-            np.testing.assert_allclose(records[name], recorded[name], rtol=0, atol=ROUNDED, err_msg=name)
+            atol = OF_ANGLES if name == "cone_angle" else ROUNDED
+            np.testing.assert_allclose(records[name], recorded[name], rtol=0, atol=atol, err_msg=name)
         assert sail["reversals"] == expected["reversals"]
         if not disturbance.beta_wander:  # the uniform draws are exact
             np.testing.assert_array_equal(records["beta"], recorded["beta"])

@@ -52,8 +52,11 @@ def make(target: str, exported: Path, build: Path, *settings: str) -> subprocess
     return run
 
 
+# The forms that `make checks` does not check: the released networks are those of an ideal sail.
+@pytest.mark.parametrize("exported_of_any_sail", ["paper", "jpl"], indirect=True)
 @pytest.mark.parametrize("target", [pytest.param(name, marks=needs_tools_of(name)) for name in TARGETS])
 def test_nothing_is_found(exported_of_any_sail: Exported, tmp_path: Path, target: str) -> None:
+    # cppcheck reads one configuration where a macro is defined, and all of them where none is.
     builds = "f64 f32_host" if exported_of_any_sail.networks.approach else "f32"
     run = make(target, exported_of_any_sail.folder, tmp_path, f"BUILDS={builds}")
     assert run.returncode == 0, run.stdout + run.stderr
@@ -138,65 +141,15 @@ MUTANTS = {
         "number = &number[300 * SAILNET_KNOTS];",
         "SUMMARY: ",
     ),
-    "a time lost of any size": Mutant(
-        "fuzz", "sailnet_keep_side", "sailnet_limited(&regret, SAILNET_OF_PERIOD)", "regret", "memory->regret"
-    ),
-    "a side for ever": Mutant(
-        "test",
-        "sailnet_keep_side",
-        "memory->regret < SAILNET_PATIENCE",
-        "memory->regret < R(9.0)",
-        "failed: ",
-    ),
-    "late by any time": Mutant(
-        "fuzz", "sailnet_time_passes", "sailnet_limited(&late, SAILNET_OF_PERIOD)", "late", "memory->late"
-    ),
-    "a wait of any length": Mutant(
-        "fuzz",
-        "sailnet_time_passes",
-        "sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT)",
-        "memory->wait - held",
-        "memory->wait",
-    ),
-    "late for ever": Mutant(
-        "test",
-        "sailnet_time_passes",
-        "held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late",
-        "R(0.0)",
-        "one.late",
-    ),
-    "late across a gap": Mutant(
-        "test",
-        "sailnet_time_passes",
-        "held > R(0.0) ? (command->",
-        "held >= R(0.0) ? (command->",
-        "failed: ",
-    ),
-    "a wait on both sides": Mutant(
-        "test", "sailnet_keep_side", "(memory->waited <= R(0.0))", "(memory->waited <= R(9.0))", "failed: "
-    ),
-    "a wait of who is hardly late": Mutant(
-        "test",
-        "sailnet_keep_side",
-        "memory->late > SAILNET_LATE_TOLERATED",
-        "memory->late > R(0.0)",
-        "failed: ",
-    ),
-    "a reversal while it waits": Mutant(
-        "test", "sailnet_keep_side", "(memory->wait > R(0.0))", "(memory->wait > R(9.0))", "failed: "
-    ),
-    "an end as the networks say": Mutant(
+    "held to the end of the period": Mutant(
         "test",
         "sailnet_until_nearest",
-        "return memory->held * sailnet_clamped(share, R(0.0), R(1.0));",
-        "return sailnet_clamped(memory->time_of_flight + R(0.0) * share, R(0.0), memory->held);",
+        "return estimate->held * sailnet_clamped(share, R(0.0), R(1.0));",
+        "return estimate->held + R(0.0) * share;",
         "missed(memory, hold)",
     ),
-    "a side kept for a small step": Mutant(
-        "test", "sailnet_keep_side", "(step > SAILNET_REVERSAL)", "(step > R(0.0))", "failed: "
-    ),
     "still turning for any time": Mutant(
-        "test", "sailnet_steer", "sailnet_limited(&left, SAILNET_OF_PERIOD) +", "left +", "memory.slewing"
+        "test", "sailnet_steer", "sailnet_limited(&left, SAILNET_OF_PERIOD) +", "left +", "slewing"
     ),
     "learnt while turning": Mutant(
         "test", "sailnet_learn", "(turned <= SAILNET_SLEW_BLUR * held)", "(turned <= R(9.0))", "failed: "
@@ -209,37 +162,247 @@ MUTANTS = {
         "sailnet_measured",
         "(askew * askew <= SAILNET_LARGEST_OFFSET * SAILNET_LARGEST_OFFSET)",
         "(askew * askew <= R(9.0))",
-        "memory.offset",
+        "estimate.offset",
     ),
     "an attitude of any size": Mutant(
         "test",
         "sailnet_steer",
-        "memory->attitude = sailnet_limited(&memory->attitude, SAILNET_OF_ATTITUDE);",
+        "estimate->attitude = sailnet_limited(&estimate->attitude, SAILNET_OF_ATTITUDE);",
         "",
         "SAILNET_LARGEST_ATTITUDE",
     ),
     "learnt across an outage": Mutant(
-        "test", "sailnet_learn", "(memory->unseen == R(0.0))", "(memory->unseen >= R(0.0))", "failed: "
+        "test", "sailnet_learn", "(estimate->unseen == R(0.0))", "(estimate->unseen >= R(0.0))", "failed: "
     ),
     "reckoned for ever": Mutant(
         "test",
         "sailnet_known",
-        "(memory->unseen <= SAILNET_LONGEST_RECKONING)",
-        "(memory->unseen <= R(9.0))",
+        "(estimate->unseen <= SAILNET_LONGEST_RECKONING)",
+        "(estimate->unseen <= R(9.0))",
         "failed: ",
     ),
     "reckoned to be nowhere": Mutant(
-        "fuzz",
+        "test",
         "sailnet_known",
         "(sailnet_is_state(&change->by) != 0)",
-        "(memory->held > R(0.0))",
-        "promise broken",
+        "(estimate->held > R(0.0))",
+        "INVALID_INPUT",
     ),
     "planned with any beta": Mutant(
-        "test", "sailnet_steer", "sailnet_limited(&plan, SAILNET_OF_BETA)", "plan", "SAILNET_AT_LIMIT"
+        "test", "sailnet_steer", "sailnet_limited(&plan, SAILNET_OF_BETA)", "plan", "failed: plan->beta >="
     ),
-    "no reserve": Mutant(
+    "no thrust margin": Mutant(
         "test", "sailnet_reserve", "return bounded *", "return R(0.0) * bounded *", "unlike_the_law"
+    ),
+    "more extremals than the budget": Mutant(
+        "test",
+        "sailnet_follow",
+        "advance_candidate(problem, tracker, state, most - tracker->computed);",
+        "advance_candidate(problem, tracker, state, most);",
+        "computed <= SAILNET_EXTREMALS_PER_PERIOD",
+    ),
+    "a side that is no direction": Mutant(
+        "test", "keep_attitude", "(sailnet_absolute(size2 - 1.0) < 1e-6)", "(size2 > 0.0)", "kept == (i == 0)"
+    ),
+    "a cone angle that is none": Mutant(
+        "test",
+        "keep_attitude",
+        "(sailnet_absolute(square - 1.0) < 1e-6)",
+        "(square > -1.0)",
+        "memcmp(&command.attitude, &best",
+    ),
+    "an attitude kept until the end": Mutant(
+        "test", "keep_attitude", "(regret < share)", "(regret < 9.0 + share)", "failed: kept == 11"
+    ),
+    "every attitude kept": Mutant(
+        "test",
+        "keep_attitude",
+        " && ((alike < 0.0) || (planned->time_to_go < LATE))",
+        "",
+        "memcmp(&command.attitude, expected",
+    ),
+    "a cone angle that is never kept": Mutant(
+        "test",
+        "keep_attitude",
+        "((alike < 0.0) || (planned->time_to_go < LATE))",
+        "(alike < 0.0)",
+        "memcmp(&command.attitude, expected",
+    ),
+    "time lost at any distance": Mutant(
+        "test", "keep_attitude", "per_r * per_r * loss", "per_r * loss", "fabs(tracker.regret - regret)"
+    ),
+    "an attitude remembered without a plan": Mutant(
+        "test",
+        "sailnet_follow",
+        "        (void)memset(&tracker->flown, 0, sizeof tracker->flown);\n",
+        "",
+        "tracker->flown.cosine == 0.0",
+    ),
+    "a time that never passes": Mutant(
+        "test", "passed", "((now >= 0.0) && (now < 1.0)) ? now : 1.0;", "now;", "failed: "
+    ),
+    "an age of any size": Mutant(
+        "test", "grow_older", "passed(plan->age, held)", "plan->age + held", "tracker.plan.age == 1.0"
+    ),
+    "an end that is not there": Mutant(
+        "test",
+        "sailnet_bring_up",
+        "steps > 0 ? now.residual : NOWHERE;",
+        "steps >= 0 ? now.residual : NOWHERE;",
+        "missed.residual == UNSOLVED",
+    ),
+    "what is not a number misses by nothing": Mutant(
+        "test", "compare", "size < NOWHERE ? size : NOWHERE;", "size;", "missed.residual == UNSOLVED"
+    ),
+    "two extremals of a budget of one": Mutant(
+        "test", "begin", "(most > 1)", "(most > 0)", "memcmp(plan.direction, before.direction"
+    ),
+    "a derivative that leaves nothing to the correction": Mutant(
+        "test", "sailnet_track", "(moves > 3)", "(moves > 0)", "plan.differentiated < 2"
+    ),
+    "a budget of one that is not used": Mutant(
+        "test", "sailnet_track", "if (moves <= 0) {", "if (moves == 0) {", "computed >= 1"
+    ),
+    "a derivative by the push aside that says nothing": Mutant(
+        "test", "begin", "plan->per_across[n] * change[1];", "0.0 * change[1];", "failed: enough > 5"
+    ),
+    "a vehicle that moves aside at once": Mutant(
+        "test",
+        "sailnet_track",
+        "by_beta > by_aside ? by_beta : by_aside;",
+        "by_beta + 0.0 * by_aside;",
+        "failed: derived ||",
+    ),
+    "a plan brought up by another vehicle's force": Mutant(
+        "test",
+        "sailnet_problem_of",
+        "    sailnet_push_aside(&own, plan->across - problem->across);\n",
+        "",
+        "failed: ",
+    ),
+    "a candidate for what was learnt since": Mutant(
+        "test",
+        "advance_candidate",
+        "sailnet_problem_of(problem, &tracker->candidate);",
+        "*problem;",
+        "tracker.candidate.across == before",
+    ),
+    "a derivative by beta that says nothing": Mutant(
+        "test", "begin", "plan->per_beta[n] * change[0] +", "0.0 * change[0] +", "failed: enough > 5"
+    ),
+    "a correction that is not gone on with": Mutant(
+        "test",
+        "sailnet_follow",
+        "tracker->planned = 2 - sailnet_plan_is_solved(plan);",
+        "tracker->planned = 1;",
+        "tracker->planned == 2 - sailnet_plan_is_solved",
+    ),
+    "a plan flown however much it misses": Mutant(
+        "test",
+        "sailnet_follow",
+        "((tracker->planned != 0) && (plan->residual <= USABLE))",
+        "(tracker->planned != 0)",
+        "flown == (i == 0)",
+    ),
+    "a plan for a much stronger vehicle": Mutant(
+        "test",
+        "sailnet_follow",
+        "(plan->beta <= stronger)",
+        "(plan->beta <= (9.0 * stronger))",
+        "== (i != 1)",
+    ),
+    "a plan left on its way to another beta": Mutant(
+        "test", "sailnet_follow", "(tracker->stride >= LARGEST_STRIDE)", "(0 != 0)", "== (i != 1)"
+    ),
+    "a plan that has failed, kept": Mutant(
+        "test", "has_failed", "!(tracker->since < FAILED_AFTER)", "(0 != 0)", "has_failed(tracker) =="
+    ),
+    "a candidate that is hardly faster": Mutant(
+        "test", "is_better", "((1.0 - FASTER) * ", "(1.0 * ", "is_better(tracker, 0.995"
+    ),
+    "a failed plan that takes the budget": Mutant(
+        "test", "sailnet_follow", " && (has_failed(tracker) == 0)", "", "residual < residual) == (first == 0)"
+    ),
+    "a plan for a stronger vehicle that does not fail": Mutant(
+        "test", "sailnet_follow", " && (plan->beta <= estimated)", "", "tracker->since == (i == 0"
+    ),
+    "a thrust margin that is never spent": Mutant(
+        "test",
+        "sailnet_follow",
+        "(plan->residual > STILL_NEAR)",
+        "(plan->residual > 1e9)",
+        "spent > TRIALS / 4",
+    ),
+    "a thrust margin spent at once": Mutant(
+        "test", "sailnet_follow", "(plan->residual > STILL_NEAR)", "(0 == 0)", "spent == 0"
+    ),
+    "a bound that stays where other optics leave it": Mutant(
+        "test",
+        "sailnet_push_aside",
+        "    problem->edge_radial += tangential * s * (2.0 * c * c - s * s);\n",
+        "",
+        "pushed.edge_radial - expected.edge_radial",
+    ),
+    "a bound that other optics move the wrong way": Mutant(
+        "test", "sailnet_push_aside", "(2.0 * s * s - c * c)", "(c * c - 2.0 * s * s)", "pushed.edge_lateral"
+    ),
+    "plans for optics of any size": Mutant(
+        "test",
+        "sailnet_own_problem",
+        "sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL)",
+        "memory->estimate.tangential",
+        "own.across - sailnet_transfer.across",
+    ),
+    "networks asked for a sail of other optics": Mutant(
+        "test", "sailnet_for_networks", "beta * (R(1.0) - lost)", "beta", "sailnet_for_networks"
+    ),
+    "a way to another vehicle that waits": Mutant(
+        "test", "sailnet_follow", "? CORRECT_AT_LATEST : 0.0;", "? 0.0 : 0.0;", "tracker->since >= 0.1"
+    ),
+    "an end moved the wrong way": Mutant(
+        "test", "sailnet_move_end", "fly(problem, -lapse,", "fly(problem, lapse,", "end.value[n] - expected"
+    ),
+    "a plan corrected while another attitude is flown": Mutant(
+        "test", "sailnet_follow", "!(tracker->regret > 0.0)", "(0 == 0)", "tracker->computed == 0"
+    ),
+    "an attitude kept however far off": Mutant(
+        "test", "keep_attitude", "tracker->plan.residual < STILL_NEAR ? 1 : 0;", "1;", "(i < 2)"
+    ),
+    "a plan that is corrected hardly ever": Mutant(
+        "test", "sailnet_follow", "!(tracker->since < CORRECT_AT_LATEST)", "(0 != 0)", "failed: "
+    ),
+    "a plan of infinite numbers": Mutant(
+        "test",
+        "sailnet_tracks",
+        "(sailnet_are_numbers(&planned) == 0)",
+        "(sailnet_are_numbers(&planned) > 1)",
+        "SAILNET_FROM_NETWORKS : SAILNET_FROM_PLAN",
+    ),
+    "a plan for any beta": Mutant(
+        "test",
+        "sailnet_plan_upload",
+        "(plan->beta >= (double)SAILNET_BETA_MIN) && (plan->beta <= (double)SAILNET_BETA_MAX)",
+        "(plan->beta > 0.0)",
+        "sailnet_plan_upload",
+    ),
+    "a plan of another mission": Mutant(
+        "test", "sailnet_is_mission", "(same != 0) && (i < sizeof own)", "(i < 1u)", "sailnet_plan_upload"
+    ),
+    "a plan that was not converged": Mutant(
+        "test", "sailnet_take_plan", "if (solved != 0) {", "if (solved >= 0) {", "memcmp(&after, memory"
+    ),
+    "a byte that is not summed": Mutant(
+        "test", "sailnet_checksum", "for (uint32_t i = 0u;", "for (uint32_t i = 1u;", "sailnet_restore"
+    ),
+    "a memory of another version": Mutant(
+        "test",
+        "sailnet_restore",
+        "(memory->version == (uint32_t)SAILNET_API_VERSION)",
+        "(memory->version != 0u)",
+        "sailnet_restore",
+    ),
+    "damage that is flown on": Mutant(
+        "test", "sailnet_restore", "            sailnet_start(memory);\n", "", "is_same_memory"
     ),
     "signed overflow": Mutant(
         "fuzz",
@@ -254,21 +417,24 @@ MUTANTS = {
     "undefined variable": Mutant(
         "valgrind",
         "sailnet_steer",
-        "const uint32_t seen = sailnet_law(",
-        "volatile int32_t unset[2];\n    volatile int32_t *volatile at = unset;\n"
-        "    const uint32_t seen = *at == 7 ? 0u : sailnet_law(",
+        "    uint32_t seen = 0u;\n",
+        "    volatile int32_t unset[2];\n    volatile int32_t *volatile at = unset;\n"
+        "    uint32_t seen = 0u;\n    if (*at == 7) {\n        hold = R(0.0);\n    }\n",
         "uninitialised value",
     ),
-    "octal constant": Mutant("misra", "sailnet_observed", THERE, "int32_t there = 01;", "misra-c2012-7.1"),
+    "octal constant": Mutant(
+        "misra", "sailnet_observed", THERE, "int32_t there = 01;", "misra-c2012-7.1", "f64"
+    ),
     "a listed rule broken elsewhere": Mutant(
         "misra",
         "sailnet_start",
         "if (memory != NULL) {\n",
         "if (memory == NULL) {\n        return;\n    } else {\n",
         "(in sailnet_start): misra-c2012-15.5",
+        "f64",
     ),
     "a variable without use": Mutant(
-        "misra", "sailnet_observed", THERE, f"int32_t unread = 3;\n    {THERE}", "unreadVariable"
+        "misra", "sailnet_observed", THERE, f"int32_t unread = 3;\n    {THERE}", "unreadVariable", "f64"
     ),
     "dead branch of an expression": Mutant(
         "coverage-c",
@@ -318,11 +484,6 @@ def test_defects_are_found(approach_exported: Exported, tmp_path: Path, name: st
     # The tube of random networks holds every state.
     exported = SHIPPED if name == "a knot beyond the last" else approach_exported.folder
     folder = mutant.write(exported, tmp_path / "exported")
-    if name == "an arrival outside the domain":
-        # So many inputs come upon it only where all of the estimate is planned with.
-        header = folder / "sailnet_guidance.h"
-        kept = re.compile(r"(?<=SAILNET_LEAST_RESERVE SAILNET_REAL)\(.*\)")
-        header.write_text(kept.sub("(0.0)", header.read_text(), count=1))
     run = make(mutant.target, folder, tmp_path, f"BUILDS={mutant.build}", "FUZZ_RUNS=50000")
     assert run.returncode != 0, run.stdout
     assert mutant.says in run.stdout + run.stderr
@@ -335,7 +496,7 @@ def test_a_listed_deviation_that_is_gone_fails(approach_exported: Exported, tmp_
     assert row in listed
     table = tmp_path / "MISRA.md"
     table.write_text(listed.replace(row, f"| 7.1 | required | `sailnet_start` | all | none |\n{row}"))
-    run = make("misra", approach_exported.folder, tmp_path, f"DEVIATIONS={table}", "BUILDS=f32")
+    run = make("misra", approach_exported.folder, tmp_path, f"DEVIATIONS={table}", "BUILDS=f64")
     assert run.returncode != 0
     assert (
         run.stdout.strip() == "MISRA.md lists a deviation from rule 7.1 in sailnet_start, but there is none"
@@ -388,11 +549,15 @@ def test_gaps_need_a_reason_and_go_when_they_are_filled() -> None:
     text = '[[gap]]\nfunction = "f"\ntext = "x = 1;"\nlines = 1\nin = ["paper"]\nreason = "{}"\n'
     listed = coverage.explained(text.format("it is dead"))
     gap = coverage.Gap("f", "x = 1;", lines=1)
+    assert [one.gap for one in listed] == [gap]
     paper, approach = frozenset({"f32", "paper"}), frozenset({"f32", "approach"})
     assert coverage.judge([gap], listed, paper) == []
     assert coverage.judge([gap], listed, approach) == [str(gap)]
     assert "not so any more" in coverage.judge([], listed, paper)[0]
     assert coverage.judge([], listed, approach) == []
+    rare = coverage.explained(text.format("of some networks").replace("lines = 1", "rare = true"))
+    assert coverage.judge([gap], rare, paper) == coverage.judge([], rare, paper) == []
+    assert coverage.judge([gap], rare, approach) == [str(gap)]
     with pytest.raises(ValueError, match="needs a reason"):
         coverage.explained(text.format(""))
 

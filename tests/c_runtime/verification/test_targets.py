@@ -30,6 +30,7 @@ from sailnet.flight.closed_loop import History
 from sailnet.guidance.interface import GuidanceStatus, Precision
 from sailnet.guidance.rules import LARGEST_PERIOD
 from sailnet.networks.guidance_networks import load_guidance_networks
+from sailnet.networks.plan_networks import load_plan_networks
 from tests.paths import ROOT
 from tests.tools import needs
 
@@ -43,7 +44,8 @@ def needs_tools_of(target: Target) -> pytest.MarkDecorator:
 
 
 every_target = pytest.mark.parametrize(
-    "target", [pytest.param(target, id=target.name, marks=needs_tools_of(target)) for target in TARGETS]
+    "target",
+    [pytest.param(target, id=target.name, marks=needs_tools_of(target)) for target in TARGETS],
 )
 # The first whose tools are here.
 ANY_TARGET = next((target for target in TARGETS if not missing_tools(target)), TARGETS[0])
@@ -52,7 +54,8 @@ needs_any_target = needs_tools_of(ANY_TARGET)
 
 @pytest.fixture(scope="module")
 def reference() -> ReferenceGuidance:
-    return ReferenceGuidance(load_guidance_networks(SHIPPED))
+    networks = load_guidance_networks(SHIPPED)
+    return ReferenceGuidance(networks, load_plan_networks(SHIPPED, networks.mission))
 
 
 @pytest.fixture(scope="module")
@@ -78,7 +81,6 @@ def test_flight_file_runs_as_the_reference_says(bench: Bench, target: Target) ->
         assert exact.wrong == ()
         assert exact.other_bits == 0
         assert exact.program.sizes.static == 0
-        assert set(exact.program.sizes.helpers) <= {"memcpy", "memset"}
         for calls, reserved in zip(
             (exact.run.guidance, exact.run.steering), exact.program.stack, strict=True
         ):
@@ -87,7 +89,10 @@ def test_flight_file_runs_as_the_reference_says(bench: Bench, target: Target) ->
             assert calls.counts is not None
             # One multiplication and addition for each weight; at the target the tube is not asked.
             # The call that ends a flight predicts one step more.
-            assert 2700 < calls.counts.mean <= calls.counts.most < 1.03 * calls.counts.mean
+            # What steering corrects of a plan is within a budget; doubles in software take ten times as many.
+            steering = 6e7 if target.arithmetic else 5e6
+            most = 1.03 * calls.counts.mean if calls is exact.run.guidance else steering
+            assert 2700 < calls.counts.mean <= calls.counts.most < most
             assert (calls.counts.retired == calls.counts.total) == target.retires
         if target.fuses:
             fused = bench.measure(target, precision, "flight", True)
@@ -324,6 +329,8 @@ def test_the_deepest_path_counts(tmp_path: Path) -> None:
     assert deepest_stack(graph, "top") == 116
     graph.write_text(CALLS.format(kind="static", called="file.c:left"))
     assert deepest_stack(graph, "top") == 156
+    graph.write_text(CALLS.format(kind="dynamic,bounded", called="__aeabi_dmul"))
+    assert deepest_stack(graph, "top") == 116
     for kind, called in (("dynamic", "memcpy"), ("static", "top")):
         graph.write_text(CALLS.format(kind=kind, called=called))
         with pytest.raises(ValueError, match="not fixed"):

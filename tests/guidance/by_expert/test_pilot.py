@@ -114,7 +114,7 @@ def test_the_range_of_beta_is_that_of_the_data_and_names_are_known(mission: Miss
     assert (low, high) == pytest.approx((0.8 * mission.sail.beta, 1.2 * mission.sail.beta))
     assert guidance_of(mission).rules == RULES
     bold = guidance_of(mission, "expert-without-reserve").rules
-    assert (bold.reserve_tangential, bold.largest_reserve, bold.patience(1.0, 20.0)) == (0.0, 0.0, 0.0)
+    assert (bold.tangential_loss, bold.largest_reserve) == (0.0, 0.0)
     assert {guidance_of(mission, name).networks_digest for name in EXPERT_RULES} == set(EXPERT_RULES)
     with pytest.raises(GuidanceError, match="no expert 'nobody'"):
         guidance_of(mission, "nobody")

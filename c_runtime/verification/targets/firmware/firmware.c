@@ -17,7 +17,7 @@
 #include <stddef.h>
 
 #define PAINT UINT32_C(0x5AA5C33C)
-#define PAINTED_WORDS 2048
+#define PAINTED_WORDS 4096
 
 #if defined(__x86_64__)
 register uintptr_t stack_pointer __asm__("rsp");
