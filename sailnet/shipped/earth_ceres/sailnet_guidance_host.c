@@ -4,10 +4,13 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_ceres: do not edit.
  * mission   7c538274e6599f0fbe4a3919ac9b0169c1e77541c484c2367ee0409a067c2cff
- * networks  6ba90930dff74b766f77ffe182664b90db77b0e728695076529803156c0c2818
+ * networks  555439f4be723bc1426ee1c985f3b93374ef3a7e4bdf98c6a4e1a66cf60fcf86
  * data set  5cee56622fe5b7178b0533e6beec8ccfc3ad46847ee8013bf79699a829244c81 (tau)
  * data set  5cee56622fe5b7178b0533e6beec8ccfc3ad46847ee8013bf79699a829244c81 (alpha_pre)
  * data set  5cee56622fe5b7178b0533e6beec8ccfc3ad46847ee8013bf79699a829244c81 (lambda_v)
+ * data set  b90ba37ff6a22bbd16066032f499b9b060cbdbd0299ab79d1b796ab6d60932a9 (arrival_lambda_r)
+ * data set  b90ba37ff6a22bbd16066032f499b9b060cbdbd0299ab79d1b796ab6d60932a9 (arrival_lambda_u)
+ * data set  b90ba37ff6a22bbd16066032f499b9b060cbdbd0299ab79d1b796ab6d60932a9 (arrival_lambda_v)
  *
  * Vectors are those of gcc and clang (vector_size), as wide as the processor's registers. With other compilers, or
  * with -DSAILNET_PLAIN, the same text computes on single numbers, to the same bits but for contraction: that is what
@@ -15,6 +18,7 @@
  */
 #include "sailnet_guidance.h"
 
+#include <stddef.h>
 #include <string.h>
 #if defined(__SSE2__) && !defined(SAILNET_PLAIN)
 #include <immintrin.h>
@@ -97,6 +101,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
     return (value - value) == R(0.0);
 }
 
+/* pi, rounded down: an angle is in (-pi, pi] in either precision, and its mirror image too. */
+#ifdef SAILNET_FLOAT64
+#define SAILNET_LARGEST_ANGLE 3.1415926535897927
+#else
+#define SAILNET_LARGEST_ANGLE 3.1415925f
+#endif
+
 /*
  * Pairs of a lower and an upper bound, by what they are of: to name a row takes less code than two constants do.
  */
@@ -109,11 +120,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 #define SAILNET_OF_TIME_TO_GO 6
 #define SAILNET_OF_SHARE 7
 #define SAILNET_OF_TANGENTIAL 8
-#define SAILNET_OF_ATTITUDE 9
-#define SAILNET_OF_OFFSET 10
+#define SAILNET_OF_ANGLE 9
+#define SAILNET_OF_PLAN 10
+#define SAILNET_OF_ATTITUDE 11
+#define SAILNET_OF_OFFSET 12
 /* Three of each of r, u, v, and then one of each input. */
-#define SAILNET_OF_STATE 11
-#define SAILNET_OF_INPUTS 20
+#define SAILNET_OF_STATE 13
+#define SAILNET_OF_INPUTS 22
 static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_BETA_MIN, SAILNET_BETA_MAX},
     {-SAILNET_PHI_MAX, SAILNET_PHI_MAX},
@@ -124,6 +137,8 @@ static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_ARRIVAL_THRESHOLD, R(1e9)},
     {R(-1.0), R(1.0)},
     {-SAILNET_LARGEST_TANGENTIAL, SAILNET_LARGEST_TANGENTIAL},
+    {-SAILNET_LARGEST_ANGLE, SAILNET_LARGEST_ANGLE},
+    {R(-1e18), R(1e18)},
     {-SAILNET_LARGEST_ATTITUDE, SAILNET_LARGEST_ATTITUDE},
     {-SAILNET_LARGEST_OFFSET, SAILNET_LARGEST_OFFSET},
     SAILNET_STATE_LIMITS,
@@ -416,6 +431,47 @@ SAILNET_INLINE void sailnet_cosine_sine(sailnet_real angle, sailnet_real *cosine
     }
     *cosine = c;
     *sine = s;
+}
+
+/*
+ * (arctan(t) / t - 1) / t^2, of z = t^2 for t in [-tan(pi/8), tan(pi/8)], by its best polynomial: the error in arctan is
+ * below 2e-8 (float) and 4e-17 (double) of it.
+ */
+SAILNET_INLINE sailnet_real sailnet_arctan_rest(sailnet_real z)
+{
+#ifdef SAILNET_FLOAT64
+    const sailnet_real z2 = z * z;
+    const sailnet_real z4 = z2 * z2;
+    const sailnet_real lowest = (-0.33333333333330218 + 0.19999999999104691 * z) +
+                                (-0.14285714196529525 + 0.11111106703673881 * z) * z2;
+    const sailnet_real middle = (-0.090907835311274021 + 0.076900833866845471 * z) +
+                                (-0.066412464978030210 + 0.056931659858806027 * z) * z2;
+    const sailnet_real highest = -0.043608284811392481 + 0.021280176437232786 * z;
+    return lowest + z4 * (middle + z4 * highest);
+#else
+    return -0.33332955f + z * (0.19977926f + z * (-0.13879846f + z * 0.080602985f));
+#endif
+}
+
+/*
+ * The angle of a direction, from the first axis to the second: of the smaller by the larger component, turned back by
+ * pi/4 where that is steep, and then in each octant. Of two zeros it is 0. They come by their addresses, as what is
+ * clamped does.
+ */
+SAILNET_PART sailnet_real sailnet_angle(const sailnet_real *first, const sailnet_real *second)
+{
+    const sailnet_real x = sailnet_size(*first);
+    const sailnet_real y = sailnet_size(*second);
+    const sailnet_real larger = x > y ? x : y;
+    const sailnet_real smaller = x > y ? y : x;
+    const sailnet_real steep = smaller > R(0.41421356237309505) * larger ? R(1.0) : R(0.0);
+    const sailnet_real whole = larger + steep * smaller;
+    const sailnet_real t = whole > R(0.0) ? (smaller - steep * larger) / whole : R(0.0);
+    sailnet_real angle = steep * R(0.7853981633974483) + (t + t * (t * t) * sailnet_arctan_rest(t * t));
+    angle = y > x ? R(1.5707963267948966) - angle : angle;
+    angle = *first < R(0.0) ? R(3.141592653589793) - angle : angle;
+    angle = *second < R(0.0) ? -angle : angle;
+    return sailnet_limited(&angle, SAILNET_OF_ANGLE);
 }
 
 /* ================================ The networks ================================ */
@@ -872,8 +928,13 @@ SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
 #undef STAGE_BLOCK
 #undef STAGE_TOGETHER
 
-/* Each network reads all five, those first that are known first; the first gives log2(tau / s). beta must be in its range. */
-SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+/* Inputs of a network, those first that are known first; and in space what its outputs are multiplied by. */
+#define SAILNET_APPROACH_INPUTS 5
+#define SAILNET_APPROACH_STATES 3
+
+/* The inputs, and in space the two factors, which change their signs in a mirror; beta must be in its range. Returns s. */
+SAILNET_INLINE sailnet_real sailnet_approach(const sailnet_real state[SAILNET_APPROACH_STATES], sailnet_real beta,
+                                             sailnet_real input[SAILNET_APPROACH_INPUTS], sailnet_real factors[2])
 {
     /* Deviations in units of the sail's acceleration at the target, beta / r_f^2: they are times. */
     const sailnet_real per_acceleration = SAILNET_TARGET_R2 / beta;
@@ -892,8 +953,22 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real b
     const sailnet_real per_s2 = per_s * per_s;
     /* s4 tells the bound; the clamp tells it to an analyser of intervals. */
     const sailnet_real s = sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6));
-    const sailnet_real input[5] = {beta, s, missing[2] * per_s, missing[1] * per_s,
-                                                 missing[0] * per_s2};
+    input[0] = beta;
+    input[1] = s;
+    factors[0] = R(1.0);
+    factors[1] = R(0.0);
+    input[SAILNET_APPROACH_INPUTS - 3] = missing[2] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 2] = missing[1] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 1] = missing[0] * per_s2;
+    return s;
+}
+
+/* The first network gives log2(tau / s). */
+SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+{
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real s = sailnet_approach(state, beta, input, factors);
     sailnet_approach_networks(input, output);
     /* Bounded, so that no weights make the product overflow. */
     const sailnet_real octaves = sailnet_clamped(output[0], R(-60.0), R(60.0));
@@ -1154,6 +1229,1655 @@ SAILNET_INLINE uint32_t sailnet_law(const sailnet_state *state, sailnet_real bet
     return seen;
 }
 
+/* ================================ The tracker ================================ */
+
+#define SAILNET_TRACKER_API static
+
+/*
+ * Extremals of minimum time, backward from the target orbit: Eqs. (14)-(19), with delta = 0.
+ *
+ * An extremal that arrives is a direction of the arrival costates, constant along the whole flight, and the time to go.
+ * Freestanding C99 without libm; it compiles where it lies, with -DSAILNET_IN_SPACE=1 in three dimensions.
+ */
+#ifndef SAILNET_EXTREMAL_H
+#define SAILNET_EXTREMAL_H
+
+
+
+/* The flight file holds all of this in one translation unit, where functions are static. */
+#ifndef SAILNET_TRACKER_API
+#define SAILNET_TRACKER_API
+#endif
+
+/*
+ * The state and costates `tau` before arrival, of the extremal that arrives with costates along `direction`.
+ *
+ * tolerance: local error of a step, in AU and AU/TU, of costates relative to their size.
+ * Returns the steps it took; 0 if it did not get there: too many steps, or numbers that are not finite.
+ */
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end);
+
+/* An end of an extremal `lapse` [TU] later; the rest is as for sailnet_extremal. */
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end);
+
+/* The optimal attitude of costates. */
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude);
+
+/* The product of costates and the force of an attitude, per beta / r^2: of the optimal one it is least. */
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude);
+
+/* The same for a sail that light pushes along its surface by so much more, per beta / r^2: as is learnt of a vehicle. */
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential);
+
+/* value^(-1/2) of a positive number, to a few units of rounding. */
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value);
+
+/* A square root; of 0 or less 0. */
+SAILNET_TRACKER_API double sailnet_root(double value);
+
+static inline double sailnet_absolute(double value)
+{
+    return value < 0.0 ? -value : value;
+}
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+#define UNKNOWNS (2 * SAILNET_STATES)
+/* Where lambda_u and lambda_v are among the unknowns. */
+#define LAMBDA_U (STATES + STATES - (SAILNET_IN_SPACE ? 3 : 2))
+#define LAMBDA_V (LAMBDA_U + 1)
+
+/* Stages of Dormand and Prince's method of fifth order; the seventh is the first of the next step. */
+#define STAGES 7
+static const double stage_weights[STAGES - 1][STAGES - 1] = {
+    {0.2, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.075, 0.225, 0.0, 0.0, 0.0, 0.0},
+    {0.9777777777777777, -3.7333333333333334, 3.5555555555555554, 0.0, 0.0, 0.0},
+    {2.9525986892242035, -11.595793324188385, 9.822892851699436, -0.2908093278463649, 0.0, 0.0},
+    {2.8462752525252526, -10.757575757575758, 8.906422717743473, 0.2784090909090909, -0.2735313036020583, 0.0},
+    {0.09114583333333333, 0.0, 0.44923629829290207, 0.6510416666666666, -0.322376179245283, 0.13095238095238096}};
+static const double error_weights[STAGES] = {0.0012326388888888888,  0.0, -0.0042527702905061394, 0.03697916666666667,
+                                             -0.05086379716981132, 0.0419047619047619, -0.025};
+
+/* First and shortest step [TU]; a step is at most so much of the time in which the primer, the costates that the
+   attitude depends on, would vanish: where it nearly does the attitude turns fast. */
+#define FIRST_STEP 0.05
+#define SHORTEST_STEP 1e-7
+#define OF_PRIMER 0.3
+/* By how much steps change at most. */
+#define SHRINK 0.1
+#define GROW 4.0
+/* Halvings of the interval in which an event lies. */
+#define HALVINGS 20
+
+/* An extremal on its way: between two events the law is smooth. */
+typedef struct {
+    const sailnet_problem *problem;
+    double at_bound[2]; /* the force at the bound on the cone angle, radial and lateral */
+    int32_t bound;      /* whether the cone angle is there */
+    double side;        /* in the plane the sign that it has there */
+} sailnet_arc;
+
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x5FE6EB50C7B537A9) - (bits >> 1);
+    (void)memcpy(&root, &bits, sizeof root);
+    /* The bits err by 3.5 %: a step of fourth order and one of third leave rounding. */
+    const double off = 1.0 - value * (root * root);
+    root += root * off * ((0.5 + 0.375 * off) + 0.3125 * (off * off));
+    const double rest = 1.0 - value * (root * root);
+    return root + root * (rest * (0.5 + 0.375 * rest));
+}
+
+SAILNET_TRACKER_API double sailnet_root(double value)
+{
+    return value > 0.0 ? value * sailnet_reciprocal_root(value) : 0.0;
+}
+
+/* The force of a cone angle across the Sun line: radial, lateral. */
+static void force_at(const sailnet_problem *problem, double cosine, double sine, double force[2])
+{
+    const double normal = problem->square * cosine + problem->linear;
+    force[0] = cosine * (normal * cosine + problem->across * sine * sine);
+    force[1] = cosine * sine * (normal - problem->across * cosine);
+}
+
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude)
+{
+    double force[2];
+    double along = 0.0;
+    force_at(problem, attitude->cosine, attitude->sine, force);
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        along += costate[STATES - SAILNET_ACROSS + i] * attitude->across[i];
+    }
+    return costate[STATES - SAILNET_ACROSS - 1] * force[0] + along * force[1];
+}
+
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential)
+{
+    const double c = problem->bound_cosine;
+    const double s = sailnet_absolute(problem->bound_sine);
+    problem->across += tangential;
+    problem->edge_radial += tangential * s * (2.0 * c * c - s * s);
+    problem->edge_lateral += tangential * c * (2.0 * s * s - c * c);
+}
+
+/*
+ * The cone angle inside the bound that makes lambda_u f_r - lateral f_t least: of an ideal sail in closed form, and from
+ * there by Newton's steps, which of an ideal sail are none.
+ */
+static void inside_the_bound(const sailnet_problem *problem, double lambda_u, double lateral, double *cosine,
+                             double *sine)
+{
+    const double x = -3.0 * lambda_u;
+    const double y = 2.8284271247461903 * lateral;
+    const double size = sailnet_root(x * x + y * y);
+    /* The tangent is (size - x) / (sqrt(2) y), or y / (sqrt(2) (size + x)): the larger of both numbers is exact. */
+    const double above = x > 0.0 ? y : size - x;
+    const double below = 1.4142135623730951 * (x > 0.0 ? size + x : y);
+    const double square2 = above * above + below * below;
+    const double whole = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
+    double c = whole > 0.0 ? below * whole : 1.0;
+    double s = above * whole;
+    const double linear = problem->linear;
+    const double across = problem->across;
+    if ((linear != 0.0) || (across != 0.0)) {
+        const double square = problem->square;
+        for (int32_t i = 0; i < 5; i++) {
+            const double c2 = c * c - s * s;
+            const double s2 = 2.0 * c * s;
+            /* Derivatives of the force by the cone angle, the first and the second. */
+            const double normal = square * c + linear;
+            const double f_r1 = -s * (3.0 * square * c * c + 2.0 * linear * c) + across * s * (2.0 * c * c - s * s);
+            const double f_t1 = c2 * (normal - across * c) - c * s * s * (square - across);
+            const double f_r2 = square * (6.0 * c * s * s - 3.0 * c * c * c) - 2.0 * linear * c2 +
+                                across * c * (2.0 * c * c - 7.0 * s * s);
+            const double f_t2 = -2.0 * s2 * (normal - across * c) - (square - across) * s * (c2 + 2.0 * c * c - s * s);
+            const double slope = lambda_u * f_r1 - lateral * f_t1;
+            const double bend = lambda_u * f_r2 - lateral * f_t2;
+            const double step = bend > 0.0 ? -slope / bend : 0.0;
+            /* A turn by arctan(step). */
+            const double turned = c - s * step;
+            const double rest = s + c * step;
+            const double per = sailnet_reciprocal_root(turned * turned + rest * rest);
+            c = turned * per;
+            s = rest * per;
+            /* What is left is its square. */
+            if (!(sailnet_absolute(step) > 1e-6)) {
+                break;
+            }
+        }
+    }
+    *cosine = c;
+    *sine = s;
+}
+
+/* Size of the costate across the Sun line. */
+static double lateral_of(const double *unknown)
+{
+    return sailnet_absolute(unknown[LAMBDA_V]);
+}
+
+/* Positive where the optimum is inside the bound. */
+static double inner(const sailnet_problem *problem, const double *unknown)
+{
+    return unknown[LAMBDA_U] * problem->edge_radial - lateral_of(unknown) * problem->edge_lateral;
+}
+
+/* The force by the law of the present arc: radial, along, and in space northward. */
+static void force_of(const sailnet_arc *arc, const double *unknown, double *force)
+{
+    const sailnet_problem *const problem = arc->problem;
+    double in_plane[2] = {arc->at_bound[0], arc->at_bound[1]};
+    const double lateral = lateral_of(unknown);
+    if (arc->bound == 0) {
+        double cosine;
+        double sine;
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &cosine, &sine);
+        force_at(problem, cosine, sine, in_plane);
+    }
+    force[0] = in_plane[0];
+    const double side = arc->bound != 0 ? arc->side : (unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0);
+    force[1] = side * in_plane[1];
+}
+
+/* Eq. (15): rates of the unknowns by the time to go, which are those by time with another sign. */
+static void rates(const sailnet_arc *arc, const double *unknown, double *rate)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double per_r = 1.0 / unknown[0];
+    const double push = problem->beta * per_r * per_r;
+    double force[3] = {0.0, 0.0, 0.0};
+    force_of(arc, unknown, force);
+    const double u = unknown[1];
+    const double v = unknown[2];
+    const double l_r = unknown[3];
+    const double l_u = unknown[4];
+    const double l_v = unknown[5];
+    const double work = push * (l_u * force[0] + l_v * force[1]);
+    rate[0] = -u;
+    rate[1] = -(v * v * per_r - per_r * per_r + push * force[0]);
+    rate[2] = u * v * per_r - push * force[1];
+    rate[3] = -per_r * (per_r * (l_u * v * v - l_v * u * v - 2.0 * l_u * per_r) + 2.0 * work);
+    rate[4] = l_r - l_v * v * per_r;
+    rate[5] = per_r * (2.0 * l_u * v - l_v * u);
+}
+
+/* One step from `unknown`, whose rates are the first of the stages; returned is the estimate of its error. */
+static double step_by(const sailnet_arc *arc, const double *unknown, double step, double stage[STAGES][UNKNOWNS],
+                      double *reached)
+{
+    for (int32_t i = 0; i < (STAGES - 1); i++) {
+        (void)memcpy(reached, unknown, UNKNOWNS * sizeof reached[0]);
+        for (int32_t j = 0; j <= i; j++) {
+            const double share = step * stage_weights[i][j];
+            for (int32_t n = 0; n < UNKNOWNS; n++) {
+                reached[n] += share * stage[j][n];
+            }
+        }
+        rates(arc, reached, stage[i + 1]);
+    }
+    double size = 0.0;
+    for (int32_t n = STATES; n < UNKNOWNS; n++) {
+        size += sailnet_absolute(unknown[n]);
+    }
+    double error = 0.0;
+    for (int32_t n = 0; n < UNKNOWNS; n++) {
+        double sum = 0.0;
+        for (int32_t j = 0; j < STAGES; j++) {
+            sum += error_weights[j] * stage[j][n];
+        }
+        const double own = sailnet_absolute(step * sum);
+        /* Relative to the size of all costates; what is not a number stays none. */
+        const double counted = n < STATES ? own : own / size;
+        error = counted <= error ? error : counted;
+    }
+    return error;
+}
+
+/*
+ * The two functions that end an arc where they become negative: of the bound, and in the plane of the side there. In
+ * space the thrust turns about the Sun line without a jump.
+ */
+static double guard(const sailnet_arc *arc, const double *unknown, int32_t which)
+{
+    const double inside = inner(arc->problem, unknown);
+    double value = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        value = arc->bound != 0 ? -arc->side * unknown[LAMBDA_V] : 1.0;
+    }
+    return value;
+}
+
+/* Its slope: every guard is linear in the costates, but for the size of what is across the Sun line. */
+static double guard_slope(const sailnet_arc *arc, const double *unknown, const double *rate, int32_t which)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double change = unknown[LAMBDA_V] < 0.0 ? -rate[LAMBDA_V] : rate[LAMBDA_V];
+    const double inside = rate[LAMBDA_U] * problem->edge_radial - change * problem->edge_lateral;
+    double slope = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        slope = arc->bound != 0 ? -arc->side * rate[LAMBDA_V] : 0.0;
+    }
+    return slope;
+}
+
+/* The share of a step after which a guard is negative: by the cubic of its values and slopes at both ends. */
+static double share_until(double g0, double slope0, double g1, double slope1)
+{
+    double low = 0.0;
+    double high = 1.0;
+    for (int32_t i = 0; i < HALVINGS; i++) {
+        const double x = 0.5 * (low + high);
+        const double q = 1.0 - x;
+        const double value =
+            q * q * ((1.0 + 2.0 * x) * g0 + x * slope0) + x * x * ((3.0 - 2.0 * x) * g1 - q * slope1);
+        if (value < 0.0) {
+            high = x;
+        } else {
+            low = x;
+        }
+    }
+    return high;
+}
+
+/* Which arc begins at `unknown`. */
+static void begin_arc(sailnet_arc *arc, const double *unknown)
+{
+    arc->bound = inner(arc->problem, unknown) > 0.0 ? 0 : 1;
+    arc->side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/* Which guard a step ends with, and when; -1 if it ends none. */
+static int32_t event_in(const sailnet_arc *arc, const double *before, const double *after,
+                        double stage[STAGES][UNKNOWNS], double *step)
+{
+    int32_t which = -1;
+    const double whole = *step;
+    for (int32_t i = 0; i < (SAILNET_IN_SPACE ? 1 : 2); i++) {
+        const double g1 = guard(arc, after, i);
+        if (g1 < 0.0) {
+            /* Where the arc has just begun rounding may have left it a little below 0. */
+            const double g0 = guard(arc, before, i);
+            const double slope0 = guard_slope(arc, before, stage[0], i) * whole;
+            const double slope1 = guard_slope(arc, after, stage[STAGES - 1], i) * whole;
+            const double at = whole * share_until(g0 > 0.0 ? g0 : 0.0, slope0, g1, slope1);
+            if ((which < 0) || (sailnet_absolute(at) < sailnet_absolute(*step))) {
+                *step = at;
+                which = i;
+            }
+        }
+    }
+    return which;
+}
+
+/* The fifth root of a positive number, to 3.4 %: of its bits, which are nearly its logarithm, and of which the upper half
+   is divided by 5. */
+static double about_fifth_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x3325CFAACD9E8600) + (bits >> 32) * UINT64_C(0x33333333);
+    (void)memcpy(&root, &bits, sizeof root);
+    return root;
+}
+
+/* What the next step is multiplied by. */
+static double factor_of(double tolerance, double error)
+{
+    double factor = SHRINK;
+    if (error <= 1e-6 * tolerance) {
+        factor = GROW;
+    } else if (error == error) {
+        factor = 0.9 * about_fifth_root(tolerance / error);
+    } else {
+        /* It is not a number: much shorter. */
+    }
+    factor = factor > SHRINK ? factor : SHRINK;
+    return factor < GROW ? factor : GROW;
+}
+
+/* A step, or the longest that the primer leaves. */
+static double limited_step(const double *unknown, const double *rate, double step)
+{
+    double primer = 0.0;
+    double change = 0.0;
+    double limited = step;
+    const int32_t first = LAMBDA_U;
+    for (int32_t n = first; n < UNKNOWNS; n++) {
+        primer += unknown[n] * unknown[n];
+        change += rate[n] * rate[n];
+    }
+    if (!(step * step * change <= OF_PRIMER * OF_PRIMER * primer)) {
+        const double longest = OF_PRIMER * sailnet_root(primer / change);
+        limited = longest > SHORTEST_STEP ? longest : SHORTEST_STEP;
+    }
+    return limited < step ? limited : step;
+}
+
+/* The first trial of `step` from `unknown` that ends an arc, or none: as in event_in; and to the event itself. */
+static int32_t end_at_event(const sailnet_arc *arc, const double *unknown, double stage[STAGES][UNKNOWNS],
+                            double *reached, double left, double *step)
+{
+    const int32_t which = event_in(arc, unknown, reached, stage, step);
+    if (which >= 0) {
+        (void)step_by(arc, unknown, *step, stage, reached);
+        /* By one step of Newton's method. */
+        const double slope = guard_slope(arc, reached, stage[STAGES - 1], which);
+        const double more = slope != 0.0 ? -guard(arc, reached, which) / slope : 0.0;
+        if ((sailnet_absolute(more) < 0.1 * sailnet_absolute(*step)) && (sailnet_absolute(*step + more) < left)) {
+            *step += more;
+            (void)step_by(arc, unknown, *step, stage, reached);
+        }
+    }
+    return which;
+}
+
+/*
+ * An end of an extremal, `span` [TU] farther from arrival; nearer, if that is negative. Its rates are computed.
+ * Returns the steps it took; 0 if it did not get there.
+ */
+static int32_t fly(const sailnet_problem *problem, double span, double tolerance, sailnet_end *end)
+{
+    sailnet_arc arc = {problem, {0.0, 0.0}, 0, 1.0};
+    double *const unknown = end->value;
+    double stage[STAGES][UNKNOWNS];
+    double reached[UNKNOWNS];
+    const double sign = span < 0.0 ? -1.0 : 1.0;
+    double left = sailnet_absolute(span);
+    double wanted = FIRST_STEP;
+    int32_t steps = 0;
+    force_at(problem, problem->bound_cosine, problem->bound_sine, arc.at_bound);
+    begin_arc(&arc, unknown);
+    rates(&arc, unknown, stage[0]);
+    while ((left > 0.0) && (steps < SAILNET_MOST_STEPS)) {
+        const double longest = limited_step(unknown, stage[0], wanted);
+        double step = sign * (longest < left ? longest : left);
+        const double error = step_by(&arc, unknown, step, stage, reached);
+        steps++;
+        wanted = sign * step * factor_of(tolerance, error);
+        if (error <= tolerance) {
+            const int32_t which = end_at_event(&arc, unknown, stage, reached, left, &step);
+            (void)memcpy(unknown, reached, sizeof reached);
+            left = sign * step < left ? left - sign * step : 0.0;
+            if (which == 0) {
+                arc.bound = 1 - arc.bound;
+                arc.side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+            } else if (which > 0) {
+                arc.side = -arc.side;
+            } else {
+                /* The same arc goes on. */
+            }
+            if (which >= 0) {
+                wanted = FIRST_STEP;
+                rates(&arc, unknown, stage[0]);
+            } else {
+                (void)memcpy(stage[0], stage[STAGES - 1], sizeof stage[0]);
+            }
+        }
+    }
+    (void)memcpy(end->rate, stage[0], sizeof end->rate);
+    return left > 0.0 ? 0 : steps;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end)
+{
+    (void)memset(end->value, 0, sizeof end->value);
+    end->value[0] = problem->target_radius;
+    end->value[STATES - 1 - SAILNET_IN_SPACE] = sailnet_reciprocal_root(problem->target_radius);
+    (void)memcpy(&end->value[STATES], direction, (size_t)STATES * sizeof direction[0]);
+    return fly(problem, tau > 0.0 ? tau : 0.0, tolerance, end);
+}
+
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end)
+{
+    return fly(problem, -lapse, tolerance, end);
+}
+
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude)
+{
+    double unknown[UNKNOWNS] = {0.0};
+    (void)memcpy(&unknown[STATES], costate, (size_t)STATES * sizeof costate[0]);
+    const double lateral = lateral_of(unknown);
+    if (inner(problem, unknown) > 0.0) {
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &attitude->cosine, &attitude->sine);
+    } else {
+        attitude->cosine = problem->bound_cosine;
+        attitude->sine = problem->bound_sine;
+    }
+    attitude->across[0] = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/*
+ * Newton's method that keeps a plan at the state of the sail.
+ */
+#ifndef SAILNET_PLAN_H
+#define SAILNET_PLAN_H
+
+
+
+/* The largest residual of a plan that counts as solved [AU, AU/TU], by the time to go [TU]: towards arrival an error of
+   the state takes a time that grows as its root. */
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go);
+
+/* Whether a plan passes through the state that it was last corrected for. */
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan);
+
+/* A budget is never larger, whatever is asked for. */
+#define SAILNET_MOST_EXTREMALS 64
+
+/* The problem of the vehicle that a plan is for; of `problem` the rest is used. */
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan);
+
+/*
+ * Correct a plan by damped Newton steps until its extremal of `problem` passes through `state`. The plan is replaced by a
+ * trial only if that has a smaller residual. What is not converged goes on in the next call.
+ *
+ * most: extremals that may be computed, at least 1; so many more than the components of a state are one step with new
+ *     derivatives.
+ * Returns how many extremals were computed: from 1 to `most`.
+ */
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan);
+
+/*
+ * Correct a plan, with its vehicle moved towards that of `problem`: beta by at most the share `largest` of it, and the
+ * force along the surface by at most as much. Where no extremal is found for that, the plan is corrected for its vehicle as
+ * it was: beyond the edge of what the sail can reach the last plan that exists is better than another revolution.
+ *
+ * The rest is as for sailnet_correct_plan.
+ */
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan);
+
+/* Whether a plan is for the vehicle of `problem`. */
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem);
+
+/* Bring the end of a plan to the present, and with it its residual: by how much it misses the state. */
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan);
+
+/* The attitude of a plan, `ahead` [TU] later than the state that `end` is of, and its costates there, scaled to H = 0. */
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude);
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+/* What is unknown of a plan: all components of the direction but one, and the time to go. */
+#define TIME (STATES - 1)
+
+/* Longest step of Newton's method: of the direction, per its largest component, and of the time to go [TU]. */
+#define LARGEST_TURN 0.2
+#define LARGEST_SHIFT 0.1
+/* By how much the direction is changed to differentiate by it. */
+#define DIFFERENCE 1e-5
+/* A shorter step is given up: derivatives are renewed, or there is no way. */
+#define SHORTEST_SHARE 1e-3
+/* Of the residual: derivatives that leave more of it are renewed. */
+#define STALE 0.5
+/* Of the goal: a residual in which integration errors are a part. */
+#define FLOOR 0.1
+/* A component that was the largest is replaced when it is less than so much of the one that is. */
+#define STILL_LARGE 0.4
+#define LEAST_TIME 1e-4
+/* The goal far from arrival [AU, AU/TU], and its smallest share. */
+#define LARGEST_GOAL 4e-6
+#define SMALLEST_SHARE 1e-4
+/* Of the goal: the local error of extremals. */
+#define TOLERANCE 0.03
+/* A residual of what cannot be flown. */
+#define NOWHERE 1e9
+
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go)
+{
+    const double square = time_to_go * time_to_go;
+    const double share = square < 1.0 ? square : 1.0;
+    return LARGEST_GOAL * (share > SMALLEST_SHARE ? share : SMALLEST_SHARE);
+}
+
+/* A plan that is tried. */
+typedef struct {
+    double direction[STATES];
+    double time_to_go;
+    double error[STATES];
+    double residual;
+    sailnet_end end;
+} trial;
+
+static void compare(const double state[STATES], trial *tried)
+{
+    double worst = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        tried->error[n] = state[n] - tried->end.value[n];
+        /* What is not a number leads nowhere. */
+        const double size = sailnet_absolute(tried->error[n]);
+        const double counted = size < NOWHERE ? size : NOWHERE;
+        worst = counted > worst ? counted : worst;
+    }
+    tried->residual = worst;
+}
+
+static void fly_back(const sailnet_problem *problem, const double state[STATES], trial *tried)
+{
+    const double tolerance = TOLERANCE * sailnet_plan_goal(tried->time_to_go);
+    const int32_t steps = sailnet_extremal(problem, tried->direction, tried->time_to_go, tolerance, &tried->end);
+    compare(state, tried);
+    tried->residual = steps > 0 ? tried->residual : NOWHERE;
+}
+
+/* Another direction: its components, per the largest, plus a share of a step. */
+static void turn_direction(const double from[STATES], int32_t largest, const double step[STATES], double share,
+                           double to[STATES])
+{
+    const double per = 1.0 / sailnet_absolute(from[largest]);
+    double square = 0.0;
+    int32_t k = 0;
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] = from[n] * per;
+        if (n != largest) {
+            to[n] += share * step[k];
+            k++;
+        }
+        square += to[n] * to[n];
+    }
+    const double scale = sailnet_reciprocal_root(square);
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] *= scale;
+    }
+}
+
+/* By which component the others are divided: the largest, or still the one that was. */
+static void choose_largest(sailnet_plan *plan)
+{
+    int32_t largest = 0;
+    for (int32_t n = 1; n < STATES; n++) {
+        if (sailnet_absolute(plan->direction[n]) > sailnet_absolute(plan->direction[largest])) {
+            largest = n;
+        }
+    }
+    const int32_t known = ((plan->largest >= 0) && (plan->largest < STATES)) ? plan->largest : largest;
+    const double size = sailnet_absolute(plan->direction[known]);
+    if ((known != plan->largest) || !(size >= STILL_LARGE * sailnet_absolute(plan->direction[largest]))) {
+        plan->largest = largest;
+        plan->differentiated = 0;
+    }
+}
+
+/* The derivatives by differences. */
+static void differentiate(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, const trial *at)
+{
+    trial near = *at;
+    plan->differentiated = 1;
+    for (int32_t k = 0; k < TIME; k++) {
+        double step[STATES] = {0.0};
+        step[k] = DIFFERENCE;
+        turn_direction(at->direction, plan->largest, step, 1.0, near.direction);
+        fly_back(problem, state, &near);
+        if (near.residual >= NOWHERE) {
+            plan->differentiated = 0;
+        }
+        for (int32_t n = 0; n < STATES; n++) {
+            plan->jacobian[n][k] = (near.end.value[n] - at->end.value[n]) / DIFFERENCE;
+        }
+    }
+}
+
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan)
+{
+    sailnet_problem own = *problem;
+    own.beta = plan->beta;
+    sailnet_push_aside(&own, plan->across - problem->across);
+    return own;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem)
+{
+    return ((plan->beta == problem->beta) && (plan->across == problem->across)) ? 1 : 0;
+}
+
+/* The derivative by what differs of another vehicle, `change`; of a plan that cannot be flown by that it is none. */
+static void differentiate_by_one(const sailnet_problem *other, const double state[STATES], double change,
+                                 sailnet_plan *plan, double derivative[STATES])
+{
+    trial near;
+    (void)memset(&near, 0, sizeof near);
+    (void)memcpy(near.direction, plan->direction, sizeof near.direction);
+    near.time_to_go = plan->time_to_go;
+    fly_back(other, state, &near);
+    if (near.residual >= NOWHERE) {
+        plan->differentiated = 1;
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        derivative[n] = (near.end.value[n] - plan->end.value[n]) / change;
+    }
+}
+
+/* Both derivatives by the vehicle: two extremals. */
+static void differentiate_by_vehicle(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    sailnet_problem stronger = own;
+    sailnet_problem aside = own;
+    const double change = DIFFERENCE * plan->beta;
+    stronger.beta += change;
+    sailnet_push_aside(&aside, DIFFERENCE);
+    plan->differentiated = 2;
+    differentiate_by_one(&stronger, state, change, plan, plan->per_beta);
+    differentiate_by_one(&aside, state, DIFFERENCE, plan, plan->per_across);
+}
+
+/* Newton's step: solve jacobian step = error by elimination with pivots; 0 if there is no solution. */
+static int32_t solve(const sailnet_plan *plan, const double error[STATES], double step[STATES])
+{
+    double m[STATES][STATES + 1];
+    int32_t solved = 1;
+    for (int32_t i = 0; i < STATES; i++) {
+        (void)memcpy(m[i], plan->jacobian[i], sizeof plan->jacobian[i]);
+        m[i][STATES] = error[i];
+    }
+    for (int32_t c = 0; c < STATES; c++) {
+        int32_t pivot = c;
+        for (int32_t i = c + 1; i < STATES; i++) {
+            pivot = sailnet_absolute(m[i][c]) > sailnet_absolute(m[pivot][c]) ? i : pivot;
+        }
+        solved = sailnet_absolute(m[pivot][c]) > 0.0 ? solved : 0;
+        for (int32_t j = 0; j <= STATES; j++) {
+            const double other = m[c][j];
+            m[c][j] = m[pivot][j];
+            m[pivot][j] = other;
+        }
+        for (int32_t i = 0; i < STATES; i++) {
+            const double factor = i != c ? m[i][c] / m[c][c] : 0.0;
+            for (int32_t j = c; j <= STATES; j++) {
+                m[i][j] -= factor * m[c][j];
+            }
+        }
+    }
+    for (int32_t i = 0; i < STATES; i++) {
+        step[i] = m[i][STATES] / m[i][i];
+        solved = step[i] == step[i] ? solved : 0;
+    }
+    return solved;
+}
+
+/* The share of a step of Newton's method that is within bounds. */
+static double share_within(const double step[STATES])
+{
+    double square = 0.0;
+    for (int32_t k = 0; k < TIME; k++) {
+        square += step[k] * step[k];
+    }
+    const double turned = square > 0.0 ? square * sailnet_reciprocal_root(square) : 0.0;
+    const double by_turn = turned > LARGEST_TURN ? LARGEST_TURN / turned : 1.0;
+    const double shift = sailnet_absolute(step[TIME]);
+    const double by_shift = shift > LARGEST_SHIFT ? LARGEST_SHIFT / shift : 1.0;
+    return by_turn < by_shift ? by_turn : by_shift;
+}
+
+/* Broyden's update: derivatives that say of the last step what it did, and of the change of the vehicle, by beta and by
+   the force along the surface, which what was before has in it as predicted. */
+static void mend(sailnet_plan *plan, const trial *before, const trial *after, const double step[STATES], double share,
+                 const double change[2])
+{
+    double moved[STATES];
+    double square = change[0] * change[0] + change[1] * change[1];
+    for (int32_t k = 0; k < STATES; k++) {
+        moved[k] = k < TIME ? share * step[k] : after->time_to_go - before->time_to_go;
+        square += moved[k] * moved[k];
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        double innovation = after->end.value[n] - before->end.value[n];
+        for (int32_t k = 0; k < STATES; k++) {
+            innovation -= plan->jacobian[n][k] * moved[k];
+        }
+        for (int32_t k = 0; k < STATES; k++) {
+            plan->jacobian[n][k] += innovation * moved[k] / square;
+        }
+        plan->per_beta[n] += innovation * change[0] / square;
+        plan->per_across[n] += innovation * change[1] / square;
+    }
+}
+
+/* The next trial, and what comes of it. */
+static void try_step(const sailnet_problem *problem, const double state[STATES], const sailnet_plan *plan,
+                     const trial *from, const double step[STATES], double share, trial *tried)
+{
+    const double later = from->time_to_go + share * step[TIME];
+    tried->time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
+    turn_direction(from->direction, plan->largest, step, share, tried->direction);
+    fly_back(problem, state, tried);
+}
+
+/* Take one damped step; 0 if it came no nearer. */
+static int32_t advance(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, trial *best,
+                       const double step[STATES], double share)
+{
+    static const double unchanged[2] = {0.0, 0.0};
+    trial tried;
+    try_step(problem, state, plan, best, step, share, &tried);
+    const int32_t nearer = tried.residual < best->residual ? 1 : 0;
+    if (nearer != 0) {
+        mend(plan, best, &tried, step, share, unchanged);
+        *best = tried;
+    }
+    return nearer;
+}
+
+static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
+{
+    for (int32_t n = 0; n < STATES; n++) {
+        plan->jacobian[n][TIME] = end->rate[n];
+    }
+}
+
+/* The first trial: a whole step from where the plan is predicted to be now, or the plan as it is. Returned are the
+   extremals that were computed. */
+static int32_t begin(const sailnet_problem *problem, const double state[STATES], int32_t most, sailnet_plan *plan,
+                     trial *best)
+{
+    const double change[2] = {problem->beta - plan->beta, problem->across - plan->across};
+    const double floor = FLOOR * sailnet_plan_goal(plan->time_to_go);
+    int32_t count = 0;
+    (void)memcpy(best->direction, plan->direction, sizeof best->direction);
+    best->time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
+    choose_largest(plan);
+    if ((plan->differentiated != 0) && (most > 1)) {
+        trial tried;
+        double step[STATES];
+        sailnet_bring_up(problem, state, plan);
+        best->end = plan->end;
+        for (int32_t n = 0; n < STATES; n++) {
+            best->end.value[n] += plan->per_beta[n] * change[0] + plan->per_across[n] * change[1];
+        }
+        compare(state, best);
+        differentiate_by_time(plan, &best->end);
+        if (solve(plan, best->error, step) != 0) {
+            const double share = share_within(step);
+            try_step(problem, state, plan, best, step, share, &tried);
+            count = 1;
+            if (tried.residual <= floor) {
+                *best = tried;
+            } else if (tried.residual < best->residual) {
+                const int32_t stale = tried.residual > STALE * best->residual ? 1 : 0;
+                mend(plan, best, &tried, step, share, change);
+                plan->differentiated = stale != 0 ? 0 : plan->differentiated;
+                *best = tried;
+            } else {
+                plan->differentiated = 0;
+                fly_back(problem, state, best);
+                count = 2;
+            }
+        }
+    }
+    if (count == 0) {
+        fly_back(problem, state, best);
+        count = 1;
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    trial now;
+    int32_t steps = 1;
+    if (plan->age > 0.0) {
+        const double tolerance = TOLERANCE * sailnet_plan_goal(plan->time_to_go);
+        steps = sailnet_move_end(&own, plan->age, tolerance, &plan->end);
+        plan->age = 0.0;
+    }
+    now.end = plan->end;
+    compare(state, &now);
+    plan->residual = steps > 0 ? now.residual : NOWHERE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan)
+{
+    trial best;
+    double step[STATES] = {0.0};
+    const double goal = sailnet_plan_goal(plan->time_to_go);
+    double damped = 1.0;
+    int32_t fresh = 0;
+    int32_t going = 1;
+    const int32_t limit = most < SAILNET_MOST_EXTREMALS ? most : SAILNET_MOST_EXTREMALS;
+    int32_t count = begin(problem, state, limit, plan, &best);
+    while ((going != 0) && (count < limit) && ((best.residual > goal) || (plan->differentiated == 0)) &&
+           (best.residual < NOWHERE)) {
+        choose_largest(plan);
+        const int32_t renewed = plan->differentiated == 0 ? TIME : 0;
+        going = count < (limit - renewed) ? 1 : 0;
+        if ((going != 0) && (renewed != 0)) {
+            differentiate(problem, state, plan, &best);
+            count += TIME;
+            fresh = 1;
+        }
+        differentiate_by_time(plan, &best.end);
+        if ((going != 0) && (plan->differentiated != 0)) {
+            going = solve(plan, best.error, step);
+            plan->differentiated = going != 0 ? plan->differentiated : 0;
+        }
+        going = plan->differentiated != 0 ? going : 0;
+        if (going != 0) {
+            const double before = best.residual;
+            const double share = damped * share_within(step);
+            count++;
+            if (advance(problem, state, plan, &best, step, share) != 0) {
+                plan->differentiated = ((best.residual > STALE * before) && (fresh == 0)) ? 0 : plan->differentiated;
+                fresh = 0;
+                damped = damped < 0.5 ? 2.0 * damped : 1.0;
+            } else if (fresh == 0) {
+                plan->differentiated = 0;
+            } else {
+                damped *= 0.25;
+                going = damped > SHORTEST_SHARE ? 1 : 0;
+            }
+        }
+    }
+    (void)memcpy(plan->direction, best.direction, sizeof best.direction);
+    plan->time_to_go = best.time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = best.residual;
+    plan->end = best.end;
+    plan->age = 0.0;
+    plan->differentiated = best.residual < NOWHERE ? plan->differentiated : 0;
+    /* It is no more than the limit: the comparison shows that to an analyser. */
+    return count < limit ? count : limit;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan)
+{
+    return plan->residual <= sailnet_plan_goal(plan->time_to_go) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan)
+{
+    const double stronger = problem->beta - plan->beta;
+    const double aside = problem->across - plan->across;
+    const double by_beta = sailnet_absolute(stronger) / plan->beta;
+    const double by_aside = sailnet_absolute(aside);
+    const double by = by_beta > by_aside ? by_beta : by_aside;
+    int32_t count = 0;
+    int32_t moves = by > 0.0 ? most - 2 : 0;
+    if (moves > 0) {
+        sailnet_problem next = *problem;
+        if (by > largest) {
+            const double share = largest / by;
+            next.beta = plan->beta + share * stronger;
+            sailnet_push_aside(&next, (share - 1.0) * aside);
+        }
+        if ((plan->differentiated == 1) && (moves > 3)) {
+            sailnet_bring_up(problem, state, plan);
+            differentiate_by_vehicle(problem, state, plan);
+            count = 2;
+        }
+        sailnet_plan moved = *plan;
+        count += sailnet_correct_plan(&next, state, moves - count, &moved);
+        if (sailnet_plan_is_solved(&moved) != 0) {
+            *plan = moved;
+        } else {
+            moves = 0;
+        }
+    }
+    if (moves <= 0) {
+        const sailnet_problem own = sailnet_problem_of(problem, plan);
+        count += sailnet_correct_plan(&own, state, most - count, plan);
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude)
+{
+    double product = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = end->value[STATES + n] - ahead * end->rate[STATES + n];
+        /* Rates are by the time to go. */
+        product += end->value[STATES + n] * end->rate[n];
+    }
+    sailnet_optimal_attitude(problem, costates, attitude);
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = product != 0.0 ? costates[n] / product : 0.0;
+    }
+}
+
+/*
+ * The tracker: the plan that is flown, when it is corrected, and when a plan of the networks replaces it.
+ */
+#ifndef SAILNET_TRACKER_H
+#define SAILNET_TRACKER_H
+
+
+
+/* The guidance period of `held` [TU] is over. */
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
+
+/* Whether the networks are to be evaluated, for sailnet_propose. */
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker);
+
+/*
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time to go
+ * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ */
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[SAILNET_STATES], double time_to_go);
+
+/* Fly by a plan from elsewhere, of the same numbers, if it converges to pass through the state; 0 if it does not. */
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[SAILNET_STATES],
+                                              const double direction[SAILNET_STATES], double time_to_go);
+
+/*
+ * Correct the plan, and the candidate, with at most `most` extremals in all; the command is the attitude in the middle
+ * of the next `hold` [TU].
+ *
+ * problem: of the vehicle to plan for.
+ * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
+ *     flown only while its beta moves.
+ * Returns 1; 0 if there is no plan that passes through the state.
+ */
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[SAILNET_STATES], double estimated, double hold,
+                                           int32_t most, sailnet_planned *planned);
+
+#endif
+
+#include <string.h>
+
+/* A plan is corrected after so much of its time to go, and at the latest after so long [TU]; in every guidance period while
+   it is not solved for the vehicle. While another attitude than its own is flown it stays, since it measures the time lost
+   by that. */
+#define CORRECT_AFTER 0.007
+#define CORRECT_AT_LATEST 0.1
+/* By how much a plan's vehicle moves in a correction, as a share of its force: at most, and at least. A step that fails
+   makes the next one shorter. */
+#define LARGEST_STRIDE 0.01
+#define SMALLEST_STRIDE 1e-4
+#define SHORTER 0.25
+#define LONGER 2.0
+/* The networks are evaluated for a plan once in so long [TU]. */
+#define SEARCH_EVERY 0.1
+/* A faster plan saves at least so much of the time to go: what networks err by. */
+#define FASTER 0.01
+/* A plan that was not solved for the vehicle for so long [TU] has failed: its family of extremals has ended, and any other
+   is better. */
+#define FAILED_AFTER 0.2
+/* Extremals that a candidate may take until it is given up. */
+#define CANDIDATE_EXTREMALS 80
+/* A plan that misses the state by more [AU, AU/TU] is not flown. */
+#define USABLE 1e-3
+#define UNSOLVED 1e9
+/* Hysteresis: an attitude is kept until that has lost so much of the time to go, and not while the plan misses the state by
+   more [AU, AU/TU]. A plan that misses by more and is not solved spends the thrust margin. */
+#define OF_TIME_TO_GO 1.6e-2
+#define STILL_NEAR 4e-4
+/* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
+   the side of the thrust. */
+#define TURN_COSINE 0.939
+#define LATE 1.0
+
+#define STATES SAILNET_STATES
+
+/* A time that has passed [TU]; of what is none, as long as counts. */
+static double passed(double before, double held)
+{
+    const double now = before + held;
+    return ((now >= 0.0) && (now < 1.0)) ? now : 1.0;
+}
+
+static void grow_older(sailnet_plan *plan, double held)
+{
+    plan->time_to_go -= held;
+    plan->age = passed(plan->age, held);
+}
+
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held)
+{
+    grow_older(&tracker->plan, held);
+    grow_older(&tracker->candidate, held);
+    tracker->since = passed(tracker->since, held);
+    tracker->searched = passed(tracker->searched, held);
+}
+
+/* Whether there is no plan, or none that will be flown on. */
+static int32_t has_failed(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER)) ? 1 : 0;
+}
+
+/* Whether a plan of so long a time to go is better than the one that is flown. */
+static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
+{
+    return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker)
+{
+    const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
+    return tracker->searching <= 0 ? due : 0;
+}
+
+/* A plan that is not corrected yet. */
+static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
+                       sailnet_plan *plan)
+{
+    (void)memset(plan, 0, sizeof *plan);
+    (void)memcpy(plan->direction, direction, sizeof plan->direction);
+    plan->largest = -1;
+    plan->time_to_go = time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = UNSOLVED;
+}
+
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[STATES], double time_to_go)
+{
+    tracker->searched = 0.0;
+    if (is_better(tracker, time_to_go) != 0) {
+        begin_plan(problem, direction, time_to_go, &tracker->candidate);
+        tracker->searching = CANDIDATE_EXTREMALS;
+    }
+}
+
+/* Fly by a plan that is solved. */
+static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
+{
+    tracker->plan = *plan;
+    tracker->since = 0.0;
+    tracker->stride = LARGEST_STRIDE;
+    tracker->planned = 1;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[STATES], const double direction[STATES],
+                                              double time_to_go)
+{
+    sailnet_plan plan;
+    begin_plan(problem, direction, time_to_go, &plan);
+    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
+    const int32_t solved = sailnet_plan_is_solved(&plan);
+    if (solved != 0) {
+        adopt(tracker, &plan);
+        tracker->searching = 0;
+    }
+    return solved;
+}
+
+/* Correct the candidate, and fly it if it is better. */
+static void advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                              int32_t most)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, &tracker->candidate);
+    const int32_t computed = sailnet_correct_plan(&own, state, most, &tracker->candidate);
+    tracker->computed += computed;
+    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
+    tracker->searching = left - computed;
+    if (sailnet_plan_is_solved(&tracker->candidate) != 0) {
+        tracker->searching = 0;
+        if (is_better(tracker, tracker->candidate.time_to_go) != 0) {
+            adopt(tracker, &tracker->candidate);
+        }
+    } else if (!(tracker->candidate.residual < UNSOLVED)) {
+        /* It leads nowhere. */
+        tracker->searching = 0;
+    } else {
+        /* It goes on in the next period. */
+    }
+}
+
+/* Keep the attitude while another hardly gains: noise would else turn the sail far again and again. */
+static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                          double hold, sailnet_planned *planned)
+{
+    const sailnet_attitude *const before = &tracker->flown;
+    sailnet_attitude *const attitude = &planned->attitude;
+    double alike = 0.0;
+    double size2 = 0.0;
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        alike += attitude->across[i] * before->across[i];
+        size2 += before->across[i] * before->across[i];
+    }
+    const double turn_cosine = attitude->cosine * before->cosine + attitude->sine * before->sine * alike;
+    /* Nothing else than unit vectors are directions. */
+    const double square = before->cosine * before->cosine + before->sine * before->sine;
+    const int32_t known = ((sailnet_absolute(size2 - 1.0) < 1e-6) && (sailnet_absolute(square - 1.0) < 1e-6)) ? 1 : 0;
+    double regret = 0.0;
+    if ((known != 0) && (turn_cosine < TURN_COSINE) && ((alike < 0.0) || (planned->time_to_go < LATE))) {
+        const double per_r = 1.0 / state[0];
+        const double loss = sailnet_work(problem, planned->costates, before) -
+                            sailnet_work(problem, planned->costates, attitude);
+        regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
+    }
+    const double share = OF_TIME_TO_GO * planned->time_to_go;
+    const int32_t near = tracker->plan.residual < STILL_NEAR ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (near != 0)) ? 1 : 0;
+    tracker->regret = keep != 0 ? regret : 0.0;
+    if (keep != 0) {
+        *attitude = *before;
+    }
+    tracker->flown = *attitude;
+}
+
+/* The next step of the plan's beta, by whether the last one found a plan. */
+static void keep_stride(sailnet_tracker *tracker, int32_t moved)
+{
+    const double next = (moved != 0 ? LONGER : SHORTER) * tracker->stride;
+    tracker->stride = next > SMALLEST_STRIDE ? next : SMALLEST_STRIDE;
+    tracker->stride = tracker->stride < LARGEST_STRIDE ? tracker->stride : LARGEST_STRIDE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[STATES], double estimated, double hold, int32_t most,
+                                           sailnet_planned *planned)
+{
+    sailnet_plan *const plan = &tracker->plan;
+    tracker->computed = 0;
+    if (tracker->planned != 0) {
+        sailnet_bring_up(problem, state, plan);
+    }
+    /* A plan that is not solved, or has failed, leaves the budget to the candidate. */
+    const int32_t first = ((tracker->planned == 1) && (has_failed(tracker) == 0)) ? 1 : 0;
+    if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
+        const sailnet_problem before = sailnet_problem_of(problem, plan);
+        int32_t corrected = 1;
+        if ((tracker->planned > 1) && (plan->residual > STILL_NEAR)) {
+            /* What no plan for less leads through, one for all that the vehicle has may. */
+            sailnet_problem all = *problem;
+            all.beta = estimated;
+            tracker->computed = sailnet_track(&all, state, LARGEST_STRIDE, most, plan);
+        } else if (tracker->planned > 1) {
+            tracker->computed = sailnet_correct_plan(&before, state, most, plan);
+        } else if (!(tracker->regret > 0.0) &&
+                   (!(tracker->since < CORRECT_AFTER * plan->time_to_go) || !(tracker->since < CORRECT_AT_LATEST))) {
+            const int32_t there = sailnet_is_for(plan, problem);
+            tracker->computed = sailnet_track(problem, state, tracker->stride, most, plan);
+            keep_stride(tracker, ((there != 0) || (sailnet_is_for(plan, &before) == 0)) ? 1 : 0);
+        } else {
+            corrected = 0;
+        }
+        if (corrected != 0) {
+            tracker->planned = 2 - sailnet_plan_is_solved(plan);
+            if ((tracker->planned == 1) && (plan->beta <= estimated)) {
+                /* On its way to another vehicle it goes on at once. */
+                const int32_t under_way = sailnet_is_for(plan, &before) + sailnet_is_for(plan, problem);
+                tracker->since = under_way == 0 ? CORRECT_AT_LATEST : 0.0;
+            }
+        }
+    }
+    if ((tracker->searching > 0) && (tracker->computed < (most - 1))) {
+        advance_candidate(problem, tracker, state, most - tracker->computed);
+    }
+    /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
+    const double stronger = (1.0 + LARGEST_STRIDE) * estimated;
+    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= LARGEST_STRIDE)) ? 1 : 0;
+    const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
+    if (flown != 0) {
+        const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
+        planned->time_to_go = plan->time_to_go;
+        sailnet_planned_attitude(problem, &plan->end, 0.5 * (hold < left ? hold : left), planned->costates,
+                                 &planned->attitude);
+        keep_attitude(problem, tracker, state, hold, planned);
+    } else {
+        (void)memset(&tracker->flown, 0, sizeof tracker->flown);
+        tracker->regret = 0.0;
+    }
+    return flown;
+}
+
+/* The direction of the arrival costates by the networks, of any size, from a state that is finite. */
+
+/* The time scale of the approach below which costates of position are scaled down [TU]. */
+#define SAILNET_ARRIVAL_SCALE R(1.0)
+/* Stage "plan": arrival_lambda_r [20, 20, 20], arrival_lambda_u [20, 20, 20], arrival_lambda_v [20, 20, 20]. */
+#define STAGE(name) sailnet_plan_##name
+#define STAGE_NETWORKS 3
+#define STAGE_INPUTS 5
+#define STAGE_EVEN_INPUTS 6
+#define STAGE_DEPTH 3
+#define STAGE_ROWS 20
+#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)
+#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == 16
+#define STAGE_SIDE_BY_SIDE 1
+#define STAGE_SHARE 5
+#define STAGE_PARTS 4
+#define STAGE_PART SAILNET_LANES
+#define STAGE_OUTPUTS STAGE_ROWS
+#define STAGE_OUTPUT SAILNET_PER_16_BYTES
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0), (n0_1), (n1_1), (n2_1), (n0_2), (n1_2), (n2_2), (n0_3), (n1_3), (n2_3), (n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5), (n0_6), (n1_6), (n2_6), (n0_7), (n1_7), (n2_7), (n0_8), (n1_8), (n2_8), (n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10), (n0_11), (n1_11), (n2_11), (n0_12), (n1_12), (n2_12), (n0_13), (n1_13), (n2_13), (n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15), (n0_16), (n1_16), (n2_16), (n0_17), (n1_17), (n2_17), (n0_18), (n1_18), (n2_18), (n0_19), (n1_19), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0)}, {(n0_1), (n1_1), (n2_1)}, {(n0_2), (n1_2), (n2_2)}, {(n0_3), (n1_3), (n2_3)}, {(n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5)}, {(n0_6), (n1_6), (n2_6)}, {(n0_7), (n1_7), (n2_7)}, {(n0_8), (n1_8), (n2_8)}, {(n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10)}, {(n0_11), (n1_11), (n2_11)}, {(n0_12), (n1_12), (n2_12)}, {(n0_13), (n1_13), (n2_13)}, {(n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15)}, {(n0_16), (n1_16), (n2_16)}, {(n0_17), (n1_17), (n2_17)}, {(n0_18), (n1_18), (n2_18)}, {(n0_19), (n1_19), (n2_19)}}
+#else
+#define STAGE_SIDE_BY_SIDE 0
+#define STAGE_PARTS STAGE_NETWORKS
+#define STAGE_PART STAGE_WIDTH
+#define STAGE_OUTPUTS STAGE_NETWORKS
+#define STAGE_OUTPUT STAGE_WIDTH
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#endif
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_lower[STAGE_INPUTS] =
+{R(0.135136), R(0.0007121722036291726), R(-0.9999948211532959), R(-0.9985814006447784), R(-0.49999999996684374)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_min[STAGE_INPUTS] =
+{R(8.326672684688674e-17), R(-85.42864650818505), R(-4.990665202152924), R(-4.992348434191791), R(-2.4999999997586917)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_max[STAGE_INPUTS] =
+{R(0.3378399999999999), R(128.14475019278666), R(4.986010750346146), R(4.99206914967574), R(2.499999999720928)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-67.07594134898964), R(-26.665310489070066), R(26.813648946014712), R(-48.66204411402411), R(6.159064693393257), R(-0.7705116177217742), R(7.7460308195899765), R(-3.5291640514830713), R(24.215424146764793), R(-19.777372762911483), R(-40.79599080200264), R(-6.1037762567076825), R(20.024640248967923), R(32.36222203769821), R(-0.5443052730391896), R(29.860921882108883), R(34.70378013404367), R(26.613548520093065), R(30.67479969963534), R(12.258373900418153), R(-35.283655291633494), R(-17.069522498817385), R(-11.771401862819204), R(-36.70976067540284), R(1.1547275069705025), R(-9.691533197726278), R(0.013141417956243996), R(16.251282262829026), R(-16.24774981084217), R(-4.327073536294526), R(-18.97257360339797), R(-14.433192969223338), R(-1.9488622516983587), R(11.318746227923182), R(7.487446818952507), R(24.393298785363477), R(30.767326322407957), R(33.137572043961455), R(-1.8453151742368354), R(5.202045306472909), R(4.857159260832677), R(-9.476355636548194), R(12.0490216876083), R(-7.068298084409009), R(4.924491518067102), R(-6.041098040315748), R(-3.39586646236253), R(4.0195598970580955), R(-0.026023028237657238), R(1.1640766357206798), R(-40.08434298414141), R(-15.311338979063764), R(17.186447435019787), R(-10.504671599451248), R(50.116862814376816), R(-36.559844238512625), R(40.87575834253995), R(28.61228808797648), R(13.736262249701442), R(7.999063482025762)),
+STAGE_ROW(R(0.593453012582957), R(-0.2830597320531687), R(0.2668013239197287), R(-0.0392276788876477), R(0.031151924202982715), R(1.0306164468723658), R(0.1067601249232864), R(-0.12138282406099002), R(-0.2511374426527029), R(-0.13280893055263918), R(-0.07077664127489566), R(-1.4290399269014977), R(1.1632592099206123), R(0.08881008493613571), R(1.0924862272648679), R(-0.04648991219131528), R(-0.14613645768758987), R(0.0929461831867505), R(-0.19234605355836687), R(0.1572062649717082), R(0.07211740470160213), R(-0.2197453657405431), R(0.6925038908093609), R(0.19425303515907477), R(0.1723611210595687), R(0.550728167031865), R(0.16221785064564087), R(-0.3571015993940989), R(0.1350698372297853), R(-1.0774114436839246), R(-0.2500953890978092), R(-0.7447120744568267), R(0.16512563151148416), R(0.4232151187113031), R(0.7570716443266837), R(-0.30140548935830447), R(-0.2420937017481684), R(-0.20026414969678807), R(0.41808535783962625), R(0.042909307521467877), R(-0.42071678619714475), R(0.3032013391011161), R(0.06013135901501546), R(-0.1930428583397128), R(-0.1094992367201822), R(0.2734551084596507), R(1.1649575053336079), R(-0.012729943182030731), R(0.6556087596959527), R(-0.392714845121024), R(-0.12179189111931787), R(-0.6211879503046879), R(-0.15921094711003284), R(-0.3527745074153233), R(-0.4081939152760904), R(-0.1597833492046798), R(-0.09495573111676658), R(0.0008878687887618995), R(-0.2606124356560369), R(0.1640159661620903)),
+STAGE_ROW(R(-6.555861939480269), R(-0.4667917792708712), R(6.212389921197453), R(-1.0964590957901237), R(-2.2463040718930523), R(-0.2896473216917967), R(-2.950828046753188), R(3.9538617247008983), R(0.9231407334964938), R(5.460174216592742), R(1.1047832265540527), R(-0.12446962758389583), R(-9.990638479367268), R(1.1347029614454363), R(7.10597943085323), R(2.436004136779827), R(0.9811480922104188), R(-2.731678283216227), R(1.4791529715403227), R(-2.4428385993106327), R(-0.27660286380438337), R(0.20624763781844485), R(-6.329496130445676), R(-2.1551483267510374), R(-0.6115160198339034), R(-4.7663283152909015), R(-2.3860225244022475), R(5.605625658869405), R(3.029788205784904), R(-0.7956243085737881), R(2.932696846963489), R(-1.8759796191560096), R(3.216545342349611), R(1.8437158350118827), R(4.881949963627051), R(0.577108609958132), R(0.541940625193497), R(-2.908143342298761), R(2.5744775107081583), R(-3.5529461168301557), R(-3.3522942342176214), R(2.535009480275026), R(3.423336574371068), R(-1.9894490919964571), R(-0.9783970707054493), R(-3.5861638245823664), R(-1.5524294341490148), R(1.553980971031067), R(-0.6045232553005608), R(-1.4979056364425778), R(0.9769279659264708), R(-3.4322627138531523), R(-3.6910691014906516), R(-4.171323339925402), R(5.9712263852489444), R(5.105311992892956), R(-2.1560776330894402), R(-1.719115225077634), R(6.511049626599486), R(-3.734014434651812)),
+STAGE_ROW(R(0.6664808362418586), R(0.825865672763591), R(-1.5558270808709278), R(1.5303928130965736), R(-0.8920839292191038), R(-6.498292593214332), R(4.141640221025965), R(2.5480798816816677), R(-5.48285458001056), R(-6.113201993789835), R(0.031767689514475485), R(-2.695190218539733), R(-7.217950635765341), R(5.613525403542433), R(-5.752749070156016), R(0.659454598694031), R(-0.4459847189269087), R(1.3429034063864937), R(2.0159245424908345), R(-1.7328809152013749), R(1.2117087762733811), R(-0.1113441458240414), R(5.1102559137762515), R(0.5327334477122849), R(-4.476820676666513), R(-4.476262821121192), R(6.981536285358533), R(1.9377050572766208), R(-4.707918830202118), R(-5.068080727638386), R(0.3111828101305831), R(-8.500616683704585), R(-4.603551943350963), R(3.0293670977584197), R(-0.698461825214123), R(2.8349742025054367), R(-1.8240149957957743), R(0.13678862453463808), R(2.863696907443263), R(-1.2194346044119493), R(5.980764117419141), R(4.0099120319039), R(8.629126490986643), R(5.863590343801521), R(-2.209320262755178), R(-1.5813998118893189), R(3.3107332368849596), R(2.001910921013453), R(-2.6920928224017278), R(-3.989441086974019), R(1.0439621758028705), R(-1.2892860922467022), R(0.9767972607616332), R(11.75448527885824), R(0.25563629147533995), R(2.465079367348569), R(-1.8059484964098476), R(0.6190541429099512), R(1.454290104520011), R(-0.24877620948246904)),
+STAGE_ROW(R(-5.9537073350164125), R(-6.607590040279193), R(4.827150431509202), R(-3.526715993596055), R(-7.026996250131712), R(-5.811696071252141), R(0.6835871425744176), R(4.667747313622282), R(2.8129753323633198), R(0.3535114270120134), R(3.542507596730863), R(-5.565296825776217), R(-25.53956107333533), R(1.0270339469207108), R(3.675471374902771), R(-8.414345702407113), R(-4.41518818935522), R(-3.8012597043102225), R(2.719685124326612), R(1.2219107339105466), R(0.355826842706073), R(-5.318010083217903), R(6.723593130684403), R(-3.2160985893433556), R(-8.223428472247244), R(-0.6443771055365981), R(-1.804332477383712), R(5.471415232998869), R(8.17339247166326), R(4.96611685466588), R(4.407742161021501), R(-6.183162984399677), R(-9.71105423941594), R(-0.4265877573875422), R(2.6955515990058396), R(-0.764640640753821), R(-2.2658128859686495), R(0.21631323007918177), R(2.5563898567833814), R(2.2855037539166463), R(6.817550119140834), R(-7.9652040326196065), R(7.314432564643738), R(-3.8433942410782596), R(-8.892522047519776), R(-4.298144801590897), R(-0.8682598683489242), R(6.795467111092359), R(4.471624662782704), R(5.340175856310107), R(6.5670093248489865), R(-2.6442101953103596), R(-4.023615778137557), R(3.7851273721264995), R(10.773484205420454), R(-26.709402064604244), R(-3.578575857110565), R(-4.913854304436116), R(3.0361716856079655), R(1.229948774435039))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-0.1899503669568496), R(7.980772939531702), R(-12.765817558851237), R(5.022542588228758), R(7.710465748404933), R(5.935993640463842), R(0.8001412833627866), R(-6.490430569449491), R(-1.915828104797675), R(-3.097069571053376), R(-2.5153762358231835), R(6.86957481541201), R(15.219749963274612), R(-8.153030793065703), R(-5.191977116142461), R(-0.9614545400258739), R(1.1574834137287064), R(-3.4758164903010247), R(-4.960177183699524), R(3.74614757123982), R(-0.8714500416453966), R(7.836841936091455), R(-10.311903914436273), R(3.789656792117309), R(7.564284037677242), R(7.521791667162996), R(0.40856365524393273), R(-6.07634778237933), R(-7.030464938276899), R(-0.049982212680798624), R(-1.3457073816606269), R(8.767060515045625), R(6.004965591642522), R(-4.835440035022306), R(-5.289917984676022), R(-0.2554877358396268), R(1.9795416883615857), R(-4.211269227628717), R(-5.073956706265436), R(3.7954911096913313), R(-4.28526895427693), R(6.783836624685726), R(-22.348072768757948), R(4.546207967488995), R(8.836092787229965), R(5.818701622409881), R(0.6751766623244198), R(-6.874960674009459), R(-0.6855429787641795), R(1.7547217644442457), R(-1.7345814068612246), R(8.388205918702292), R(6.836873652012642), R(-10.036571132794464), R(-4.517829784336884), R(1.3372868366763517), R(1.213612607630957), R(-3.801829422417696), R(-4.467178616136327), R(3.2747207427988974)),
+STAGE_ROW(R(-17.319911184233334), R(1.2304622152435485), R(5.161871037598494), R(2.310228418179332), R(37.974409582172434), R(-0.5788143662959718), R(-7.898440318461104), R(-2.4351892231697603), R(-0.7327172372490617), R(-5.242925676092407), R(7.868129367907121), R(8.407507598935192), R(-1.677666281466767), R(0.1293762655354106), R(37.70642618517132), R(-0.1650059324503039), R(3.818972442511965), R(2.298963226748297), R(-12.724914166234731), R(6.058609541809285), R(-21.910423300163323), R(6.209171038965377), R(3.6095353619180113), R(6.848059767556239), R(41.89863815284055), R(0.806778448471933), R(6.485368836408507), R(5.428944178716686), R(-3.249740818342922), R(-3.4329995861481186), R(5.828401774900442), R(6.7327891714930335), R(1.7489728488014018), R(-5.974704845291342), R(129.97050835494306), R(-25.697033296480534), R(-6.641676983651347), R(1.6851741123810262), R(3.4914408272098503), R(9.30101030512441), R(9.086241933686727), R(8.934136071891572), R(4.267944526746552), R(-0.4218525301021053), R(41.107385337582535), R(-0.9364600972108342), R(50.0237923352777), R(-1.5890856300080654), R(-1.463878861319138), R(3.662102171781025), R(3.122513714430777), R(1.6262543574093504), R(2.5987288237705957), R(2.756332436068865), R(-85.45415950454323), R(-8.347711562573014), R(11.162527223644593), R(15.145779022587911), R(11.353843081769776), R(7.108862577905271)),
+STAGE_ROW(R(6.241807055398058), R(43.01742166910361), R(1.3681924720413694), R(-7.723830489085775), R(5.732860508875695), R(4.871155248822678), R(0.27070545706611415), R(5.521855579229375), R(-0.027152633405582292), R(6.606827303058088), R(-1.0934982436596905), R(9.260332488405092), R(-2.8151685639956696), R(3.6814390959220744), R(10.985338501312377), R(1.0934646948463396), R(50.46226939740405), R(4.994473253271811), R(-3.2298324594634447), R(-4.637049556303022), R(1.7749651294402604), R(11.617009183032522), R(0.08872494711855036), R(2.3274727356128437), R(6.859996413105514), R(-30.948606384700344), R(2.241594905748304), R(-8.053989225091822), R(-19.905504700904526), R(1.608656652307654), R(-1.2351099176833409), R(50.52788287783253), R(-8.152505219357085), R(3.0821340914200976), R(-8.43390156342404), R(-13.993523036643333), R(34.031420121048605), R(1.0491920978676517), R(-0.6419568206289622), R(3.1141932153797804), R(6.595770770655231), R(-35.921532664401624), R(-2.621730820373947), R(-27.558347133171655), R(-1.1126704953157682), R(0.5468861885391538), R(7.035721257583745), R(8.787018913833435), R(-21.941043088516437), R(-2.412701792406829), R(-3.2388926356949286), R(21.419899500988596), R(-8.205920224283505), R(3.9806176730167424), R(2.2119838772378064), R(-0.2888947581086383), R(103.98772365542266), R(-3.689880234075418), R(6.357386767477813), R(0.2620024359859089))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_hidden[2][STAGE_ROWS][STAGE_PARTS][STAGE_PART] =
+{
+{
+STAGE_ROW(R(-5.846684402001615), R(-0.3091966104946325), R(-0.8716920120744734), R(-0.28775816228545065), R(0.950782955231247), R(0.9480903457742367), R(0.5921599430884404), R(0.09076592414651091), R(-0.1353818898766721), R(1.0193036532107609), R(0.20015891241585929), R(1.29338113020373), R(0.5995488142378568), R(0.19433180272464515), R(-0.27509269598463065), R(-1.0264267071728626), R(-0.3908403241617492), R(-0.3619858660487409), R(3.545909644076563), R(0.24116766438013523), R(28.00417035136381), R(-0.01584350792796703), R(-0.7149143167550821), R(-0.2965240183648526), R(-1.7640211265839003), R(0.9714694728932052), R(1.519710470567278), R(-0.5231981323084983), R(-1.0586202635871704), R(0.8164830635289092), R(1.2872486426916787), R(1.6465224920288297), R(0.7428899107399586), R(-0.04031464283737598), R(-0.15461325628984318), R(0.13292656733872463), R(-1.5114154586745157), R(0.41964875435149185), R(-1.895979707826243), R(0.2383092434625672), R(-3.2625407912744335), R(-1.425424336924616), R(-0.4216798714088015), R(0.37081030364459233), R(1.0081101911977903), R(-0.1811724787740141), R(3.017018659326102), R(0.3045913739510509), R(-1.5007121553323763), R(1.4102297003255546), R(0.4806582723487932), R(3.2348582674276347), R(0.6754977269909204), R(-0.09459844444836457), R(-0.3809495153876476), R(-1.3407758018517002), R(-0.5145680690152422), R(0.02036348367719894), R(-1.7909167928755407), R(-0.5180312003853672)),
+STAGE_ROW(R(-7.805383648523238), R(1.7565343302235041), R(0.9594758279427075), R(2.724513725999186), R(4.763239240931707), R(-0.6724955386926584), R(-7.073101633987242), R(-0.925603442859118), R(1.562209371787552), R(-2.2381172526077147), R(-4.66729673096207), R(5.41064788272031), R(-2.624800240949899), R(1.8663979354935134), R(-12.817729850449492), R(2.2951093028465226), R(-2.849956653118926), R(-7.083686969722369), R(2.669400364257756), R(-0.35486294097378124), R(-6.5892894691046875), R(-2.281061749262117), R(-0.3945404840543598), R(-1.5231604273243218), R(6.6845867874481595), R(-0.29581416536252114), R(2.097049347951684), R(-1.3942074959478068), R(4.137303719072966), R(0.8454917513012989), R(-7.596119412453452), R(2.2355457717424674), R(0.9002752848648532), R(5.50463729724704), R(8.809646213528584), R(-4.71535210639306), R(-2.122252127109228), R(-16.397029980811002), R(5.8332547938936194), R(-1.416747942243039), R(5.944521886384676), R(4.3947337967875555), R(1.7810996720319987), R(-2.727429949135355), R(12.858426010857295), R(1.0315989361506175), R(3.198797897617011), R(-0.38627782267181154), R(0.10089653178170338), R(-3.0886109845643914), R(-0.3819132201458574), R(-7.405173751091446), R(-1.3523646651240273), R(2.0389485113286816), R(-10.117853472973398), R(-1.2023083956208753), R(5.888658608432294), R(8.483063974556508), R(6.294549030515164), R(0.870695568610349)),
+STAGE_ROW(R(1.9566841111395357), R(1.3957463748907795), R(-0.4326260773195868), R(-0.38149501726196033), R(1.2911139344369333), R(0.5129283564896167), R(0.3876889974391258), R(0.30174002583575216), R(-1.0814479480642014), R(0.007894554717550904), R(-0.5952292038583135), R(1.158856900019172), R(0.22446316033093527), R(-0.39155835471715306), R(0.5534889834623195), R(0.0021971314255421746), R(0.2373304258644921), R(0.18543017027640407), R(2.4050262631332777), R(0.9514348794720077), R(4.955511359082732), R(2.568783015047947), R(-0.6427198989713003), R(1.0334606716978987), R(1.1075415296144704), R(0.19105901741250023), R(1.2848885551585598), R(0.028404554083799518), R(-0.8952692272633443), R(-0.715962006899025), R(0.019313194810107865), R(0.5816604233581103), R(0.10099371633073857), R(-0.25839053081061314), R(0.42523667263703613), R(0.850364509885837), R(1.136561938369514), R(4.17779931650914), R(-0.12509156954671133), R(0.22092296571099979), R(-0.3489585442283434), R(1.7397331661827404), R(-0.4276403505316248), R(-0.29143704732360226), R(0.33773604722893197), R(-0.036170645841812815), R(0.5930462081733981), R(-0.17724720832603819), R(-0.2544383431311132), R(-0.7988518336492495), R(-0.3298164269161708), R(0.9992126133213282), R(0.20071914524049575), R(-0.3735216615389645), R(-0.34736734949646303), R(0.22691048005668718), R(0.6770477572996471), R(1.7249690716509112), R(0.07649172977273075), R(1.9822399119218095)),
+STAGE_ROW(R(7.48039013952445), R(-0.6236175914572988), R(-0.42844602236748763), R(-0.8565364591258857), R(2.294507736264584), R(-0.5276400598195576), R(0.5278042750263755), R(0.6701394090338197), R(0.7146609902222602), R(0.2810958809431962), R(-0.1937385736753116), R(-0.6154366174609731), R(0.6836625028857498), R(0.5232107182256361), R(-4.037649217853197), R(-0.5833908673813424), R(0.5692747338980133), R(1.6966241786942116), R(-3.9715079875298662), R(-1.1402198599533713), R(-25.429041060176708), R(2.156226365023092), R(-0.3834789720840437), R(0.4412247051526477), R(3.0093273059824748), R(-0.5738670373412442), R(-3.1386711332945096), R(2.7615187491315583), R(1.9682605102132091), R(0.9155406760464634), R(-0.6883127487301978), R(0.501315750596679), R(0.33946001786118085), R(0.6385194461182349), R(-4.451087281839424), R(0.9112486013881863), R(-1.630857559365343), R(1.2124833161135495), R(-1.7239934503282792), R(-0.8953855278546473), R(7.40022336351067), R(-1.1445319884990248), R(0.05698715293822703), R(1.3232257963058596), R(3.6646660450442785), R(-1.0526394479028272), R(2.3651101503931664), R(0.11623309541040971), R(-0.6268459354923255), R(0.4665409843853814), R(0.1021045919490499), R(-1.086678708282804), R(0.7417676511823506), R(-0.8686950071850519), R(-3.3335347483955924), R(1.2680234549500047), R(-0.7906732694048858), R(-0.22654089075577916), R(0.6183386711186023), R(-2.7982368690658994)),
+STAGE_ROW(R(2.7004193376024888), R(0.6226333780232414), R(-0.3677322349628246), R(-1.650570535787265), R(13.715713241155987), R(5.2225982117153835), R(-0.33283777094920214), R(0.4154952005217907), R(1.065095547098935), R(1.7256303022455017), R(-1.3407836949195502), R(-6.686933284725335), R(0.1351677028952238), R(1.6076449783131688), R(-5.185758230244937), R(1.12084273662011), R(-3.3181683312917754), R(-1.9138098141114845), R(7.996347909246465), R(-1.5762302829291057), R(-5.941569150553493), R(-2.676567583530887), R(-0.3411830026270595), R(-0.5417422491435459), R(3.0980556227924634), R(0.3771386522937023), R(-0.4269679540805752), R(-1.061497708448456), R(0.6771416922806475), R(1.0537687048220798), R(-1.5215559223352304), R(-2.620631737285929), R(0.9556911827767739), R(2.3785431416661065), R(-1.3798766047187367), R(-1.1618048604868085), R(-0.7188785157733651), R(-6.992898803038383), R(1.7274673558764495), R(-0.9364832413376095), R(3.330206480771929), R(0.10265733722660739), R(0.24044283403171957), R(-0.8773559755289626), R(3.549849180339277), R(1.6701224673523274), R(2.213478812419172), R(0.9886299474184802), R(0.42446096755176654), R(-1.3212260374562825), R(0.5204410320358506), R(-4.504112822530407), R(1.0064166006703323), R(1.0201334077946962), R(-6.3507290969458206), R(0.8344428064916022), R(-2.240302267274067), R(-0.49370764360441266), R(0.5172732700379855), R(-3.842744969067984)),
+STAGE_ROW(R(3.239282094664224), R(1.605819805514976), R(-0.4252988649546675), R(-1.0194826037889262), R(5.1672659677635995), R(0.4475852089057731), R(-4.441646402068983), R(1.9513513900717618), R(-1.5147950624423716), R(-0.6809350306062685), R(-0.8185075939503443), R(-0.9553871843350289), R(-1.022823031247573), R(-1.1313725234255643), R(-3.4316016565475858), R(0.2470102016719924), R(-0.9355635904458125), R(3.672738753950937), R(0.2602693064456584), R(1.6129671531356662), R(9.355732408022932), R(-0.2875329086790923), R(-0.8464695745943706), R(-4.236936995497139), R(2.85896284074205), R(0.995211612472352), R(5.000889506463502), R(-2.8030934361342483), R(-1.0759574078730108), R(1.0352954136468906), R(0.08852086892124167), R(-0.8469934044347069), R(-0.10760011981386376), R(-0.6362128847248738), R(6.307727959380494), R(-4.974255938095932), R(-1.653332651253888), R(3.833848580257564), R(2.653801732945061), R(1.0024472083592475), R(11.560903485719235), R(-2.2532062252791825), R(0.24912616890996092), R(-1.3915553257027826), R(2.939529811332877), R(0.24671941432495037), R(1.9527374266244826), R(0.8564821990012828), R(1.794087463384751), R(-1.3556850522580475), R(-0.3518582959946474), R(1.6874831735182731), R(-0.5273261388242888), R(-0.7310069046096955), R(-2.1984226450156212), R(1.4448503765015104), R(-1.996419407079543), R(-0.5774471222952875), R(1.7553995546271075), R(2.022831575560514)),
+STAGE_ROW(R(-14.085097976928566), R(-2.6191993032839855), R(-1.3480980563392282), R(-1.1748050021886842), R(15.554357961097056), R(1.7486068052383563), R(0.3811767915726798), R(-1.7589953174024384), R(0.42681313274689153), R(-4.038209079558093), R(-0.9770396625237281), R(3.9946407389580223), R(-1.0537716895540203), R(0.29747389276698444), R(4.157121231600004), R(0.8765158509557263), R(2.46123334653188), R(-1.111344906199217), R(-13.987946740659606), R(-2.1760364176839833), R(0.9749235980186324), R(-2.0876679239745437), R(-1.8482082468200773), R(1.3769109803199997), R(46.50129345967782), R(0.6806579962846179), R(-1.8654219223643727), R(1.4065103778557846), R(2.444161890485387), R(-2.028407616890265), R(-2.3157669133378276), R(2.274316803274333), R(-1.1038092701230888), R(-0.4823627154435805), R(-8.660937778836335), R(3.0317441467693733), R(1.40585765764118), R(0.3205780158112361), R(-2.6265078708508303), R(-1.26311214012242), R(-6.498415995925052), R(-0.9005617840262813), R(-2.5533014456730005), R(-1.9801198187567408), R(0.21111007326291342), R(5.264101289616288), R(-0.30328435612566307), R(-1.263455920425651), R(0.6853021861804288), R(2.5353768542497623), R(-0.72723241608955), R(1.6793003599120155), R(-0.9624134970995689), R(0.10350946664220953), R(-47.481328855917795), R(-5.1925941819374355), R(0.4690329279456843), R(-0.8464292812876285), R(-2.059185667327322), R(-3.2427799810947615)),
+STAGE_ROW(R(-5.174261724133676), R(0.6993063909567719), R(-0.34446386051298844), R(2.1922536777682624), R(2.950285229389965), R(-1.1676327571917846), R(5.414459144878541), R(-0.5541022299782726), R(4.175797885553586), R(-0.8637878700578503), R(3.1848416402357), R(1.4523342360043), R(0.6365284859788165), R(-0.8721259457587917), R(6.293880474736513), R(-0.7310205430574984), R(4.620446516645195), R(3.0626423486570804), R(-1.2976410174728328), R(-0.6579533729471132), R(0.8940888504085257), R(6.717321405498659), R(0.32740955527055643), R(2.2257526380299755), R(-3.9860862850426635), R(2.4609863098882654), R(-2.996378888952169), R(2.554472273552841), R(-1.945900668238765), R(-2.643597546725053), R(-1.418995175656535), R(1.2903840753713693), R(0.09313298393002135), R(-3.0125643205835764), R(64.70150508937628), R(-1.3620164061392566), R(1.512792660988468), R(3.0835542394709288), R(1.6122531166526037), R(0.44824844235992317), R(-5.423250718677733), R(2.967282629220956), R(0.20857786882652565), R(1.3550851491861404), R(0.5868509816852119), R(-0.451341942527324), R(1.9765828351849826), R(-0.13222465725348528), R(1.830107046681423), R(-0.9640917566039268), R(0.4162728497728493), R(5.0002332347178875), R(0.37546606949758465), R(0.39831095194296817), R(-1.9608932370749348), R(-0.3922177893252246), R(1.8024269813445088), R(1.0668170952904439), R(0.7157437034493017), R(4.447929844088438)),
+STAGE_ROW(R(0.768661662645723), R(0.7985200839002469), R(1.5408827100595612), R(-0.13288630300884763), R(-0.8718977003763962), R(0.7134641335294841), R(-2.0136017609489096), R(1.805732102330335), R(0.3894559938915694), R(-0.22094012832462515), R(-0.09978521079045034), R(1.703172619846471), R(-0.4531255082529685), R(-0.8086481667090387), R(3.957359320752447), R(-0.2771880618620783), R(-2.4223693851321975), R(0.8186317717863477), R(-0.5746707585824066), R(0.944770966194742), R(0.6985537749830393), R(3.278332880239242), R(1.3575905301518663), R(0.437735985465429), R(-1.9306064545104775), R(0.6978917528641632), R(0.13256758888629142), R(1.0223192296115309), R(-1.6138929210626145), R(-1.3235372916207706), R(2.7471730583238254), R(0.37887390036061935), R(-0.6638919792684455), R(-2.513975162322553), R(2.715735041625751), R(-2.828884089693986), R(-0.8494993408356923), R(1.7666348333004058), R(2.674515208958164), R(0.31498809981864634), R(6.057030950779664), R(1.1789344314033248), R(0.12533531889408425), R(-0.7936710263073394), R(0.3542496645524363), R(0.7946604371228064), R(0.42270508433267323), R(0.7287279763331734), R(-0.7767908509136574), R(-0.029070679247509036), R(-5.686518490706919), R(-2.3012535826655833), R(-0.3477087964520845), R(-0.9828938163196865), R(2.381862098074796), R(-0.2379967765133835), R(-0.9349234581687607), R(2.4816026505783633), R(-5.127439231811452), R(2.12164265596004)),
+STAGE_ROW(R(-2.5035395725705216), R(-0.3645338790399143), R(0.9638771899525763), R(-0.33157961663136554), R(-3.1080965707864023), R(-1.82759037858414), R(0.5182889423807567), R(0.7933692387422091), R(-3.6033725374949905), R(0.8245810415809296), R(3.1659211945985404), R(0.6083867711538592), R(-0.07672078528439479), R(0.8227758499681407), R(0.4795339593491856), R(-0.335067247118753), R(1.7150162590248585), R(2.2392927686426236), R(2.388586431510663), R(1.704134479209834), R(-7.74376499520863), R(-2.0717408663907655), R(1.5718236938583126), R(-1.0676934630615442), R(0.5161743264529429), R(-0.9622121517570785), R(-0.9268841637875416), R(0.8869491836188975), R(0.4114805203655694), R(0.485241012660694), R(5.696020698692734), R(1.868562670805321), R(-0.16632475868423754), R(2.178743684010042), R(0.7753036769694711), R(-0.06818388654748214), R(-1.4081012839645812), R(10.239301240815132), R(3.166438316360497), R(1.6818833394953074), R(-1.192779701313114), R(-0.03043468102438387), R(1.4429100544641493), R(0.8006216614383684), R(0.525818212266742), R(-0.7783504491262712), R(6.125977327948202), R(0.13296031368084615), R(-0.060374154322086496), R(-0.23956618098175148), R(6.507036027673473), R(1.0577828646852077), R(0.029097745751126208), R(2.0235416841886127), R(-0.06239913315870254), R(-0.9818969184628638), R(-0.39656507335350566), R(3.70808735780317), R(2.2103934718463334), R(1.0634027021865855)),
+STAGE_ROW(R(-4.417333415682448), R(-0.08502889167055148), R(1.6185156832519056), R(-0.13645810291690683), R(-5.571247469734254), R(-0.8413478534900372), R(1.4883598441676074), R(-0.914171321713717), R(-5.822349364827665), R(-1.0153388489821162), R(1.472896966543381), R(-0.9177272840597605), R(-0.004254103615989177), R(-1.8114125762038462), R(14.703668257270989), R(0.5380273777241695), R(3.6404553834420814), R(2.979679434337038), R(-5.509094670970445), R(0.6705175128401814), R(-16.84834405955401), R(1.7754581721191527), R(1.0553229009584375), R(4.099620422403617), R(-9.734439652909243), R(0.0852846855907342), R(-6.124643964320255), R(1.8145536074752746), R(-2.83079798040795), R(-3.6697499829584905), R(4.03235738204362), R(2.4370719932326677), R(-1.8041426436509185), R(-9.881091667548462), R(18.31368617043961), R(0.7250255286358418), R(-1.3986683667642426), R(4.192418196914256), R(2.6444166349155243), R(1.6833330503801383), R(-13.778926911089902), R(-2.718670432082144), R(1.6263791214112504), R(-0.6558013943512989), R(1.2771763267115266), R(-1.270317454460505), R(5.441793994935072), R(-1.9028242038062029), R(0.5504864722153), R(0.41319503545909103), R(0.5205032345159168), R(5.696713354010526), R(-0.04801989608310937), R(1.0480413050403292), R(-0.08790279824218375), R(-1.527943497041784), R(0.648106280165418), R(0.6566514741779219), R(0.23629370139087558), R(-0.3816442077824728)),
+STAGE_ROW(R(12.693674373192897), R(-0.9146413380248413), R(-1.9956353321848894), R(1.8672655351595946), R(2.432147940975407), R(0.03737124561148325), R(-2.40148024185853), R(0.9747318144794473), R(-1.5279026557708257), R(0.7149847285492458), R(0.5350924252667255), R(-2.577892835753814), R(-0.6997873664073699), R(-0.296162812482031), R(-0.45528694678619025), R(0.8562507904988009), R(-2.065913877516831), R(-1.5731175811033986), R(0.9118611977428843), R(0.9439467123319413), R(2.6639412937144433), R(-0.6097589845765204), R(-0.5341308157261567), R(1.9255788154338391), R(3.288870703321489), R(-0.4727377572279419), R(-1.5247076873840386), R(-0.7892091373857292), R(-0.8924240737469473), R(1.1373079270123552), R(2.9187412323167825), R(0.35170449497729644), R(-0.811242200232517), R(0.45883046098493463), R(7.70767795144828), R(1.335621146617026), R(1.1731158967653696), R(-5.368411334931768), R(-0.04719766991704413), R(-0.11615944263430542), R(1.1213511706236083), R(0.8405038706256716), R(-0.43706277913636327), R(1.7874312232776721), R(2.7172388513683328), R(-2.301899227278097), R(7.671695923748874), R(-0.5739659649695127), R(-3.7320093382770345), R(2.980360280151414), R(0.5591030105296045), R(-2.7479849455031955), R(-0.4041343415264333), R(-0.9249904301818292), R(0.7214279544458616), R(1.0831561578423763), R(1.5493719696688057), R(-2.0185924087223492), R(4.640986628639295), R(0.3374020359044201)),
+STAGE_ROW(R(-9.851458736549354), R(0.6175884844525125), R(-1.4772474227749952), R(-0.056788589299510916), R(0.6311250935698692), R(-1.172355266515055), R(0.6599485140372742), R(-0.11590729252713874), R(0.030422529591798943), R(1.1212970270269587), R(-1.0378809100932669), R(-0.650085612812633), R(-0.42973027136607295), R(0.7676431888486798), R(-1.4102283832460834), R(-0.1510875056232146), R(0.11932317021323256), R(-3.3493395644374666), R(1.4614872895411957), R(-0.8173511003453208), R(-4.605150636932534), R(-1.5332513458056267), R(-0.8206816316537702), R(-2.5020383586229116), R(1.4081178311924465), R(-1.3640149908849177), R(4.145053464947008), R(-0.24486875314865375), R(-1.2248416315571908), R(2.1324256967912953), R(-5.52031727186617), R(-0.5026619334360884), R(-0.3313708366181328), R(1.1901690142398802), R(-0.8721169552359623), R(-0.4771673426146553), R(0.9708034544658812), R(-4.9881631734591325), R(-3.1163551647339562), R(-0.948259550708601), R(-0.6441258005138605), R(0.07323426790467105), R(-0.798531243948044), R(1.5974065764044978), R(1.922911371816851), R(-0.7313647992714406), R(0.5487067214158404), R(0.9492066952282653), R(-3.306781828361237), R(2.2199133933637776), R(0.4843859790662002), R(-2.211265361750195), R(-0.11964444280979024), R(0.40754514581387197), R(-1.1115536732310791), R(0.03875322125288778), R(0.5391830093426229), R(0.07479502608096611), R(-0.010709752177263748), R(-3.1826469195685094)),
+STAGE_ROW(R(-0.47756953401414004), R(1.752963460322423), R(-0.7336980598660936), R(0.982634962309417), R(0.5336326402334489), R(-2.63753449001479), R(-0.21190878249124467), R(0.18614395010392973), R(-0.02541767470185784), R(0.4065557383238282), R(-1.206333956771137), R(-0.11945256560497126), R(-0.6447283034161094), R(-0.9545563026066115), R(-2.7536734652236636), R(0.4300669885643037), R(0.2025440521278886), R(1.7246869749455882), R(1.4551099846293893), R(-0.39247629321689476), R(-3.4765680738713054), R(6.006785751833485), R(-0.3561863678075778), R(2.1577239731545843), R(-6.107892792265481), R(-0.29447573428640533), R(-4.974894064070472), R(-1.6266041490007734), R(-0.19925497284094185), R(-0.006296669056219864), R(0.1817453625274866), R(1.1651424869526172), R(0.48700283956938933), R(-0.9551975762515768), R(-2.0947656092964353), R(1.8980673768118304), R(0.2615415513081572), R(-0.21000211356861567), R(5.470966617264438), R(-1.0324936207898887), R(-2.0160583427994934), R(0.8864673599630007), R(-0.20215919290291764), R(0.10271455386383753), R(-0.3052391549502562), R(-1.5948426618966507), R(0.7685940616196885), R(0.050577090277071815), R(0.45184189772447314), R(-0.7986515094903057), R(0.1144107311606748), R(0.7761380954553957), R(-0.2737584808740937), R(-0.32970463526795674), R(-5.61328556165225), R(-0.391126085130581), R(1.5585821662107013), R(-0.15215839070817622), R(0.731973175401057), R(-0.9053795383195906)),
+STAGE_ROW(R(-1.297442589714385), R(-0.7752213510045127), R(0.8534446078844332), R(-0.8176753471494508), R(-1.4901988235748709), R(1.3033678169393308), R(4.515494662162614), R(0.21656527596709968), R(-1.6725974434844142), R(0.33693068165625567), R(0.13927593653175457), R(-1.2770204238294804), R(-0.37736137608420506), R(0.405125272767895), R(3.5594234106014966), R(-0.6587438587316107), R(1.2438534326389823), R(-0.48339171819246607), R(-1.7462378417094977), R(3.0197476354066826), R(0.742787587877562), R(1.7621838019446374), R(-0.4951339220907178), R(2.55166450211529), R(-2.082418667162574), R(-3.035175136585686), R(3.885306267091056), R(2.0293319977438413), R(-1.9108119194110111), R(0.2833010770734251), R(2.2216422029429617), R(-1.4289204145319319), R(-0.10601926800689274), R(-0.05740625613440236), R(19.73470655969744), R(-9.662844229180529), R(0.5109972847913655), R(0.30525826784736165), R(-3.2500252657584934), R(1.2097500807502348), R(-14.150328174622897), R(0.801352481128247), R(-0.18140205416350905), R(-0.07804264023266251), R(-0.2883211414626115), R(0.8451291760436304), R(2.2647305309930346), R(0.8147112500913504), R(-0.32155201480692586), R(2.168892320659465), R(-0.1482697936273422), R(0.9562031306418366), R(-0.3255027495019893), R(0.7144050130681037), R(-3.0806355661097533), R(-1.3309981159734312), R(0.7450511132666636), R(3.3811302991790035), R(0.7022379250833789), R(-1.8799941575316985)),
+STAGE_ROW(R(0.37529729096841535), R(-1.0978696967397699), R(-0.49220093848945035), R(0.3239282385180526), R(0.8110635714183702), R(-0.1286067046389709), R(1.5611702699264811), R(0.603633511296202), R(-0.22189918950472232), R(-0.7652061277073349), R(0.3611847323177001), R(-1.243087723376798), R(-0.25940407824892314), R(1.163394673057247), R(-0.8558162218869274), R(-0.8504958963732866), R(0.4878256780535546), R(-0.8394232963193771), R(3.2066646887339814), R(-0.5717292557761667), R(-1.6251320701759793), R(-1.8563842828588006), R(-0.4241306800629091), R(-0.10988515925121066), R(1.928663425161014), R(-0.4092553467469144), R(2.967456682205156), R(0.8156024887595476), R(-0.4293486070748647), R(-0.9215463812316368), R(1.567182225368762), R(0.07143037971382028), R(-0.16626448551951395), R(0.2214088862668638), R(-4.402692854428669), R(1.0470578055613609), R(-0.7751150704873964), R(-0.5529952823808466), R(0.8837452691387971), R(-0.5502359246197076), R(1.8831133792948518), R(-1.6918329166710055), R(-0.23201988695346448), R(0.8572458913292319), R(0.034179974122214914), R(-0.40884753994840345), R(1.3577352194960675), R(0.3088984351559078), R(-0.21520379132016787), R(0.21582851686607535), R(0.5192203978957552), R(-0.7088019459249467), R(-0.15638912086559784), R(0.6748763160963236), R(-2.6870555094144994), R(-0.7687161970998558), R(0.4216057715933289), R(0.1599037450288247), R(0.0035065928724430013), R(-2.0558164767844356)),
+STAGE_ROW(R(3.8520301499540546), R(-0.2171027617473843), R(0.9711521072963156), R(-0.029386305806023073), R(-4.016047724683962), R(-0.21786249207396693), R(-3.1518711404188515), R(0.60551461760146), R(2.206567960504582), R(0.14637912110384277), R(-0.22152168880326645), R(0.18930977311493566), R(-0.8300939499397573), R(0.687390965569363), R(-5.171908782688284), R(-0.803501734785342), R(-0.19773430813349063), R(-0.9596963591085639), R(0.19322687108599945), R(0.560023266106351), R(9.400056921456688), R(-0.9091994402679816), R(0.6465712314595881), R(-0.6222910813726651), R(-0.15532842471936037), R(0.09234090287542458), R(-2.543424108262415), R(-0.49213506743485064), R(0.831037035618609), R(1.1316697772122537), R(-0.24928924242221692), R(2.112658733067256), R(-0.7223308946022692), R(0.062134064274525905), R(-0.40302681367520227), R(-0.821152652244096), R(0.547520163976862), R(-2.5930472892806358), R(-0.19560007812756702), R(0.513370582096375), R(1.7797461260771734), R(-0.15513348599936874), R(1.256476245025437), R(-0.5276969910161545), R(0.6358649554771093), R(-0.29417079563536785), R(0.8526317591333099), R(0.06090383303534403), R(0.7758149662751982), R(-0.7418859792277138), R(0.11017241129586068), R(-0.4628190856929967), R(-0.5955507491643918), R(0.7592289678398687), R(-1.580825371704775), R(-0.9323951965861635), R(-0.002060507459417961), R(0.17928182435470846), R(0.9205844715474366), R(0.25151420389596685)),
+STAGE_ROW(R(-3.4881338063358727), R(-0.3099700086700243), R(0.023757185187741312), R(0.013687890920488), R(2.0971752172945206), R(-0.5782977663168238), R(1.0647721299341446), R(0.5726219184744932), R(-0.004371813158555841), R(-1.1246263623272723), R(0.5998104631650389), R(-0.09824590022807751), R(0.7793941993193908), R(0.35767599846593423), R(0.3071664662541898), R(-0.7799568561512388), R(-0.04175961259765782), R(0.5976761063928776), R(0.8495213524598052), R(-0.7920310534893401), R(-0.7606660938818112), R(-0.1663428466181183), R(0.027352598086024405), R(-0.5272210122200298), R(2.459128160388931), R(-0.2663306518342324), R(2.0152310068334383), R(0.7731732570399579), R(0.3228565673864694), R(-0.586768161539836), R(0.9427442464941849), R(0.4446252210899602), R(0.825842263291821), R(0.2654729341072135), R(-0.07264610239585387), R(-0.7647861719391177), R(-0.19894657334667035), R(0.3424539726156234), R(1.100496135789691), R(-0.867449296544366), R(0.11333036304070342), R(-0.3646010511690304), R(0.23754735650989836), R(0.4764643317555807), R(0.6912686523926731), R(-0.15463415628798444), R(1.6872750065378135), R(0.5835652405218065), R(0.6233851931229281), R(-1.503343252549031), R(0.6430719485066331), R(-0.2825942879765261), R(0.7920904445077752), R(0.19552735482203001), R(-1.2492988640718972), R(-0.8999417717386727), R(-0.4513645286959041), R(0.40475277405996707), R(0.8781761858916964), R(-0.5957175552067187)),
+STAGE_ROW(R(-3.3520146076976083), R(-0.9381730760647317), R(0.2634771599585205), R(1.66371044889152), R(1.477773308461842), R(-0.929068566749664), R(3.7331289095901807), R(0.46730339111867336), R(2.565529730828424), R(-1.3865708355396396), R(0.4545600434354354), R(2.797021880819439), R(0.9008121120028079), R(-0.2460788217995995), R(1.6592377334716597), R(-1.2522276906184082), R(2.141129088758749), R(2.6210331215390115), R(-2.670050458511133), R(0.10156049003974091), R(-16.049931441997188), R(-5.205491505102432), R(0.020037884914551496), R(2.2999438091886613), R(-3.926274371605184), R(2.1427247722908724), R(9.562443531535443), R(3.404208404150874), R(-3.026660007393529), R(-3.2117714062485705), R(0.6154837376753295), R(-0.6744139655120795), R(0.7893281359874817), R(-2.441975568260911), R(-9.151549985525582), R(-4.042603577773916), R(0.4778653717775424), R(7.681294063492439), R(0.17318462763281076), R(-0.03967783460130529), R(-0.20452050743153724), R(1.7182196331086983), R(-1.1364593087552608), R(1.177144059835856), R(0.9357197815527721), R(-1.3742431617703932), R(1.0375825035406028), R(-1.3490682425396243), R(-1.3480919630481611), R(1.2068062867572358), R(1.0984744707643475), R(5.251864760548188), R(0.7416449361211939), R(-0.2557789679416386), R(-11.467927713986105), R(-1.4872559726890862), R(3.7077452106685027), R(0.9256479204545729), R(-3.0477510977224003), R(0.6126914523869255)),
+STAGE_ROW(R(-0.7428948901951377), R(0.08650516840207863), R(1.847052933711357), R(-0.2109464295831948), R(-5.059742996312724), R(0.8480089575719607), R(-10.004871646416973), R(-2.259921233228869), R(-1.5503116348042216), R(-1.465318894839926), R(8.27950723744281), R(7.479771472165264), R(1.0482642888074232), R(0.46901075555828603), R(36.03833908214137), R(-1.1120494472761502), R(-0.6629895309123013), R(2.1980061566410902), R(-14.2135142302098), R(-0.5608464322630652), R(0.5818579282952799), R(1.2877343545676956), R(1.3748859009156604), R(1.5010679210609639), R(-8.689997037271048), R(1.2180406194939044), R(-3.0633980304544637), R(1.871867012222807), R(-0.7643864649982055), R(-0.022690596334305573), R(1.6369011761845709), R(-1.5253530629753165), R(0.6370387619744727), R(4.116032503625865), R(31.22156153524697), R(-6.663631326293961), R(-1.1863764971916082), R(2.541047435425335), R(-14.8836571720312), R(5.8663014336553525), R(7.330262870466712), R(4.7387434963010335), R(-1.988569644204533), R(-1.0504022101659132), R(2.3872331489030842), R(1.008588983576351), R(5.158480829633331), R(3.6948826851554046), R(-1.008892743142242), R(0.38343394441841966), R(-1.899833613088998), R(1.2781366120496984), R(1.2584868622467016), R(0.7033057270768265), R(11.294045657803686), R(1.716235889735112), R(2.1872187774743237), R(-3.141658072682736), R(-0.8775697778260091), R(8.03198276521354))
+},
+{
+STAGE_ROW(R(-0.17293405685069232), R(-0.8164221956175395), R(-0.2826749040578755), R(-2.1622899074510187), R(0.30565150523792894), R(0.31170381689659327), R(-0.8233703066766066), R(-2.5837790126621965), R(0.08792366852522979), R(0.28934518627727884), R(0.2612885266887277), R(0.8327841276798549), R(-0.9572258718617932), R(0.0610761182607598), R(-0.37108420141451987), R(0.935051795293177), R(1.003443364343075), R(-0.5070042018657225), R(0.46014279317442164), R(-0.11952196948998907), R(0.20885653520586672), R(-0.39156322179091924), R(-0.7220431593480856), R(-0.5911350419120572), R(-0.3039532439497115), R(2.4232882418038173), R(-0.9057771029297444), R(0.27011047792592285), R(0.8565762499958279), R(-0.30680980125170837), R(0.7719427972982762), R(-1.3102840150404975), R(-0.06654080493897091), R(0.08069919189056755), R(-0.3792857377447862), R(2.106031202983856), R(0.21095980870860348), R(0.22314283969812232), R(0.38230081715219827), R(1.077874552750965), R(1.257285055907434), R(-1.3406994794114953), R(1.0034428059594804), R(-2.44277635567642), R(0.36405711172527283), R(3.0690901804079185), R(1.0929878542738702), R(2.4973217571034185), R(-8.443022011965612), R(-0.1692800141287998), R(-0.5394698789484152), R(0.7615075070402423), R(-0.9612268976728654), R(0.7324171115856691), R(1.5583300012655261), R(1.7296491028626995), R(2.527111853837367), R(-1.7149650311075209), R(22.094772042433014), R(-0.10489260945114799)),
+STAGE_ROW(R(2.03966042704702), R(0.32491317129051717), R(-0.3928306993502308), R(-2.7547633842735384), R(-0.21712892642832693), R(-0.7015642158433231), R(-2.4515222729283064), R(-7.583876388750733), R(-2.5090904156340095), R(-1.0728220234757617), R(-0.14880804497446684), R(-0.7628075086005526), R(-1.7620265051392052), R(0.5783723676845968), R(-1.3070668205672098), R(-0.18550591496809887), R(2.5776726790677995), R(-1.4249975989561645), R(-1.9041038965368098), R(-0.9102762474992177), R(3.4463182316154737), R(7.214645317036723), R(-6.2442786146560385), R(2.2211279987670864), R(4.390185829449953), R(-13.09187177971465), R(2.7926635131388333), R(-5.97261363083004), R(-18.959941436292027), R(-6.614344667314879), R(-1.2718677608047968), R(-0.6300801449060366), R(-1.555099046931883), R(2.445126420059111), R(5.925945265740956), R(-4.814033929401552), R(2.7665491918867255), R(-8.41123636313471), R(8.582473812797557), R(-4.315507929868261), R(0.7068015847146665), R(-0.6518284203661487), R(-1.4720971595178305), R(2.6931167373326432), R(-0.6247539200470149), R(-0.6999617403891493), R(0.2006616502205557), R(3.5823617948328885), R(-1.4182057351551502), R(-0.5449536694392377), R(0.32082470715296363), R(-0.7639985380012767), R(0.2996295700603043), R(0.09271350978334003), R(-1.1821491094899235), R(0.07295477980849732), R(5.320286433288405), R(-0.9960919313273789), R(-1.5534195401931152), R(-0.2803783083790251)),
+STAGE_ROW(R(1.275759771163964), R(-5.74180990889722), R(-0.15337525906914717), R(5.569417819019295), R(0.411746550195024), R(1.3244709413692584), R(1.191231543890009), R(3.7571480680851117), R(0.16385577500941262), R(3.9309509920725727), R(-1.192566563381145), R(-6.599656765089682), R(2.5295958472385816), R(0.5600693071811818), R(2.3117455160622167), R(-0.9427046428514742), R(3.480922877139288), R(2.4430268595554177), R(0.5650219653418089), R(0.10483905159366123), R(0.919741752646144), R(-0.6131997922772772), R(-0.26214891116804906), R(-2.321125902570134), R(0.8879411863788166), R(-0.033997219576867216), R(2.139298677394756), R(5.020764012348671), R(2.797790885329052), R(4.764071524773207), R(0.8403571581898427), R(1.6176796144391388), R(-3.603745631952906), R(1.2767790271367603), R(2.9575738883535205), R(-0.715425536673363), R(3.3546392915552263), R(1.9470558552023236), R(-2.2960126939800825), R(2.493019290722261), R(1.3703455480610336), R(-19.736309624709968), R(-0.8994197166003252), R(-2.5117093020616728), R(-0.9047432253323837), R(-0.8376715289704183), R(0.14804828325590058), R(7.884501566548501), R(-12.471406126064352), R(0.38911941956214763), R(-0.8202207333014944), R(-0.9638646204664213), R(-0.5214918863238674), R(-0.5416793029275343), R(-0.9874142660471353), R(1.7728292057853816), R(6.804480426240273), R(0.1072809927930433), R(-4.453633413460768), R(1.1506551344734195)),
+STAGE_ROW(R(-0.2155765116461505), R(-5.041871454500547), R(0.033645146319033384), R(-2.134707297817307), R(-0.7576511391498644), R(2.5262536380938667), R(2.2620943485841454), R(-1.4200757315074641), R(-1.3894047923512591), R(0.798833497943256), R(1.424495046048414), R(2.090294102241403), R(-0.5275300123798525), R(-0.2824122274576003), R(1.6757970582701802), R(-1.007284954734519), R(1.6787356324072926), R(0.4184291874476855), R(-2.819329406948017), R(-0.6605506555593511), R(-0.1134255786452548), R(3.323474971752059), R(1.8230625133316718), R(2.7598565058309608), R(0.6873595516938505), R(-4.574626745669877), R(-0.3301601909246097), R(-0.4847554650118521), R(2.756925750619796), R(-3.562924143862244), R(-0.4243068475229463), R(6.225380694103233), R(-0.5010392793719548), R(2.1470953637862333), R(2.1268514079503227), R(-2.5921245061249576), R(1.4737393595487547), R(0.4391618642425921), R(-2.4747377703157203), R(-0.5312052198347592), R(-0.6754672502450547), R(2.478554003374783), R(0.5752297019035152), R(0.9090642220809165), R(-1.062888929332017), R(0.5005700657866021), R(0.8371615925554139), R(-3.429484510186695), R(0.6808135049949632), R(0.06079964216619054), R(1.0257681868965245), R(2.2501870934882966), R(-0.628505257367303), R(-0.9456792812534588), R(0.25612036538575694), R(-1.4542027787040521), R(2.0157401552263132), R(-0.19083680752314033), R(1.4172693963461862), R(-0.6953117357201438)),
+STAGE_ROW(R(-0.1436462101439645), R(1.236626957395796), R(0.5975878708463094), R(-2.201919426201308), R(-0.3625616108378698), R(-0.05816190796120865), R(-0.9210086065615191), R(-1.2955550260668929), R(-1.8682363706683087), R(0.22079247356387227), R(-0.7062721758806131), R(0.4587449191274653), R(0.026309621911815798), R(0.42618065038142916), R(0.9101525036341961), R(0.21263037703902754), R(6.883564915800377), R(-0.5159829904972013), R(-0.8584372278373715), R(0.6565345445701681), R(-0.2271152602259871), R(1.1710585900036439), R(3.447364128257825), R(-2.679783213028257), R(-2.2241092056570886), R(-7.602906083710066), R(1.0401236882441172), R(2.715558216635702), R(5.749253594611449), R(0.577966714062237), R(-2.0380988015420907), R(16.554600235494426), R(0.9614534220301245), R(2.723777412776128), R(-2.766129612845111), R(-2.0818627484795473), R(6.8456898360390355), R(1.4476182268031816), R(-3.368465880062788), R(0.42057005115386287), R(-0.14839304797229216), R(0.9090608875544797), R(0.6500861511146379), R(-1.0221222399698264), R(-0.43756583811825317), R(-0.1704590098025564), R(-0.7529123305682422), R(0.7425411889933935), R(0.10751734393185736), R(0.40572080309789943), R(-0.677883405216619), R(-0.20125635945741385), R(0.25641955566270286), R(0.41473591480322525), R(0.7036187437111497), R(-0.05132974769594287), R(3.3769430096837225), R(-0.22737201759987094), R(-0.8464859076264918), R(0.5451203830206153)),
+STAGE_ROW(R(-0.006688713495300895), R(-0.9720210387509555), R(0.5897265976356875), R(0.5880399231051384), R(1.017605338727103), R(-0.8939661824854973), R(0.9467231248311638), R(1.7231619047430624), R(-1.284037574525153), R(0.5119529207421478), R(-1.2478290789501383), R(1.7665373071850266), R(-1.160623484490548), R(-0.6103974827485502), R(1.1457828152999099), R(0.14445684203378936), R(1.4795206990165282), R(0.5381340685961313), R(-0.33363255065812586), R(0.2532289626730806), R(0.3181292632652973), R(0.6395901837563723), R(0.6010495805100167), R(-0.12578190732252173), R(1.6036653720249354), R(-3.243734563352417), R(0.4537526931025458), R(-0.46590908106678147), R(-1.4769979678462921), R(1.245485902850473), R(-1.4939762804041892), R(-2.618135219404264), R(-0.30990704685776854), R(-1.9062584496282768), R(0.3285382761335329), R(-0.07261460556868995), R(0.8825113624361801), R(0.12789482734052837), R(-0.13484744787028458), R(-0.10915570755652598), R(0.10215869778472284), R(0.23258587200889458), R(0.695869940628991), R(-0.7486804104937848), R(1.3489781554509537), R(-0.6084100042366194), R(0.7720249746656497), R(1.1784662795513672), R(-2.341340137073359), R(-0.006715377157601821), R(-1.2753967476406658), R(0.6522314412376312), R(-1.0505549186723149), R(-0.36244263036425833), R(0.1923928466995256), R(0.44501463805634345), R(1.5838145325756374), R(0.07943952321156132), R(-0.11590076935766268), R(-0.26625710852394446)),
+STAGE_ROW(R(1.3593615066729898), R(15.500576518057082), R(-0.887641013177726), R(1.7585687641108219), R(-0.07077603197899848), R(4.775911452256257), R(-1.0568584206389389), R(0.4570956241099116), R(3.9546234544842367), R(1.0225825191152225), R(-0.6678411295206402), R(-0.9575518739475138), R(1.328152988159741), R(2.31162407195406), R(-1.8408542690297516), R(-0.08471657308427709), R(3.5084075855820807), R(0.3447820630843332), R(0.1135808662662976), R(2.5104778741173672), R(-0.3750749470965043), R(9.179448364079276), R(-0.15381725996039858), R(-4.7945178917953974), R(-0.9638794052731166), R(6.957405451475277), R(-0.4293116166354094), R(2.566808520805126), R(3.1361953852300712), R(0.8886603053301354), R(-1.2666338602061564), R(-2.442756736206274), R(0.3556439002285583), R(0.8542692782994469), R(-0.4172965721429464), R(0.41494397547520573), R(3.4911546655243333), R(-1.318400599893422), R(-0.20294733566845666), R(1.3452204642463896), R(0.38279589101297506), R(0.8560944070292517), R(-0.20551508265766064), R(0.2503294272445456), R(-0.5209904606626033), R(0.6438041105529937), R(-0.5244742343966102), R(-0.5267251505867738), R(0.165409916820163), R(0.15878219546559935), R(-0.2121565972935293), R(-0.777880707495999), R(0.3449415876817721), R(0.864051118437818), R(-0.6856759053980486), R(0.5890430149250518), R(3.911986355422119), R(-0.5149653442491957), R(0.10967155582574896), R(0.4462333085931347)),
+STAGE_ROW(R(-0.11065648950775059), R(-8.454384335208099), R(-1.019876699985148), R(-5.73162548770662), R(0.643975361926427), R(-0.5235145151201726), R(0.5164622253079262), R(2.8607784248381165), R(-10.626564234606409), R(0.3135544305119779), R(0.6836601909379054), R(-0.7974814471814498), R(-1.3549701498678246), R(-0.5210726970663457), R(-0.3510743450151654), R(-1.8707037036650052), R(0.7573307437295805), R(0.15657263581882475), R(-0.5442051742756835), R(-2.1014516029349357), R(0.2464862810797351), R(-3.59132546407538), R(0.11700562853629264), R(-1.2049964211174446), R(0.987231091744127), R(-0.028847451325629967), R(1.6243149855600953), R(-3.0156544497055666), R(3.2433648457772217), R(3.09558443329458), R(1.301400790772854), R(-0.8880129764968415), R(-0.48652428253898644), R(-2.7698806931563547), R(0.18688811884366716), R(-1.4184401037324046), R(0.23095634317351624), R(1.1655740534177972), R(0.6612759161169633), R(-1.8183881328384557), R(0.19002439388643355), R(1.4772159908570237), R(0.17180568371587598), R(0.8029170469500406), R(-0.2693762598491545), R(0.588131778927346), R(0.5440591027058238), R(0.051950952259359987), R(-3.4373371168229654), R(0.3990631227100819), R(0.2580076332297305), R(2.1871046370430505), R(-0.9723409138850543), R(-0.11458859569718007), R(-0.3555021585414327), R(0.39829365670135897), R(5.390903759792115), R(-0.0841653304160469), R(0.5533375111305867), R(-0.4996602714822247)),
+STAGE_ROW(R(0.1852376286688221), R(1.5837449564407067), R(-0.4597665605978615), R(0.6911727187551371), R(-0.9825809923091118), R(1.68860599233973), R(0.5400144472546747), R(-1.0172591093029275), R(0.8109486642300692), R(0.7509863631503896), R(-0.3418249919859722), R(-0.9301913268346123), R(0.14515790256389688), R(0.6707255099756857), R(-0.9949112285700539), R(0.7195398191117464), R(2.9121882914250565), R(0.5122770273181763), R(-0.010083997512461761), R(-0.0594738873490085), R(0.16584026979636468), R(0.8667064363339162), R(-0.42482179036001877), R(0.8012458376701779), R(-0.793713467591573), R(-2.13852287540935), R(-1.081784169035239), R(2.823439830977984), R(2.895356322395061), R(0.13444746022587659), R(0.040930888912317345), R(3.905291613577377), R(-0.9553197111990337), R(1.125207002826323), R(-0.6643547893442613), R(-0.5029569672268576), R(2.843847339920504), R(1.2315259301991208), R(-1.3129536389463077), R(0.41097117197270705), R(1.1991775323860367), R(-3.0217007497894364), R(0.10382990605843063), R(-7.806004914180189), R(0.1131616176357185), R(0.9241322028937053), R(-0.627047323306153), R(4.280813518189954), R(2.8423186280742883), R(-0.00900984281265274), R(-0.8460362811564628), R(1.650234055624511), R(-0.7508328635036134), R(1.4010791994002207), R(-0.8217394600982304), R(2.7938376314280413), R(1.6254271586652813), R(0.5309299870487932), R(-1.997784270165467), R(-0.13625662178696582)),
+STAGE_ROW(R(-1.1380729498553925), R(0.8241956236175699), R(0.32634199567731176), R(-0.2556160604743547), R(1.001439979650802), R(0.6291011922774031), R(0.9199082261445068), R(2.3352559618426967), R(-1.978186494613118), R(-0.5261638200885304), R(-0.028703293452564057), R(1.1987040592702498), R(-1.005748272947918), R(0.7456667027532912), R(1.7237141478725715), R(-0.8270665241934173), R(2.1093631725378694), R(0.5581233341460281), R(1.0370753640705002), R(-0.1543967070678254), R(-2.668376559643691), R(1.8408066206451674), R(0.3573295689458807), R(5.06495467731068), R(-1.7083607980359878), R(7.1601077450276644), R(0.8337915671556659), R(2.0181043577700937), R(7.343388638775774), R(0.41467020584300074), R(0.3774897507004267), R(9.190218883743919), R(-2.0871384420934977), R(3.2211717322486595), R(6.684658262190982), R(0.08345435362621857), R(1.4997082273222937), R(-1.160044911558628), R(-0.864689438069579), R(0.8672808521018537), R(-1.1284742228607916), R(0.12471774049082261), R(-0.43257679189549875), R(-0.3282689052638697), R(-0.16285252717853585), R(0.1620376614358269), R(0.78538757441195), R(-1.7818002616808553), R(-2.0589123070792916), R(0.06445831402918253), R(0.06593532419518688), R(1.040165238903036), R(-0.7254805278255665), R(0.2171577673724744), R(1.5044439065265915), R(-1.906753589999405), R(-0.5199172762364027), R(0.17636875149990014), R(0.6748374906204602), R(0.36010170459647767)),
+STAGE_ROW(R(-1.6353650025629178), R(8.25436775754437), R(-1.0391473917980645), R(4.184417106085997), R(3.42253979283336), R(-0.5188505982728623), R(-0.19446484314818238), R(-0.38480101225503044), R(12.001487505214904), R(-0.9010072869001465), R(-0.0378895966085021), R(-6.894019161986909), R(1.2588649890756776), R(-1.7379049303225191), R(6.137150867998129), R(2.4924774245788166), R(2.119510252353141), R(1.4308291680674217), R(-3.752421484665345), R(5.0261256434310475), R(0.39224543383740196), R(-6.30719982919543), R(-1.1551349558733257), R(-9.319863131502721), R(4.180594696105585), R(-10.486915229831284), R(-2.406455905407852), R(-17.591323820555424), R(-9.486760580771453), R(2.96447223524396), R(1.8425982227094646), R(20.16550599867146), R(-2.8507613010205), R(-8.222458048339133), R(-13.03777650600871), R(0.05812768051696521), R(-0.5547146390970834), R(1.2403550818552804), R(-2.1932394957184282), R(2.4931146300708873), R(-0.022347459364139746), R(12.700941932827584), R(-2.416370824682248), R(0.9759790609791631), R(0.7686510772230526), R(2.329523034494198), R(-0.026820961951872935), R(-1.5094331976042707), R(10.564485467511567), R(0.028569013089383713), R(0.06611218911618741), R(1.3884577556496631), R(-0.6153703702953567), R(0.08354641163600192), R(2.0872793450617952), R(-0.14574895426622017), R(6.946426413751632), R(-0.4876991019738881), R(0.5899413504336302), R(1.9090682683365106)),
+STAGE_ROW(R(0.48427393786788386), R(1.6524230449223751), R(-0.6309174871991795), R(-2.3095640918349973), R(-1.2668929236835846), R(0.39581078712339635), R(0.26540745907091645), R(1.1801710755552233), R(3.4460768463214957), R(1.3045007730765967), R(0.1434571461091091), R(2.459288112515492), R(2.1010694170194015), R(-1.0613146109429228), R(-0.37399343439491706), R(-0.47558083320181077), R(2.384268537561628), R(-0.3261197270497506), R(-0.9001301314865607), R(0.6521187289623329), R(-1.0107879167519473), R(6.410153206192564), R(-2.4093477287580063), R(-2.806016914677248), R(-0.09288585987065949), R(0.8949483743393052), R(-0.512959244872054), R(0.9627886710606727), R(1.3508277717621804), R(1.2178099387064363), R(0.31366334320833933), R(-6.291952843686118), R(2.752161790975811), R(1.3194339419571626), R(3.1763263464351743), R(-2.128291094082965), R(1.546345086082933), R(1.7977288637839162), R(-2.5249990342011235), R(1.3803265788969417), R(-0.14094471559756633), R(-0.9865792975869436), R(-0.5530567492704753), R(-2.3523823504718373), R(-1.0891355607048268), R(-1.499151469438307), R(0.15419755538486415), R(0.016020506877608764), R(8.378023858266394), R(0.6232989120460506), R(0.6146787213352127), R(1.4018669255088245), R(0.09325925334774376), R(-0.6043810305565187), R(-1.2766195255492119), R(-1.3149026098943026), R(3.3514097724374934), R(0.13037858500791222), R(-4.202671098568655), R(0.08633961964951725)),
+STAGE_ROW(R(-0.5790743147266438), R(2.493173295992906), R(1.3791044881810792), R(0.1082343795509265), R(-0.7384391115332115), R(-1.8483217271752406), R(-0.9173184152150116), R(1.4544365802392691), R(0.4783993234299533), R(-0.5014137017410979), R(0.6911482329016162), R(-1.7797685886868155), R(0.6169575481961529), R(-1.0097214289865122), R(-0.11687473677498382), R(-0.043164180592248066), R(1.0738245265001327), R(1.572186631750574), R(-1.05410413609227), R(-0.013250876538760078), R(-0.8207620619975249), R(-6.973056894281734), R(1.8178612834512786), R(-3.263758882794241), R(-0.025622658161056452), R(1.1470060805289946), R(-1.299535630315557), R(-0.8889128264936275), R(-5.825697832361456), R(-2.3491409259395053), R(0.9898628673959725), R(-3.8722557980326457), R(0.5261060705800386), R(-2.2777215207592234), R(-3.9172193316953288), R(-1.509883343042143), R(-0.322771590991991), R(0.6937461369476837), R(-0.21304035648926728), R(0.3419768335971102), R(-0.3681390247419472), R(0.5784037820975101), R(-0.24199739615062377), R(-1.3978311882249188), R(-0.04079245233726782), R(0.16485276051996633), R(-0.41029288639944894), R(-2.0205277677448246), R(-0.9718886067332212), R(-0.3713450631909581), R(0.37246931087775403), R(0.9818045696155838), R(0.17835028997922764), R(-0.5296614751112162), R(1.3912871409233936), R(0.17414231124317442), R(6.24620181647645), R(1.2706482623091162), R(2.6451986048021716), R(0.25886320850644157)),
+STAGE_ROW(R(0.7588046244350009), R(5.636450431580643), R(1.0198259678695962), R(1.9179760440016425), R(1.3643379654581838), R(6.300422006560811), R(-0.21019906697383148), R(7.425200961847985), R(0.5362747555904639), R(1.3062727454126102), R(-2.0220929036305786), R(0.7293269403758897), R(-0.41684807258049217), R(2.732327832252492), R(2.1840227832695325), R(0.49114043194817186), R(2.430179905430866), R(-0.8102910274389563), R(0.3120666651830696), R(-0.8224830256302675), R(0.5932978559802369), R(5.6794399411923395), R(1.5279741612617257), R(3.927498755879988), R(-0.05615742041190006), R(3.63703663961724), R(-0.6524333587310857), R(0.09392654992488887), R(7.166905796685885), R(1.4736694756705042), R(-2.49940230428564), R(0.6584914366897636), R(0.8239983064411895), R(2.734823139913991), R(0.09042248481809304), R(-0.0960890947878629), R(1.981558178773831), R(-1.5770601827199413), R(-0.8583413184669976), R(-0.8315705131362142), R(1.1770929947063251), R(-0.46783138067983987), R(0.47747678254592146), R(0.5468907461895484), R(0.9554890075361674), R(0.29132806437805225), R(-0.4958361917104675), R(3.1712544782429735), R(-6.866231428615822), R(0.43597597199053434), R(-1.2898560907563734), R(1.0472041512014405), R(-0.5549030693040087), R(1.0848975070046032), R(-2.925404984798697), R(0.9739440305573168), R(3.8959450342831916), R(-1.907829632039747), R(0.4191320295591101), R(0.41628998807967477)),
+STAGE_ROW(R(-1.311097817645727), R(25.063220856677194), R(-0.20335916329702772), R(4.84306517198193), R(0.994511990326051), R(0.6073752434780169), R(-0.1925295429276041), R(4.247066261074176), R(11.102494703014461), R(-0.22966929907325273), R(0.4590687008540564), R(-1.6999518312961857), R(0.6245216676060816), R(0.660970864907757), R(1.2776278719555498), R(0.2488140267297354), R(2.0999545322630855), R(0.4663260076212834), R(-0.9553067525531838), R(2.054466707826699), R(-1.1824330642619425), R(-0.3441243150649352), R(0.48799665566152794), R(7.460662539285609), R(0.7900871986561782), R(-0.2186219958096105), R(-0.4742978749035666), R(-2.4489711880021763), R(0.0082502898970841), R(-0.06621302573655177), R(0.9349650615159321), R(-0.6952055637483774), R(-0.4733640006513796), R(0.3738359344874256), R(-1.6174274385232472), R(0.21468325009641495), R(1.7396669842060137), R(0.574597315248213), R(-0.07015802511145229), R(0.5872295893956998), R(-1.116377353889046), R(0.2135404124215612), R(0.09347228210158474), R(0.4820501273930935), R(0.9142482553898613), R(-0.6674614083947836), R(-0.27327485517350397), R(0.5482326929468267), R(-0.20286064175130594), R(-0.34486903585089596), R(0.5497747226950181), R(-0.023805216152759174), R(-0.6156459512487967), R(0.44097931195967804), R(0.14280391002790202), R(0.13574908610749029), R(1.8347820103122834), R(0.3064710354262128), R(0.750545613844081), R(0.3530734778164221)),
+STAGE_ROW(R(-0.5478658154059991), R(-1.4600034823132988), R(-0.251845781457782), R(-0.7222994701231087), R(0.8734275934022734), R(1.5766634351975146), R(0.4339555191705639), R(-1.520470345039372), R(-0.6930906885922513), R(-0.6662773969324347), R(-0.12459537796535242), R(-0.2245333868343336), R(-0.39919246414616233), R(0.7445343215661546), R(0.2842819251656354), R(-0.7099328930225232), R(2.24862991609289), R(0.963947583299595), R(0.627710338245425), R(0.434920076299238), R(-0.9700378911334855), R(2.0791018729991224), R(-0.6395011730926575), R(0.3124225148142076), R(0.8154740276636255), R(3.8742405272948703), R(0.19679506163811997), R(-2.602369466631143), R(0.31875550011366893), R(-1.1479662613364718), R(-0.0050478652336120675), R(-1.5198069300668975), R(0.13668647457452646), R(1.0866046074973057), R(3.356480960166864), R(-2.1739575219141507), R(1.8686358395369291), R(1.0899598833978972), R(-0.15394909850042113), R(0.9190830639941653), R(-0.48630212326185096), R(-1.2658134037252171), R(-0.5040166034513653), R(0.278197255051709), R(0.9646364954103692), R(1.283029541098406), R(0.5319076345849192), R(-0.393460689225029), R(-1.5043290565926013), R(-1.0122836594126108), R(-0.3085848214216399), R(0.4337575885631076), R(-0.2980549530382567), R(0.6348573213500177), R(0.9659248935502919), R(-0.45739070650790215), R(2.0233284484243663), R(0.7217835277953042), R(0.2503397165142497), R(0.6436390299454209)),
+STAGE_ROW(R(0.7057486541370016), R(18.977098454855625), R(-0.1695455140886417), R(0.10568867281956067), R(0.9254820681608832), R(3.098023290644396), R(-0.4593757505048589), R(0.45230960338889953), R(4.932652037544984), R(1.727162356826662), R(-0.05479957748409854), R(-0.9773114663433093), R(2.153121974110944), R(1.0869308935383244), R(-1.2275897564342715), R(0.10224909219302723), R(3.4362482883828265), R(0.5881808443436973), R(-1.1647954978817792), R(0.4330082766750561), R(0.35777330706429533), R(0.9627267530395357), R(-0.20863364947041702), R(0.48916867712182893), R(0.30656688134359295), R(0.31514694365766543), R(-0.7381442191324125), R(1.7445186184688493), R(1.765317734350933), R(1.2476039011014948), R(-0.3438003411528911), R(1.0275364404643539), R(0.8128091325818316), R(0.39581304612268514), R(-1.1168900036087503), R(-0.028578641067235486), R(3.3125073307432964), R(-0.8171558783419006), R(-1.0923850286941517), R(1.2277379646104907), R(0.04517741492685185), R(-3.4610768690125306), R(-0.3367292262965082), R(-0.7846940637209355), R(0.0485004701039063), R(-0.07006098459899662), R(-0.9097163661994011), R(-0.28892089544675975), R(1.815706560698074), R(0.7021879260372242), R(-0.09911287087827719), R(2.177930876878033), R(0.3497532006427113), R(0.06574467709684867), R(-1.1526175802971423), R(-0.7819610053725919), R(4.698628843919709), R(0.0031514789406606844), R(-0.6017620073620276), R(0.604665552656406)),
+STAGE_ROW(R(-1.3756470588506398), R(-9.181487772427582), R(-0.8225615346497337), R(1.234503075755768), R(-0.40349022241706367), R(-3.0935414455415087), R(0.48431837293677116), R(1.9427650833652839), R(0.8611622473614919), R(-1.539926381092771), R(0.14714828190766255), R(0.4812246056685212), R(-0.42021937023920547), R(-1.182749848672267), R(-1.8197312003411943), R(-0.15709878966686677), R(2.8057186572565085), R(0.5770987240518325), R(2.410869624007896), R(0.6208654077832171), R(-0.45142503865886274), R(-4.23665494486974), R(-1.2059335382995946), R(-6.075818816300394), R(-0.504607445360766), R(-5.293668219528713), R(0.4519036931171614), R(8.367179245732103), R(-6.813585708138795), R(-0.9422727863779665), R(-0.15568406059029813), R(1.7852549895249807), R(-0.8484891620903645), R(-4.039813301514478), R(-6.7484852842777), R(-1.0581781197738533), R(2.2915826457633317), R(1.50916553711829), R(0.19268719443422733), R(2.7935796650240436), R(-0.9140364838589117), R(-1.911023219399645), R(-0.23725067904577868), R(0.22902330780165064), R(-0.4352014146131701), R(-1.4388694957669863), R(0.5103822347415613), R(-0.16773371433264794), R(-2.0151814833443997), R(-0.7866336456007585), R(0.03516398621229618), R(-0.12001411761011303), R(-0.5412900448121435), R(-0.942404491398585), R(-1.5487332957270263), R(0.4235358439142275), R(2.941434428160775), R(0.08333459888598904), R(1.6526928835385513), R(0.6850332569408702)),
+STAGE_ROW(R(1.3933900029980713), R(18.228517713830136), R(1.7045052073956093), R(-0.8072849161713027), R(0.39396627516330895), R(-0.7206097205855378), R(2.678497062500892), R(9.156840445723747), R(-1.3178536679158406), R(2.1204617139584174), R(0.9671561844677772), R(-1.4237246273662678), R(-0.8377605102570501), R(1.0556255630177245), R(4.585751840150869), R(2.850490892632876), R(0.9660758753916662), R(-0.09209386353947967), R(-0.938268915025906), R(-1.4450314998896583), R(-1.15445603348803), R(-1.9620229171315489), R(0.3839636980539001), R(7.014845592941575), R(0.3357900813348757), R(-4.10625524182952), R(0.2788254220728172), R(-0.49032889323938394), R(-5.4832354650202095), R(-1.6151192606678277), R(1.2472167240992764), R(-5.995893207510244), R(-0.7587302821151941), R(4.464910517255837), R(0.052180398912854045), R(0.6974467285348002), R(-3.4092861510179464), R(1.0463965176565622), R(-0.7851156076315957), R(0.15886983543900482), R(0.27928436909192916), R(2.2592782418783526), R(-0.25444806188268715), R(2.8096968818828065), R(0.8441385073906513), R(-0.2231801913370113), R(1.5897028079985833), R(4.7432139754282385), R(1.2531030043912117), R(0.47242182057211346), R(-0.21924990656407733), R(3.3285583575520277), R(-1.1454581142290048), R(0.9230612721590442), R(1.0038460198476722), R(0.791588746516708), R(29.29845429243997), R(1.6512757696227893), R(-8.544750250565233), R(0.10033909562878515)),
+STAGE_ROW(R(0.07570637802753245), R(-23.109731326772206), R(-0.6972050909477001), R(-10.23641061128918), R(-0.6772624708732364), R(-11.75950650547291), R(-5.082695757392582), R(-11.95529402030865), R(-13.187725744103066), R(-1.2239522271005097), R(2.2300355469405178), R(18.330390918805442), R(-6.377855602682993), R(-2.3933816174940197), R(-5.408164606398255), R(-1.3310681180918285), R(1.9737009653465847), R(1.4291522532016923), R(-0.2699211035006763), R(-6.038769647922795), R(-0.6056043903050042), R(-5.916098706624027), R(0.7410391510315069), R(1.763075040121367), R(-1.228634894469589), R(-7.846249055798965), R(-0.6442412803861808), R(4.431491088326314), R(-8.459037611726748), R(0.5782747604040829), R(1.1753537768767108), R(14.8872933265704), R(-2.0276812164700115), R(-2.7292372920778627), R(-2.8501559625918533), R(1.3965771524389117), R(0.06673898414875735), R(4.256039891941298), R(2.594733015927816), R(-1.4393446857227472), R(-0.38221567219495156), R(-25.000530239734005), R(-1.2210373031065216), R(-19.281562926099582), R(-1.8884033769142654), R(-5.120989666972246), R(1.4474423918530142), R(-6.026469965516484), R(-1.8258063785379657), R(-1.4580806443901717), R(1.590391186160643), R(1.4773614419156325), R(-1.8358889777455187), R(0.0955620267698178), R(0.5295439276304552), R(-5.196767279366153), R(8.417803877975807), R(1.3272414077521588), R(-9.305173953796366), R(-0.476205719729776))
+}
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(-0.4763253833396118), R(-0.8781021024346511), R(0.5419473652554527), R(0.2394240566802009), R(-0.463788678915762), R(-0.4383465398968652), R(-0.48987365898696406), R(-0.421132255406807), R(-0.4344320094858896), R(-0.38239053257821715), R(0.4676804129929885), R(-0.2101994758574007), R(0.501553314981775), R(-0.5219114542783788), R(-0.15196778137554506), R(0.5378164440953052), R(0.00036009585300486303), R(-0.2901879593192592), R(0.3605213557009857), R(-0.3729638561079257), R(-0.44240552854952864), R(-0.4129942064964566), R(0.9619888229720216), R(0.37954716718039616), R(-0.3867823719756082), R(-0.5013090943235007), R(-0.4265381853405432), R(-0.23957100312468899), R(-0.5399487373139935), R(-0.39012181751328623), R(0.5222800158327101), R(-0.06755139239290237), R(0.48018007534009305), R(-0.5469508438713481), R(-0.44433803389006843), R(0.46660202263805955), R(-0.0007473289057740118), R(-0.33714637183843404), R(0.6686969239366203), R(-0.3807005246806049), R(-0.4539886103851059), R(-0.19777699954162947), R(0.4601781162430467), R(0.162753795870738), R(-0.4955816814072435), R(-0.2877892725513562), R(-0.4428805330463653), R(-0.17084315982698756), R(-0.17658526715977796), R(-0.2951433677482854), R(0.46146215739221474), R(-0.02706252983446145), R(0.3576029529865598), R(-0.4302225195059652), R(-0.20243173899716124), R(0.4015278125250024), R(0.0005111881829953365), R(-0.2435366122233218), R(0.9357537209206479), R(-0.3085002762124284));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output_bias[STAGE_NETWORKS] =
+{R(-3.3974099620151827), R(-2.1004925958664886), R(-1.5013164755252764)};
+#define STAGE_DEPTHS {3, 3, 3}
+
+
+/*
+ * A stage: networks evaluated in step. Its tables, which come before this, define its sizes, STAGE_..., and the names
+ * of its tables and functions: STAGE(networks) computes it.
+ */
+#if STAGE_SIDE_BY_SIDE
+/*
+ * A stage on vectors of 16 numbers: its networks side by side. Lane l of part m is neuron STAGE_SHARE m +
+ * l / STAGE_NETWORKS of network l % STAGE_NETWORKS, and lanes left over are zeros. Sums are added up in the order of
+ * the other form of a stage, to the same bits.
+ */
+
+/* In each lane what its network has of neuron q of a part. */
+SAILNET_INLINE sailnet_lanes STAGE(neuron)(sailnet_lanes part, int32_t q)
+{
+    const sailnet_mask network = {
+        0 % STAGE_NETWORKS,  1 % STAGE_NETWORKS,  2 % STAGE_NETWORKS,  3 % STAGE_NETWORKS,
+        4 % STAGE_NETWORKS,  5 % STAGE_NETWORKS,  6 % STAGE_NETWORKS,  7 % STAGE_NETWORKS,
+        8 % STAGE_NETWORKS,  9 % STAGE_NETWORKS,  10 % STAGE_NETWORKS, 11 % STAGE_NETWORKS,
+        12 % STAGE_NETWORKS, 13 % STAGE_NETWORKS, 14 % STAGE_NETWORKS, 15 % STAGE_NETWORKS,
+    };
+    return _mm512_maskz_permutexvar_ps(0xFFFF, (__m512i)(network + q * STAGE_NETWORKS), part);
+}
+
+SAILNET_INLINE void STAGE(begin)(int32_t layer, sailnet_lanes sums[2][STAGE_PARTS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[0][m] = sailnet_at(STAGE(biases)[layer][m]);
+        sums[1][m] = nothing;
+    }
+}
+
+/* Two sums for each neuron: in one, an addition would wait for the one before it. */
+SAILNET_INLINE void STAGE(add)(sailnet_lanes a, const sailnet_real weights[STAGE_PARTS][STAGE_PART],
+                                      sailnet_lanes sums[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[m] += a * sailnet_at(weights[m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(activate)(sailnet_lanes sums[2][STAGE_PARTS], sailnet_lanes neurons[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        neurons[m] = sailnet_sigmoid(sums[0][m] + sums[1][m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    sailnet_lanes sums[2][STAGE_PARTS];
+    sailnet_lanes neurons[STAGE_PARTS];
+    STAGE(begin)(0, sums);
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_lanes clamped =
+            sailnet_lanes_clamped(nothing + input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        STAGE(add)(clamped - STAGE(lower)[i], STAGE(first)[i], sums[i % 2]);
+    }
+    STAGE(activate)(sums, neurons);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(begin)(layer, sums);
+        SAILNET_UNROLLED
+        for (int32_t i = 0; i < STAGE_ROWS; i++) {
+            STAGE(add)(STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE),
+                              STAGE(hidden)[layer - 1][i], sums[i % 2]);
+        }
+        STAGE(activate)(sums, neurons);
+    }
+    sailnet_16_bytes products[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_ROWS; i++) {
+        const sailnet_lanes neuron = STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE);
+        const void *const weights = STAGE(output)[i];
+        sailnet_16_bytes first;
+        (void)memcpy(&first, &neuron, sizeof first);
+        products[i % 4] += first * *(const sailnet_16_bytes *)weights;
+    }
+    const sailnet_16_bytes sum = (products[0] + products[2]) + (products[1] + products[3]);
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = sum[k] + STAGE(output_bias)[k];
+    }
+}
+#else
+/*
+ * A stage: STAGE_NETWORKS network(s) with the same STAGE_INPUTS inputs, layer by layer. STAGE_DEPTH
+ * hidden layers of at most STAGE_ROWS neurons; a shallower network uses the first ones.
+ */
+
+/* Physical input, clamped to the widened range it had in training, less the lower end of that range. */
+SAILNET_INLINE void STAGE(shifted)(const sailnet_real input[STAGE_INPUTS],
+                                          sailnet_real shifted[STAGE_EVEN_INPUTS])
+{
+    shifted[STAGE_EVEN_INPUTS - 1] = R(0.0);
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_real clamped =
+            sailnet_clamped(input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        shifted[i] = clamped - STAGE(lower)[i];
+    }
+}
+
+#define STAGE_VECTORS (STAGE_WIDTH / SAILNET_LANES)
+/* Sums of one network that registers hold, twice; and of how many networks they hold as many. */
+#if STAGE_VECTORS % 6 == 0
+#define STAGE_BLOCK 6
+#elif STAGE_VECTORS % 5 == 0
+#define STAGE_BLOCK 5
+#elif STAGE_VECTORS % 4 == 0
+#define STAGE_BLOCK 4
+#elif STAGE_VECTORS % 3 == 0
+#define STAGE_BLOCK 3
+#elif STAGE_VECTORS % 2 == 0
+#define STAGE_BLOCK 2
+#else
+#define STAGE_BLOCK 1
+#endif
+#if 2 * STAGE_BLOCK * STAGE_NETWORKS < SAILNET_REGISTERS
+#define STAGE_TOGETHER STAGE_NETWORKS
+#else
+#define STAGE_TOGETHER 1
+#endif
+
+/*
+ * activations becomes the sigmoids of biases + weights a, for each network: a[k] are the inputs of network k, an even
+ * number, and a[0] of all if `each` is 0.
+ */
+SAILNET_INLINE void STAGE(layer)(const sailnet_real *a, int32_t each, int32_t inputs,
+                                        const sailnet_real biases[STAGE_NETWORKS][STAGE_WIDTH],
+                                        const sailnet_real weights[][STAGE_NETWORKS][STAGE_WIDTH],
+                                        sailnet_real activations[STAGE_NETWORKS][STAGE_WIDTH])
+{
+    SAILNET_ROLLED
+    for (int32_t network = 0; network < STAGE_NETWORKS; network += STAGE_TOGETHER) {
+        SAILNET_ROLLED
+        for (int32_t block = 0; block < STAGE_WIDTH; block += STAGE_BLOCK * SAILNET_LANES) {
+            /* Two sums for each neuron: in one, an addition would wait for the one before it. */
+            sailnet_lanes even[STAGE_TOGETHER][STAGE_BLOCK];
+            sailnet_lanes odd[STAGE_TOGETHER][STAGE_BLOCK];
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const int32_t k = network + n;
+                    const int32_t j = block + m * SAILNET_LANES;
+                    even[n][m] = sailnet_at(&biases[k][j]) + a[k * each] * sailnet_at(&weights[0][k][j]);
+                    odd[n][m] = a[k * each + 1] * sailnet_at(&weights[1][k][j]);
+                }
+            }
+            SAILNET_ROLLED
+            for (int32_t i = 2; i < inputs; i += 2) {
+                SAILNET_UNROLLED
+                for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                    SAILNET_UNROLLED
+                    for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                        const int32_t k = network + n;
+                        const int32_t j = block + m * SAILNET_LANES;
+                        even[n][m] += a[k * each + i] * sailnet_at(&weights[i][k][j]);
+                        odd[n][m] += a[k * each + i + 1] * sailnet_at(&weights[i + 1][k][j]);
+                    }
+                }
+            }
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const sailnet_lanes sigmoids = sailnet_sigmoid(even[n][m] + odd[n][m]);
+                    (void)memcpy(&activations[network + n][block + m * SAILNET_LANES], &sigmoids, sizeof sigmoids);
+                }
+            }
+        }
+    }
+}
+
+/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
+SAILNET_INLINE sailnet_real STAGE(product)(const sailnet_real *a, const sailnet_real *b, int32_t count)
+{
+#ifdef SAILNET_VECTORS
+    sailnet_16_bytes sums = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
+    }
+#else
+    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
+            sums[lane] += a[j + lane] * b[j + lane];
+        }
+    }
+#endif
+#ifdef SAILNET_FLOAT64
+    return sums[0] + sums[1];
+#else
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+#endif
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    static const int32_t depth[STAGE_NETWORKS] = STAGE_DEPTHS;
+    SAILNET_ALIGNED sailnet_real layers[STAGE_DEPTH][STAGE_NETWORKS][STAGE_WIDTH];
+    sailnet_real shifted[STAGE_EVEN_INPUTS];
+    STAGE(shifted)(input, shifted);
+    STAGE(layer)(shifted, 0, STAGE_EVEN_INPUTS, STAGE(biases)[0], STAGE(first), layers[0]);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(layer)(layers[layer - 1][0], STAGE_WIDTH, STAGE_ROWS, STAGE(biases)[layer],
+                            STAGE(hidden)[layer - 1], layers[layer]);
+    }
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = STAGE(product)(layers[depth[k] - 1][k], STAGE(output)[k], STAGE_ROWS) +
+                    STAGE(output_bias)[k];
+    }
+}
+#endif
+#undef STAGE
+#undef STAGE_NETWORKS
+#undef STAGE_INPUTS
+#undef STAGE_EVEN_INPUTS
+#undef STAGE_DEPTH
+#undef STAGE_DEPTHS
+#undef STAGE_ROWS
+#undef STAGE_WIDTH
+#undef STAGE_SIDE_BY_SIDE
+#undef STAGE_SHARE
+#undef STAGE_PARTS
+#undef STAGE_PART
+#undef STAGE_OUTPUTS
+#undef STAGE_OUTPUT
+#undef STAGE_ROW
+#undef STAGE_OUTPUT_ROW
+#undef STAGE_VECTORS
+#undef STAGE_BLOCK
+#undef STAGE_TOGETHER
+
+SAILNET_PART void sailnet_direction(const sailnet_state *state, sailnet_real beta, double direction[SAILNET_STATES])
+{
+    const sailnet_real known = sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real now[3] = {state->r, state->u, state->v};
+    sailnet_real output[3];
+    const sailnet_real s = sailnet_approach(now, known, input, factors);
+    sailnet_plan_networks(input, output);
+    for (int32_t i = 0; i < 3; i++) {
+        direction[i] = (double)output[i];
+    }
+    /* The networks give the costates of position by the scale of the approach; nothing is divided by it. */
+    const sailnet_real scale = s / (s + SAILNET_ARRIVAL_SCALE);
+    for (int32_t i = SAILNET_STATES / 2; i < SAILNET_STATES; i++) {
+        direction[i] *= (double)scale;
+    }
+}
+
 /* ================================ Steering ================================ */
 
 /* Runge and Kutta's method of fourth order: where in the step its stages are, and what they weigh. */
@@ -1171,14 +2895,14 @@ typedef struct {
 } sailnet_change;
 
 /* One such step of Eq. (1), under a constant force. */
-SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
+SAILNET_PART void sailnet_predict(const sailnet_estimate *estimate, sailnet_change *change)
 {
-    const sailnet_state *const before = &memory->state;
-    sailnet_cosine_sine(memory->attitude, &change->cosine, &change->sine);
+    const sailnet_state *const before = &estimate->state;
+    sailnet_cosine_sine(estimate->attitude, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real push = memory->beta * cosine;
-    const sailnet_real across = SAILNET_FORCE_ACROSS + memory->tangential;
+    const sailnet_real push = estimate->beta * cosine;
+    const sailnet_real across = SAILNET_FORCE_ACROSS + estimate->tangential;
     change->normal = (SAILNET_FORCE_SQUARE * cosine + SAILNET_FORCE_LINEAR) * cosine;
     const sailnet_real radial = push * (change->normal + across * sine * sine) - R(1.0);
     const sailnet_real transverse =
@@ -1186,14 +2910,14 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     sailnet_state rate = {R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
-        const sailnet_real step = sailnet_stages[i][0] * memory->held;
+        const sailnet_real step = sailnet_stages[i][0] * estimate->held;
         const sailnet_real per_r = R(1.0) / (before->r + step * rate.r);
         const sailnet_real u = before->u + step * rate.u;
         const sailnet_real v = before->v + step * rate.v;
         rate.r = u;
         rate.u = (radial * per_r + v * v) * per_r;
         rate.v = (transverse * per_r - u * v) * per_r;
-        const sailnet_real share = sailnet_stages[i][1] * memory->held;
+        const sailnet_real share = sailnet_stages[i][1] * estimate->held;
         change->by.r += share * rate.r;
         change->by.u += share * rate.u;
         change->by.v += share * rate.v;
@@ -1201,689 +2925,207 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
 }
 
 /* The weight of a period in the mean of all at first, later of those not forgotten after a time. */
-SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_estimate *estimate, sailnet_real time)
 {
-    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-    const sailnet_real recent = memory->held * (R(1.0) / time);
+    const sailnet_real all = R(1.0) / ((sailnet_real)estimate->samples + R(1.0));
+    const sailnet_real recent = estimate->held * (R(1.0) / time);
     return recent > all ? recent : all;
 }
 
 /*
  * What one more period tells, by how much further the velocity changed than predicted: beta along the normal, the
- * tangential force across it, and how far such surprises differ. Changes are rounded finer than states. What is not
+ * tangential force across it, and how far such innovations differ. Changes are rounded finer than states. What is not
  * finite counts for nothing, what is large for the bound.
  */
-SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
+SAILNET_PART void sailnet_learn(sailnet_estimate *estimate, const sailnet_state *now, const sailnet_change *change)
 {
-    const sailnet_real held = memory->held;
-    const sailnet_state *const before = &memory->state;
+    const sailnet_real held = estimate->held;
+    const sailnet_state *const before = &estimate->state;
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
+    const sailnet_real turned = estimate->slewing * estimate->slewing * SAILNET_SLEW_RATE;
     /* Not held, or turned, or not seen before: that says nothing. */
-    int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
+    int32_t telling = ((held > R(0.0)) && (estimate->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
     telling &= (change->normal >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
-    const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
-    const sailnet_real surprise_v = (now->v - before->v) - change->by.v;
+    const sailnet_real innovation_u = (now->u - before->u) - change->by.u;
+    const sailnet_real innovation_v = (now->v - before->v) - change->by.v;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
     const sailnet_real per = distance * distance / (held * change->normal);
-    const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
-    const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
+    const sailnet_real along = (innovation_u * cosine + innovation_v * sine) * per;
+    const sailnet_real across = (innovation_v * cosine - innovation_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
-        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+        const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
-        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
+        estimate->beta += sailnet_weight(estimate, SAILNET_MEMORY) * counted;
         /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
-        memory->tangential -= R(2.0) * weight * sine * cosine * aside;
-        memory->variance += weight * (relative * relative - memory->variance);
-        memory->slow += weight * (relative * memory->surprise - memory->slow);
-        memory->surprise = relative;
+        estimate->tangential -= R(2.0) * weight * sine * cosine * aside;
+        if (estimate->samples > 0u) {
+            estimate->variance += weight * (relative * relative - estimate->variance);
+            estimate->autocovariance += weight * (relative * estimate->innovation - estimate->autocovariance);
+            estimate->innovation = relative;
+        }
+        /* The first says by how much the vehicle differs from the mission's, not how it varies. */
+        if (estimate->samples < UINT32_MAX) {
+            estimate->samples++;
+        }
     }
 }
 
 /* The share of beta that is not planned with. */
-SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
+SAILNET_PART sailnet_real sailnet_reserve(const sailnet_estimate *estimate, const sailnet_real *time_of_flight,
+                                          sailnet_real hold)
 {
-    const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
+    const sailnet_real tau = sailnet_limited(time_of_flight, SAILNET_OF_TIME_TO_GO);
     /* What white noise leaves in a mean of few products. */
-    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
-    const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
-    const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
-    const sailnet_real rest = memory->variance - slow;
+    const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
+    const sailnet_real chance = estimate->variance * weight * sailnet_per_root(&weight);
+    const sailnet_real slow = sailnet_clamped(estimate->autocovariance - chance, R(0.0), R(1.0));
+    const sailnet_real rest = estimate->variance - slow;
     /* Of its variance the mean of the periods left keeps so much. */
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
     const sailnet_real reserve =
         SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
-    const sailnet_real bounded = sailnet_clamped(reserve, SAILNET_LEAST_RESERVE, SAILNET_LARGEST_RESERVE);
+    const sailnet_real bounded = sailnet_clamped(reserve, R(0.0), SAILNET_LARGEST_RESERVE);
     return bounded * sailnet_clamped(tau * (R(1.0) / SAILNET_LET_GO), R(0.0), R(1.0));
 }
 
 /*
- * How late the sail is: by how much its time to go did not fall as time passed, less what of that is forgotten. And how
- * long it still waits.
+ * The tracker, see sailnet_tracker.h: what it is of this mission, a plan by the networks, and the command.
  */
-SAILNET_INLINE void sailnet_time_passes(sailnet_memory *memory, const sailnet_command *command)
+static const sailnet_problem sailnet_transfer = {
+    0.16892, /* beta */
+    2.77, /* target radius */
+    1.0, /* square */
+    0.0, /* linear */
+    0.0, /* across */
+    0.5000000000000001, /* bound cosine */
+    0.8660254037844386, /* bound sine */
+    -0.6495190528383292, /* edge radial */
+    -0.625, /* edge lateral */
+};
+
+/* Extremals that are computed in a guidance period at most. What has not converged then goes on in the next one. */
+#define SAILNET_EXTREMALS_PER_PERIOD 8
+
+/* The transfer of a vehicle of `beta`, as it was learnt: light pushes it along its surface by more than the mission's, or
+   less. */
+SAILNET_INLINE sailnet_problem sailnet_own_problem(const sailnet_memory *memory, double beta)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    memory->wait = sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT);
-    /* What came of something else says nothing. */
-    const sailnet_real behind =
-        held > R(0.0) ? (command->time_of_flight - memory->time_of_flight) + held : R(0.0);
-    const sailnet_real late = (memory->late - held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late) + behind;
-    memory->late = sailnet_limited(&late, SAILNET_OF_PERIOD);
+    sailnet_problem own = sailnet_transfer;
+    own.beta = beta;
+    sailnet_push_aside(&own, (double)sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL));
+    return own;
 }
 
-/*
- * The sign of the command. Where both are almost equally fast the sail keeps its side until that has cost more than a
- * reversal is worth. The other loses time at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian. A sail that
- * is late has turned over in vain: after every other reversal it waits, for on both sides alike it would circle.
- */
-SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
+/* The networks know the mission's optics alone: beta of such a sail that is as fast. */
+SAILNET_INLINE sailnet_real sailnet_for_networks(const sailnet_memory *memory, sailnet_real beta)
 {
-    const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
-    const sailnet_real facing = ratio * change->cosine;
-    const sailnet_real share = (SAILNET_FORCE_SQUARE - SAILNET_FORCE_ACROSS) * change->cosine + SAILNET_FORCE_LINEAR;
-    const sailnet_real regret = memory->regret + R(2.0) * memory->held * memory->stake * facing * (ratio * share) *
-                                                     sailnet_size(change->sine);
-    memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
-    memory->stake = -sailnet_size(command->lambda_v);
-    sailnet_time_passes(memory, command);
-    const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);
-    if ((command->cone_angle * memory->cone_angle < R(0.0)) && (step > SAILNET_REVERSAL)) {
-        if ((memory->regret < SAILNET_PATIENCE) || (memory->wait > R(0.0))) {
-            command->cone_angle = -command->cone_angle;
-            memory->stake = -memory->stake;
-        } else {
-            memory->wait = R(0.0);
-            if ((memory->late > SAILNET_LATE_TOLERATED) &&
-                (memory->late > SAILNET_LATE_SHARE * command->time_of_flight) && (memory->waited <= R(0.0))) {
-                memory->wait = sailnet_clamped(SAILNET_WAIT * memory->late, R(0.0), SAILNET_LARGEST_WAIT);
-            }
-            memory->waited = memory->wait;
-            memory->regret = R(0.0);
-        }
-    }
+    const sailnet_real tangential = sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL);
+    const sailnet_real lost = tangential > R(0.0) ? SAILNET_TANGENTIAL_LOSS * tangential : R(0.0);
+    const sailnet_real asked = beta * (R(1.0) - lost);
+    return sailnet_limited(&asked, SAILNET_OF_BETA);
 }
 
-/*
- * Plans of homing: a few arcs of constant tilt from the Sun line, and one step of Newton's method towards one that ends
- * at the target.
- * A tilt is the cone angle.
- */
-
-/* What is corrected: the tilts of all arcs in each of the ways, and then their times. */
-#define SAILNET_TILTS (SAILNET_WAYS * SAILNET_ARCS)
-#define SAILNET_CORRECTIONS (SAILNET_TILTS + SAILNET_ARCS)
-
-/* States as numbers, in order; on the target; and what turns deviations from there into lengths and speeds. */
-#define SAILNET_COMPONENTS 3
-static const sailnet_real sailnet_home[SAILNET_COMPONENTS] = {SAILNET_TARGET_R, SAILNET_TARGET_U, SAILNET_TARGET_V};
-static const sailnet_real sailnet_lengths[SAILNET_COMPONENTS] = {R(1.0), R(1.0), R(1.0)};
-
-SAILNET_INLINE void sailnet_to_numbers(const sailnet_state *state, sailnet_real numbers[SAILNET_COMPONENTS])
+/* Whether the state is within the arrival tolerance of the target: 0, or SAILNET_THERE. */
+SAILNET_INLINE uint32_t sailnet_there(const sailnet_state *state)
 {
-    numbers[0] = state->r;
-    numbers[1] = state->u;
-    numbers[2] = state->v;
+    const sailnet_real known[3] = {state->r, state->u, state->v};
+    const int32_t components = 3;
+    uint32_t there = SAILNET_THERE;
+    for (int32_t i = 0; i < components; i++) {
+        const sailnet_real *const limit = sailnet_limits[SAILNET_OF_STATE + 3 * i + 2];
+        if (!((known[i] >= limit[0]) && (known[i] <= limit[1]))) {
+            there = 0u;
+        }
+    }
+    return there;
 }
 
-SAILNET_INLINE void sailnet_of_numbers(const sailnet_real numbers[SAILNET_COMPONENTS], sailnet_state *state)
+/* A state as the tracker has it. */
+SAILNET_PART void sailnet_to_tracker(const sailnet_state *state, double numbers[SAILNET_STATES])
 {
-    state->r = numbers[0];
-    state->u = numbers[1];
-    state->v = numbers[2];
+    numbers[0] = (double)state->r;
+    numbers[1] = (double)state->u;
+    numbers[2] = (double)state->v;
 }
 
-/* A state after so long [TU] under a tilt, in so many steps. */
-SAILNET_PART void sailnet_arc(const sailnet_memory *memory, const sailnet_real from[SAILNET_COMPONENTS],
-                              const sailnet_real tilt[SAILNET_WAYS], sailnet_real time, int32_t steps,
-                              sailnet_real to[SAILNET_COMPONENTS])
+sailnet_status sailnet_propose_plan(const sailnet_state *state, sailnet_real beta, sailnet_arrival *arrival)
 {
-    sailnet_memory sail;
-    sailnet_of_numbers(from, &sail.state);
-    sail.attitude = tilt[0];
-    sail.held = time / (sailnet_real)steps;
-    sail.beta = memory->beta;
-    sail.tangential = memory->tangential;
-    for (int32_t i = 0; i < steps; i++) {
-        sailnet_change change;
-        sailnet_predict(&sail, &change);
-        sail.state.r += change.by.r;
-        sail.state.u += change.by.u;
-        sail.state.v += change.by.v;
-    }
-    sailnet_to_numbers(&sail.state, to);
-}
-
-/* In which way the tilt of an arc is corrected, and how far it goes there: in the plane there is one. */
-SAILNET_PART void sailnet_ways(const sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
-                               sailnet_real size[SAILNET_WAYS])
-{
-    way[0][0] = R(1.0);
-    size[0] = tilt[0];
-}
-
-/*
- * How the plan ends, in arrival tolerances off the target: returned is what of it changes by each correction. All
- * differences are of small steps.
- */
-SAILNET_PART void sailnet_ends_off(const sailnet_memory *memory, const sailnet_state *known,
-                                   sailnet_real missed[SAILNET_COMPONENTS],
-                                   sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
-{
-    sailnet_real changes[SAILNET_ARCS][SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-    sailnet_real onward[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-    sailnet_real state[SAILNET_COMPONENTS];
-    sailnet_real end[SAILNET_COMPONENTS];
-    sailnet_real other[SAILNET_COMPONENTS];
-    sailnet_to_numbers(known, state);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const sailnet_real *const tilt = memory->arc_tilt[k];
-        const sailnet_real time = memory->arc_time[k];
-        sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, end);
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            const sailnet_real kept = state[i];
-            state[i] = kept + SAILNET_SMALL;
-            sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, other);
-            state[i] = kept;
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                changes[k][j][i] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            }
-        }
-        sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
-        sailnet_real size[SAILNET_WAYS];
-        sailnet_ways(tilt, way, size);
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            sailnet_real beside[SAILNET_WAYS];
-            for (int32_t l = 0; l < SAILNET_WAYS; l++) {
-                beside[l] = tilt[l] + SAILNET_SMALL * way[i][l];
-            }
-            sailnet_arc(memory, state, beside, time, SAILNET_SUBSTEPS, other);
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                by[j][i * SAILNET_ARCS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            }
-        }
-        sailnet_arc(memory, end, tilt, SAILNET_SMALL, 1, other);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            by[j][SAILNET_TILTS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            state[j] = end[j];
-        }
-    }
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        missed[j] = (state[j] - sailnet_home[j]) * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            onward[j][i] = i == j ? R(1.0) : R(0.0);
-        }
-    }
-    for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
-        for (int32_t i = k; i < SAILNET_CORRECTIONS; i += SAILNET_ARCS) {
-            sailnet_real own[SAILNET_COMPONENTS];
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                own[j] = by[j][i];
-            }
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                sailnet_real sum = R(0.0);
-                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
-                    sum += onward[j][l] * own[l];
-                }
-                by[j][i] = sum * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
-            }
-        }
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            sailnet_real row[SAILNET_COMPONENTS];
-            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-                row[i] = R(0.0);
-                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
-                    row[i] += onward[j][l] * changes[k][l][i];
-                }
-            }
-            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-                onward[j][i] = row[i];
-            }
-        }
-    }
-}
-
-/* The largest of several sizes; a NaN if one is. */
-SAILNET_INLINE sailnet_real sailnet_largest(const sailnet_real of[SAILNET_COMPONENTS])
-{
-    sailnet_real largest = R(0.0);
-    for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-        const sailnet_real size = of[i] < R(0.0) ? -of[i] : of[i];
-        largest = ((size > largest) || (size != size)) ? size : largest;
-    }
-    return largest;
-}
-
-/* The solution of equations that are symmetric and positive: L D L^T by Cholesky, in place; of them the lower half counts. */
-SAILNET_PART void sailnet_solved(sailnet_real of[SAILNET_COMPONENTS][SAILNET_COMPONENTS],
-                                 sailnet_real right[SAILNET_COMPONENTS])
-{
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        const sailnet_real per = R(1.0) / of[j][j];
-        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
-            const sailnet_real share = of[i][j] * per;
-            for (int32_t l = i; l < SAILNET_COMPONENTS; l++) {
-                of[l][i] -= share * of[l][j];
-            }
-            right[i] -= share * right[j];
-        }
-        right[j] *= per;
-        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
-            of[i][j] *= per;
-        }
-    }
-    for (int32_t j = SAILNET_COMPONENTS - 1; j > 0; j--) {
-        for (int32_t i = 0; i < j; i++) {
-            right[i] -= of[j][i] * right[j];
-        }
-    }
-}
-
-/* What a step leaves of what was missed. */
-SAILNET_PART void sailnet_leaves(const sailnet_real missed[SAILNET_COMPONENTS],
-                                 sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS],
-                                 const sailnet_real step[SAILNET_CORRECTIONS], sailnet_real left[SAILNET_COMPONENTS])
-{
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        left[j] = missed[j];
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            left[j] += by[j][i] * step[i];
-        }
-    }
-}
-
-/* What is corrected, within its bounds. */
-SAILNET_INLINE sailnet_real sailnet_bounded(sailnet_real value, int32_t of)
-{
-    sailnet_real bounded = sailnet_clamped(value, -SAILNET_PHI_MAX, SAILNET_PHI_MAX);
-    if (of >= SAILNET_TILTS) {
-        bounded = sailnet_clamped(value, SAILNET_LEAST_ARC, SAILNET_HOMING_HORIZON);
-    }
-    return bounded;
-}
-
-/* The tilt of an arc that goes so far in each of its ways, within the bound. */
-SAILNET_PART void sailnet_tilted(sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
-                                 const sailnet_real size[SAILNET_WAYS])
-{
-    tilt[0] = size[0] * way[0][0];
-}
-
-/*
- * One step of Newton's method, of least size where angles weigh as much as times; returned is what it leaves of what was
- * missed. What comes to a bound stays there. A plan that arrives is made shorter in all of its times, as far as the rest
- * can make up for that.
- */
-SAILNET_PART sailnet_real sailnet_improve(sailnet_memory *memory, const sailnet_real missed[SAILNET_COMPONENTS],
-                                          sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
-{
-    sailnet_real value[SAILNET_CORRECTIONS];
-    sailnet_real unit[SAILNET_CORRECTIONS];
-    sailnet_real weight[SAILNET_CORRECTIONS];
-    sailnet_real step[SAILNET_CORRECTIONS];
-    sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
-    sailnet_real size[SAILNET_WAYS];
-    const sailnet_real worst = sailnet_largest(missed);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const int32_t later = SAILNET_TILTS + k;
-        const sailnet_real there = memory->arc_time[k] > R(0.0) ? R(1.0) : R(0.0);
-        sailnet_ways(memory->arc_tilt[k], way, size);
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            const int32_t tilt = i * SAILNET_ARCS + k;
-            value[tilt] = size[i];
-            unit[tilt] = SAILNET_ANGLE_WEIGHT;
-            weight[tilt] = there * SAILNET_ANGLE_WEIGHT * SAILNET_ANGLE_WEIGHT;
-            step[tilt] = R(0.0);
-        }
-        value[later] = memory->arc_time[k];
-        unit[later] = SAILNET_HOMING_STEP;
-        weight[later] = there * SAILNET_HOMING_STEP * SAILNET_HOMING_STEP;
-        step[later] = R(0.0);
-        if ((there > R(0.0)) && (worst < R(0.3))) {
-            step[later] = sailnet_bounded(value[later] - R(0.05) * SAILNET_HOMING_STEP, later) - value[later];
-        }
-    }
-    sailnet_real left[SAILNET_COMPONENTS];
-    for (int32_t round = 0; round < 3; round++) {
-        sailnet_real square[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-        sailnet_real trace = R(0.0);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            for (int32_t l = 0; l <= j; l++) {
-                square[j][l] = R(0.0);
-                for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-                    square[j][l] += by[j][i] * weight[i] * by[l][i];
-                }
-            }
-            trace += square[j][j];
-        }
-        sailnet_leaves(missed, by, step, left);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            square[j][j] += R(0.02) + R(1.52587890625e-05) * trace;
-        }
-        sailnet_solved(square, left);
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            if (weight[i] > R(0.0)) {
-                sailnet_real wanted = R(0.0);
-                for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                    wanted -= by[j][i] * left[j];
-                }
-                wanted *= weight[i];
-                const sailnet_real taken = sailnet_clamped(wanted, -unit[i], unit[i]);
-                const sailnet_real free = value[i] + step[i] + taken;
-                const sailnet_real bounded = sailnet_bounded(free, i);
-                step[i] = bounded - value[i];
-                if ((bounded < free) || (bounded > free) || (taken < wanted) || (taken > wanted)) {
-                    weight[i] = R(0.0);
-                }
-            }
-        }
-    }
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        if (memory->arc_time[k] > R(0.0)) {
-            const int32_t later = SAILNET_TILTS + k;
-            /* For what rounding adds. */
-            memory->arc_time[k] = sailnet_bounded(value[later] + step[later], later);
-            sailnet_ways(memory->arc_tilt[k], way, size);
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                const int32_t tilt = i * SAILNET_ARCS + k;
-                size[i] = sailnet_bounded(value[tilt] + step[tilt], tilt);
-            }
-            sailnet_tilted(memory->arc_tilt[k], way, size);
-        }
-    }
-    sailnet_leaves(missed, by, step, left);
-    return sailnet_largest(left);
-}
-
-/*
- * The plan corrected: by how much it missed before that [arrival tolerances], and what is left of it. One that would miss
- * by too much for that to be told, or by what is no number, stays.
- */
-SAILNET_PART sailnet_real sailnet_correct(sailnet_memory *memory, const sailnet_state *known, sailnet_real *left)
-{
-    sailnet_real missed[SAILNET_COMPONENTS];
-    sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS];
-    sailnet_ends_off(memory, known, missed, by);
-    sailnet_real worst = sailnet_largest(missed);
-    sailnet_real steepest = worst;
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            const sailnet_real steep = by[j][i] < R(0.0) ? -by[j][i] : by[j][i];
-            steepest = ((steep > steepest) || (steep != steep)) ? steep : steepest;
-        }
-    }
-    if (steepest <= R(1000000.0)) {
-        *left = sailnet_improve(memory, missed, by);
-    } else {
-        *left = R(1000000.0);
-        worst = R(1000000.0);
-    }
-    return worst;
-}
-
-/*
- * Homing: the model flown ahead, so that what the networks would miss is not missed. A plan is a few arcs of constant
- * tilt, first as the networks would fly, then corrected each period by a step of Newton's method until it ends at
- * the target. While it does the networks steer; where it soon could no longer, or is sooner there, it is flown.
- */
-#define SAILNET_NO_PLAN 0u
-#define SAILNET_LOOKING 1u   /* the networks are flown ahead */
-#define SAILNET_CORRECTED 2u /* it does not end at the target yet */
-#define SAILNET_READY 3u     /* it does */
-#define SAILNET_FLOWN 4u
-
-/* How long the plan takes [TU]. */
-SAILNET_PART sailnet_real sailnet_planned(const sailnet_memory *memory)
-{
-    sailnet_real time = R(0.0);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        time += memory->arc_time[k];
-    }
-    return time;
-}
-
-/* So much of the plan is over [TU]. Arcs that are few are halved: there is the more to correct. */
-SAILNET_PART void sailnet_pass(sailnet_memory *memory, sailnet_real time)
-{
-    sailnet_real rest = time;
-    for (int32_t arc = 0; arc < SAILNET_ARCS; arc++) {
-        const sailnet_real first = memory->arc_time[0];
-        const sailnet_real over = first < rest ? first : rest;
-        rest -= over;
-        memory->arc_time[0] = first - over;
-        if (memory->arc_time[0] <= R(0.0)) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                const sailnet_real tilt = memory->arc_tilt[0][i];
-                for (int32_t k = 1; k < SAILNET_ARCS; k++) {
-                    memory->arc_tilt[k - 1][i] = memory->arc_tilt[k][i];
-                }
-                memory->arc_tilt[SAILNET_ARCS - 1][i] = tilt;
-            }
-            for (int32_t k = 1; k < SAILNET_ARCS; k++) {
-                memory->arc_time[k - 1] = memory->arc_time[k];
-            }
-            memory->arc_time[SAILNET_ARCS - 1] = R(0.0);
-        }
-    }
-    sailnet_real far = R(0.0);
-    for (int32_t k = SAILNET_ARCS / 2; k < SAILNET_ARCS; k++) {
-        far += memory->arc_time[k];
-    }
-    if (far <= R(0.0)) {
-        for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                memory->arc_tilt[k][i] = memory->arc_tilt[k / 2][i];
-            }
-            memory->arc_time[k] = R(0.5) * memory->arc_time[k / 2];
-        }
-    }
-    if (sailnet_planned(memory) <= R(0.0)) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
-}
-
-/* The plan ends where it came nearest the target, and what was flown meanwhile is over. */
-SAILNET_PART void sailnet_end_nearest(sailnet_memory *memory)
-{
-    sailnet_real left = memory->nearest_time;
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const sailnet_real time = memory->arc_time[k];
-        memory->arc_time[k] = sailnet_clamped(left, R(0.0), time);
-        left -= time;
-    }
-    memory->homing = SAILNET_CORRECTED;
-    sailnet_pass(memory, memory->looked);
-}
-
-/* The tilt of a command. */
-SAILNET_INLINE void sailnet_tilt_of(const sailnet_command *command, sailnet_real tilt[SAILNET_WAYS])
-{
-    tilt[0] = command->cone_angle;
-}
-
-/* The command of a tilt. */
-SAILNET_INLINE void sailnet_command_of(const sailnet_real tilt[SAILNET_WAYS], sailnet_command *command)
-{
-    command->cone_angle = tilt[0];
-}
-
-/* Fly the networks one step ahead, and remember it in the arc they are in: another where they turn over. */
-SAILNET_PART void sailnet_look(sailnet_memory *memory, sailnet_real plan)
-{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+#if SAILNET_PLANS
     sailnet_command command;
-    const sailnet_state state = memory->ahead;
-    const uint32_t seen = sailnet_law(&state, plan, &command);
-    const sailnet_real promised = command.time_of_flight;
-    const sailnet_real time = sailnet_clamped(promised, SAILNET_LEAST_ARC, SAILNET_HOMING_STEP);
-    const sailnet_real elapsed = sailnet_planned(memory);
-    uint32_t arc = memory->arc;
-    sailnet_real before = memory->arc_time[arc];
-    sailnet_real tilt[SAILNET_WAYS];
-    sailnet_tilt_of(&command, tilt);
-    sailnet_real alike = R(0.0);
-    for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-        alike += memory->arc_tilt[arc][i] * tilt[i];
+    if ((arrival != NULL) && ((sailnet_law(state, beta, &command) & ~SAILNET_THERE) != (uint32_t)SAILNET_INVALID_INPUT)) {
+        sailnet_direction(state, command.beta, arrival->direction);
+        arrival->time_to_go = (double)command.time_of_flight;
+        arrival->beta = (double)command.beta;
+        status = SAILNET_OK;
     }
-    if ((before > R(0.0)) && ((alike < R(0.0)) || (before >= SAILNET_LONGEST_ARC))) {
-        arc++;
-        before = R(0.0);
-    }
-    int32_t ends = 0;
-    if (promised <= SAILNET_HOMING_STEP) {
-        ends = 1;
-    }
-    if ((arc < (uint32_t)SAILNET_ARCS) && ((seen & ~SAILNET_THERE) < (uint32_t)SAILNET_OUTSIDE_DOMAIN) &&
-        (elapsed <= R(1.6) * memory->promised)) {
-        sailnet_real numbers[SAILNET_COMPONENTS];
-        const sailnet_real whole = before + time;
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            const sailnet_real mean = before > R(0.0) ? memory->arc_tilt[arc][i] : R(0.0);
-            memory->arc_tilt[arc][i] = (mean * before + tilt[i] * time) / whole;
-        }
-        memory->arc_time[arc] = whole;
-        memory->arc = arc;
-        sailnet_to_numbers(&state, numbers);
-        sailnet_arc(memory, numbers, tilt, time, 1, numbers);
-        sailnet_of_numbers(numbers, &memory->ahead);
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            numbers[i] = (numbers[i] - sailnet_home[i]) * sailnet_lengths[i];
-        }
-        const sailnet_real off = sailnet_largest(numbers);
-        if (off < memory->nearest) {
-            memory->nearest = off;
-            memory->nearest_time = elapsed + time;
-        }
-    } else {
-        ends = 1;
-    }
-    if (ends != 0) {
-        sailnet_end_nearest(memory);
-    }
+#else
+    (void)state;
+    (void)beta;
+    (void)arrival;
+#endif
+    return status;
 }
 
-/*
- * What becomes of a plan that is corrected. `fair` is the time to go without the reserve that the networks keep, which
- * costs time about in proportion.
- */
-SAILNET_PART void sailnet_judge(sailnet_memory *memory, const sailnet_state *known, sailnet_real promised,
-                                sailnet_real fair)
+/* Whether all numbers of what a plan commands are numbers, and no larger than SAILNET_OF_PLAN has it. */
+SAILNET_PART int32_t sailnet_are_numbers(const sailnet_planned *planned)
 {
-    sailnet_real left;
-    const sailnet_real missed = sailnet_correct(memory, known, &left);
-    const sailnet_real time = sailnet_planned(memory);
-    int32_t soon = 0;
-    int32_t given_up = 0;
-    if (time <= R(1.6) * promised + R(2.0) * SAILNET_HOMING_STEP) {
-        soon = 1;
-    }
-    if (memory->corrections <= 15u) {
-        memory->corrections++;
-    }
-    if ((memory->homing == SAILNET_CORRECTED) && (missed < R(0.3)) && (soon != 0)) {
-        memory->homing = SAILNET_READY;
-    }
-    if ((memory->homing == SAILNET_READY) && (soon != 0) && (time > R(0.6) * SAILNET_HOMING_STEP) &&
-        ((left > R(0.5)) || (time < fair - R(0.3) * SAILNET_HOMING_STEP))) {
-        memory->homing = SAILNET_FLOWN;
-    }
-    if (memory->homing == SAILNET_CORRECTED) {
-        if (memory->corrections > 15u) {
-            given_up = 1;
+    double numbers[sizeof(sailnet_planned) / sizeof(double)];
+    const double largest = (double)sailnet_limits[SAILNET_OF_PLAN][1];
+    int32_t are = 1;
+    (void)memcpy(numbers, planned, sizeof numbers);
+    for (uint32_t i = 0u; i < (sizeof numbers / sizeof numbers[0]); i++) {
+        if (!((numbers[i] >= -largest) && (numbers[i] <= largest))) {
+            are = 0;
         }
-    } else if (memory->homing == SAILNET_READY) {
-        given_up = 1 - soon;
-    } else if (left > R(1.0)) {
-        given_up = 1;
-    } else {
-        /* It is flown. */
     }
-    if (given_up != 0) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
+    return are;
 }
 
-/* The memory may have held any bits. */
-SAILNET_PART void sailnet_limit_plan(sailnet_memory *memory)
+/* The same as a number of the command: the clamp tells an analyser that it is one. */
+SAILNET_PART sailnet_real sailnet_of_plan(double number)
 {
-    if (memory->homing > SAILNET_FLOWN) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
-    if (memory->arc >= (uint32_t)SAILNET_ARCS) {
-        memory->arc = 0u;
-    }
-    if (memory->corrections > 15u) {
-        memory->corrections = 15u + 1u;
-    }
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            memory->arc_tilt[k][i] = sailnet_limited(&memory->arc_tilt[k][i], SAILNET_OF_CONE_ANGLE);
-        }
-        memory->arc_time[k] = sailnet_clamped(memory->arc_time[k], R(0.0), SAILNET_HOMING_HORIZON);
-    }
-    memory->looked = sailnet_clamped(memory->looked, R(0.0), SAILNET_HOMING_HORIZON);
-    memory->nearest_time = sailnet_clamped(memory->nearest_time, R(0.0), R(2.0) * SAILNET_HOMING_HORIZON);
+    const sailnet_real value = (sailnet_real)number;
+    return sailnet_limited(&value, SAILNET_OF_PLAN);
 }
 
-/*
- * Whether the plan is flown: then it is the command, and nobody is late, or waits. `plan` is the beta that the networks
- * read.
- */
-SAILNET_PART int32_t sailnet_homes(sailnet_memory *memory, const sailnet_state *known, sailnet_real plan,
-                                   sailnet_command *command)
+/* The command by the plan; 0 if there is none that passes through the state: then the networks' is to be flown. */
+SAILNET_PART int32_t sailnet_tracks(sailnet_memory *memory, const sailnet_state *known, sailnet_real beta,
+                                    sailnet_real estimated, sailnet_real hold, sailnet_command *command)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    const sailnet_real promised = command->time_of_flight;
-    sailnet_limit_plan(memory);
-    if (memory->homing >= SAILNET_CORRECTED) {
-        sailnet_pass(memory, held);
-    } else if (memory->homing == SAILNET_LOOKING) {
-        memory->looked += held;
-    } else {
-        /* There is none. */
+    sailnet_tracker *const tracker = &memory->tracker;
+    sailnet_planned planned;
+    double state[SAILNET_STATES];
+    sailnet_to_tracker(known, state);
+    sailnet_time_passes(tracker, (double)memory->estimate.held);
+    const sailnet_problem own = sailnet_own_problem(memory, (double)beta);
+    sailnet_arrival arrival;
+    if ((sailnet_needs_proposal(tracker) != 0) &&
+        (sailnet_propose_plan(known, sailnet_for_networks(memory, beta), &arrival) == SAILNET_OK)) {
+        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go);
     }
-    if ((memory->homing == SAILNET_NO_PLAN) && (promised <= SAILNET_HOMING_HORIZON) && (promised > SAILNET_HOMING_STEP)) {
-        for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                memory->arc_tilt[k][i] = R(0.0);
-            }
-            memory->arc_time[k] = R(0.0);
-        }
-        memory->homing = SAILNET_LOOKING;
-        memory->ahead = *known;
-        memory->promised = promised;
-        memory->nearest = R(1000000000.0);
-        memory->nearest_time = R(0.0);
-        memory->looked = R(0.0);
-        memory->arc = 0u;
-        memory->corrections = 0u;
+    int32_t flown = sailnet_follow(&own, tracker, state, (double)estimated, (double)hold,
+                                   SAILNET_EXTREMALS_PER_PERIOD, &planned);
+    /* The memory may have held any bits. */
+    if ((flown != 0) && (sailnet_are_numbers(&planned) == 0)) {
+        flown = 0;
     }
-    for (int32_t i = 0; i < 2; i++) {
-        if (memory->homing == SAILNET_LOOKING) {
-            sailnet_look(memory, plan);
-        }
-    }
-    if ((memory->homing >= SAILNET_CORRECTED) &&
-        ((memory->homing != SAILNET_READY) || ((memory->periods % 2u) == 0u))) {
-        sailnet_judge(memory, known, promised, promised * plan / memory->beta);
-    }
-    int32_t flown = 0;
-    if (memory->homing == SAILNET_FLOWN) {
-        flown = 1;
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            memory->arc_tilt[0][i] = sailnet_limited(&memory->arc_tilt[0][i], SAILNET_OF_CONE_ANGLE);
-        }
-        sailnet_command_of(memory->arc_tilt[0], command);
-        command->time_of_flight = sailnet_planned(memory);
-        memory->stake = R(0.0);
-        memory->regret = R(0.0);
-        memory->late = R(0.0);
-        memory->wait = R(0.0);
-        memory->waited = R(0.0);
+    if (flown != 0) {
+        const double unit = (double)beta / (sailnet_transfer.target_radius * sailnet_transfer.target_radius);
+        const sailnet_real along = sailnet_of_plan(planned.attitude.cosine);
+        const sailnet_real beside = sailnet_of_plan(planned.attitude.sine);
+        const sailnet_real size = sailnet_angle(&along, &beside);
+        command->hold = R(0.0);
+        command->beta = beta;
+        command->time_of_flight = sailnet_of_plan(planned.time_to_go);
+        command->lambda_v = sailnet_of_plan(unit * planned.costates[SAILNET_STATES - SAILNET_ACROSS]);
+        const sailnet_real angle = planned.attitude.across[0] < 0.0 ? -size : size;
+        command->cone_angle = sailnet_limited(&angle, SAILNET_OF_CONE_ANGLE);
     }
     return flown;
 }
@@ -1899,11 +3141,11 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
     if ((inside != 0) && (tau <= longest)) {
         *hold = sailnet_limited(&longest, SAILNET_OF_PERIOD);
         status = SAILNET_ARRIVED;
-    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) &&
+    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->estimate.periods > 0u) &&
                (tau >= memory->time_of_flight)) {
         *hold = R(0.0);
         status = SAILNET_ARRIVED;
-    } else if (memory->unseen > R(0.0)) {
+    } else if (memory->estimate.unseen > R(0.0)) {
         status = SAILNET_RECKONED;
     } else if ((SAILNET_READS_BETA != 0) && (inside != 0) && (plan < SAILNET_BETA_MIN)) {
         status = SAILNET_AT_LIMIT;
@@ -1917,16 +3159,16 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
  * For how long to hold the last command: on the straight line of one predicted step, until the target is nearest. By
  * then the time of flight is below what the networks know it to.
  */
-SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
+SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_estimate *estimate)
 {
     sailnet_change change;
-    sailnet_predict(memory, &change);
-    const sailnet_state *const from = &memory->state;
+    sailnet_predict(estimate, &change);
+    const sailnet_state *const from = &estimate->state;
     const sailnet_state *const by = &change.by;
     const sailnet_real forward =
         (SAILNET_TARGET_R - from->r) * by->r + (SAILNET_TARGET_U - from->u) * by->u + (SAILNET_TARGET_V - from->v) * by->v;
     const sailnet_real share = forward / (by->r * by->r + by->u * by->u + by->v * by->v);
-    return memory->held * sailnet_clamped(share, R(0.0), R(1.0));
+    return estimate->held * sailnet_clamped(share, R(0.0), R(1.0));
 }
 
 void sailnet_start(sailnet_memory *memory)
@@ -1934,48 +3176,49 @@ void sailnet_start(sailnet_memory *memory)
     if (memory != NULL) {
         /* Of a real, too, bits that are all 0 are 0. */
         (void)memset(memory, 0, sizeof *memory);
-        memory->beta = SAILNET_BETA;
+        memory->estimate.beta = SAILNET_BETA;
     }
 }
 
 /* The command by which a cone angle comes true. */
-SAILNET_PART sailnet_real sailnet_told(const sailnet_memory *memory, sailnet_real cone_angle)
+SAILNET_PART sailnet_real sailnet_told(const sailnet_estimate *estimate, sailnet_real cone_angle)
 {
-    const sailnet_real told = cone_angle - memory->offset;
+    const sailnet_real told = cone_angle - estimate->offset;
     return sailnet_limited(&told, SAILNET_OF_CONE_ANGLE);
 }
 
 void sailnet_measured(sailnet_memory *memory, sailnet_real cone_angle)
 {
     if ((memory != NULL) && (sailnet_is_finite(cone_angle) != 0)) {
-        const sailnet_real turn = cone_angle - memory->measured;
-        const sailnet_real askew = cone_angle - sailnet_told(memory, memory->cone_angle);
+        sailnet_estimate *const estimate = &memory->estimate;
+        const sailnet_real turn = cone_angle - estimate->measured;
+        const sailnet_real askew = cone_angle - sailnet_told(estimate, estimate->cone_angle);
         /* Farther off it lags. */
         if (askew * askew <= SAILNET_LARGEST_OFFSET * SAILNET_LARGEST_OFFSET) {
-            memory->offset += sailnet_weight(memory, SAILNET_SURPRISE_MEMORY) * (askew - memory->offset);
+            estimate->offset += sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY) * (askew - estimate->offset);
         }
-        memory->measured = cone_angle;
-        memory->attitude = cone_angle;
+        estimate->measured = cone_angle;
+        estimate->attitude = cone_angle;
         /* A mean tells the force if the sail hardly turned. */
-        memory->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : memory->held;
+        estimate->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : estimate->held;
     }
 }
 
 /* The state to steer by: the one shown, or where the sail must be; null if neither is known. */
-SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
+SAILNET_PART const sailnet_state *sailnet_known(sailnet_estimate *estimate, const sailnet_state *shown,
                                                 sailnet_change *change)
 {
     const sailnet_state *known = NULL;
     if ((shown != NULL) && (sailnet_is_state(shown) != 0)) {
-        sailnet_learn(memory, shown, change);
-        memory->unseen = R(0.0);
+        sailnet_learn(estimate, shown, change);
+        estimate->unseen = R(0.0);
         known = shown;
     } else {
-        memory->unseen += memory->held;
-        change->by.r += memory->state.r;
-        change->by.u += memory->state.u;
-        change->by.v += memory->state.v;
-        if ((memory->held > R(0.0)) && (memory->unseen <= SAILNET_LONGEST_RECKONING) &&
+        estimate->unseen += estimate->held;
+        change->by.r += estimate->state.r;
+        change->by.u += estimate->state.u;
+        change->by.v += estimate->state.v;
+        if ((estimate->held > R(0.0)) && (estimate->unseen <= SAILNET_LONGEST_RECKONING) &&
             (sailnet_is_state(&change->by) != 0)) {
             known = &change->by;
         }
@@ -1990,66 +3233,150 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         (void)sailnet_law(NULL, SAILNET_BETA, command);
         return SAILNET_INVALID_INPUT;
     }
+    sailnet_estimate *const estimate = &memory->estimate;
     sailnet_change change;
     const sailnet_state *known = NULL;
     sailnet_real hold = R(0.0);
     /* The memory may have held any bits. */
-    memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);
-    memory->attitude = sailnet_limited(&memory->attitude, SAILNET_OF_ATTITUDE);
-    memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);
+    estimate->cone_angle = sailnet_limited(&estimate->cone_angle, SAILNET_OF_CONE_ANGLE);
+    estimate->attitude = sailnet_limited(&estimate->attitude, SAILNET_OF_ATTITUDE);
+    estimate->offset = sailnet_limited(&estimate->offset, SAILNET_OF_OFFSET);
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
-        sailnet_predict(memory, &change);
-        known = sailnet_known(memory, state, &change);
+        sailnet_predict(estimate, &change);
+        known = sailnet_known(estimate, state, &change);
     }
-    memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
-    memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
-    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
-    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
-    const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
-    sailnet_real share = R(1.0) - lost;
+    estimate->beta = sailnet_limited(&estimate->beta, SAILNET_OF_BETA);
+    estimate->tangential = sailnet_limited(&estimate->tangential, SAILNET_OF_TANGENTIAL);
+    estimate->variance = sailnet_limited(&estimate->variance, SAILNET_OF_SHARE);
+    estimate->autocovariance = sailnet_limited(&estimate->autocovariance, SAILNET_OF_SHARE);
+    sailnet_real own = estimate->beta;
 #if SAILNET_AGES
     if (known != NULL) {
-        share *= sailnet_aged(memory, known);
+        own *= sailnet_aged(estimate, memory->time_of_flight, known);
     }
 #endif
-    const sailnet_real plan = memory->beta * share * (R(1.0) - sailnet_reserve(memory, hold));
-    uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
-    command->beta = memory->beta;
+    const sailnet_real plan = own * (R(1.0) - sailnet_reserve(estimate, &memory->time_of_flight, hold));
+    const sailnet_real beta = sailnet_limited(&plan, SAILNET_OF_BETA);
+    const sailnet_real estimated = sailnet_limited(&own, SAILNET_OF_BETA);
+    uint32_t seen = 0u;
+    if ((known == NULL) || (sailnet_tracks(memory, known, beta, estimated, hold, command) == 0)) {
+        seen = sailnet_law(known, sailnet_for_networks(memory, beta), command);
+        memory->source = (uint32_t)SAILNET_FROM_NETWORKS;
+    } else {
+        seen = sailnet_there(known);
+        memory->source = (uint32_t)SAILNET_FROM_PLAN;
+    }
+    command->beta = estimate->beta;
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (known == NULL) {
         /* What was learnt stays, but the next state is not what came of the last command. */
-        memory->held = R(0.0);
-        memory->homing = SAILNET_NO_PLAN;
+        estimate->held = R(0.0);
+        memory->source = (uint32_t)SAILNET_FROM_NOTHING;
     } else {
-        if (sailnet_homes(memory, known, sailnet_limited(&plan, SAILNET_OF_BETA), command) != 0) {
-            /* Where the model knows the way it is not for the networks to say whether they know it. */
-            seen &= SAILNET_THERE;
-        } else {
-            sailnet_keep_side(memory, &change, command);
-        }
         status = sailnet_ends(memory, seen, plan, command, &hold);
-        if (memory->periods > 0u) {
-            const sailnet_real left = memory->slewing - memory->held;
-            const sailnet_real turn = sailnet_size(command->cone_angle - memory->cone_angle);
-            memory->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
+        const sailnet_real turn = sailnet_size(command->cone_angle - estimate->cone_angle);
+        if (estimate->periods > 0u) {
+            const sailnet_real left = estimate->slewing - estimate->held;
+            estimate->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
         }
-        memory->state = *known;
-        memory->cone_angle = command->cone_angle;
-        command->cone_angle = sailnet_told(memory, command->cone_angle);
-        memory->attitude = command->cone_angle + memory->offset;
-        memory->held = hold;
+        estimate->state = *known;
+        estimate->cone_angle = command->cone_angle;
+        command->cone_angle = sailnet_told(estimate, command->cone_angle);
+        estimate->attitude = command->cone_angle + estimate->offset;
+        estimate->held = hold;
         if ((status == SAILNET_ARRIVED) && (hold > R(0.0))) {
-            hold = sailnet_until_nearest(memory);
-            memory->held = hold;
+            hold = sailnet_until_nearest(estimate);
+            estimate->held = hold;
         }
         memory->time_of_flight = command->time_of_flight;
-        if (memory->periods < UINT32_MAX) {
-            memory->periods++;
+        if (estimate->periods < UINT32_MAX) {
+            estimate->periods++;
         }
     }
     command->hold = hold;
     return status;
+}
+
+/* What is saved over a reboot, and the report of the plan. */
+
+/* A checksum of all that is before it: CRC-32 of IEEE 802.3, bit by bit. */
+SAILNET_PART uint32_t sailnet_checksum(const sailnet_memory *memory)
+{
+    const unsigned char *const bytes = (const unsigned char *)memory;
+    uint32_t remainder = UINT32_MAX;
+    for (uint32_t i = 0u; i < (uint32_t)offsetof(sailnet_memory, checksum); i++) {
+        remainder ^= bytes[i];
+        for (int32_t bit = 0; bit < 8; bit++) {
+            remainder = (remainder >> 1) ^ (((remainder & 1u) != 0u) ? 0xEDB88320u : 0u);
+        }
+    }
+    return ~remainder;
+}
+
+void sailnet_seal(sailnet_memory *memory)
+{
+    if (memory != NULL) {
+        memory->version = (uint32_t)SAILNET_API_VERSION;
+        memory->checksum = sailnet_checksum(memory);
+    }
+}
+
+sailnet_status sailnet_restore(sailnet_memory *memory)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if (memory != NULL) {
+        if ((memory->version == (uint32_t)SAILNET_API_VERSION) && (memory->checksum == sailnet_checksum(memory))) {
+            status = SAILNET_OK;
+        } else {
+            sailnet_start(memory);
+        }
+    }
+    return status;
+}
+
+/* Whether a text is the digest of this mission. */
+SAILNET_PART int32_t sailnet_is_mission(const char *digest)
+{
+    static const char own[] = SAILNET_MISSION_DIGEST;
+    int32_t same = 1;
+    for (uint32_t i = 0u; (same != 0) && (i < sizeof own); i++) {
+        same = digest[i] == own[i] ? 1 : 0;
+    }
+    return same;
+}
+
+sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_digest, const sailnet_state *state,
+                                   const sailnet_arrival *plan)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if ((memory != NULL) && (mission_digest != NULL) && (state != NULL) && (plan != NULL) &&
+        (sailnet_is_mission(mission_digest) != 0) && (sailnet_is_state(state) != 0) &&
+        (plan->beta >= (double)SAILNET_BETA_MIN) && (plan->beta <= (double)SAILNET_BETA_MAX)) {
+        double numbers[SAILNET_STATES];
+        const sailnet_problem own = sailnet_own_problem(memory, plan->beta);
+        sailnet_to_tracker(state, numbers);
+        if (sailnet_take_plan(&own, &memory->tracker, numbers, plan->direction, plan->time_to_go) !=
+            0) {
+            status = SAILNET_OK;
+        }
+    }
+    return status;
+}
+
+void sailnet_report_plan(const sailnet_memory *memory, sailnet_plan_report *report)
+{
+    if ((memory != NULL) && (report != NULL)) {
+        const sailnet_tracker *const tracker = &memory->tracker;
+        (void)memset(report, 0, sizeof *report);
+        (void)memcpy(report->direction, tracker->plan.direction, sizeof report->direction);
+        report->time_to_go = tracker->plan.time_to_go;
+        report->beta = tracker->plan.beta;
+        report->residual = tracker->plan.residual;
+        report->extremals = tracker->computed;
+        report->planned = tracker->planned;
+        report->source = memory->source;
+    }
 }

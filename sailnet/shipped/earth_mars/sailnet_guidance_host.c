@@ -4,10 +4,13 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mars: do not edit.
  * mission   8e635bded4d06c12013caf69c2d0728590d8bf221654a69d7bc1d143630b995c
- * networks  f751c81ee1e751ca9c28bc9add1727ad40e7057a35aadf04dfb93d584b197ba6
+ * networks  b7e53f4442ba5dcf8eb58a97d497e111e21bfc16d768283c7fa3310a8e0586a5
  * data set  211c5f5f3a25374b9ccf76a2373d4b0454c46363be376aa9120bc6bd887991ad (tau)
  * data set  211c5f5f3a25374b9ccf76a2373d4b0454c46363be376aa9120bc6bd887991ad (alpha_pre)
  * data set  211c5f5f3a25374b9ccf76a2373d4b0454c46363be376aa9120bc6bd887991ad (lambda_v)
+ * data set  211c5f5f3a25374b9ccf76a2373d4b0454c46363be376aa9120bc6bd887991ad (arrival_lambda_r)
+ * data set  211c5f5f3a25374b9ccf76a2373d4b0454c46363be376aa9120bc6bd887991ad (arrival_lambda_u)
+ * data set  211c5f5f3a25374b9ccf76a2373d4b0454c46363be376aa9120bc6bd887991ad (arrival_lambda_v)
  *
  * Vectors are those of gcc and clang (vector_size), as wide as the processor's registers. With other compilers, or
  * with -DSAILNET_PLAIN, the same text computes on single numbers, to the same bits but for contraction: that is what
@@ -15,6 +18,7 @@
  */
 #include "sailnet_guidance.h"
 
+#include <stddef.h>
 #include <string.h>
 #if defined(__SSE2__) && !defined(SAILNET_PLAIN)
 #include <immintrin.h>
@@ -97,6 +101,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
     return (value - value) == R(0.0);
 }
 
+/* pi, rounded down: an angle is in (-pi, pi] in either precision, and its mirror image too. */
+#ifdef SAILNET_FLOAT64
+#define SAILNET_LARGEST_ANGLE 3.1415926535897927
+#else
+#define SAILNET_LARGEST_ANGLE 3.1415925f
+#endif
+
 /*
  * Pairs of a lower and an upper bound, by what they are of: to name a row takes less code than two constants do.
  */
@@ -109,11 +120,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 #define SAILNET_OF_TIME_TO_GO 6
 #define SAILNET_OF_SHARE 7
 #define SAILNET_OF_TANGENTIAL 8
-#define SAILNET_OF_ATTITUDE 9
-#define SAILNET_OF_OFFSET 10
+#define SAILNET_OF_ANGLE 9
+#define SAILNET_OF_PLAN 10
+#define SAILNET_OF_ATTITUDE 11
+#define SAILNET_OF_OFFSET 12
 /* Three of each of r, u, v, and then one of each input. */
-#define SAILNET_OF_STATE 11
-#define SAILNET_OF_INPUTS 20
+#define SAILNET_OF_STATE 13
+#define SAILNET_OF_INPUTS 22
 static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_BETA_MIN, SAILNET_BETA_MAX},
     {-SAILNET_PHI_MAX, SAILNET_PHI_MAX},
@@ -124,6 +137,8 @@ static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_ARRIVAL_THRESHOLD, R(1e9)},
     {R(-1.0), R(1.0)},
     {-SAILNET_LARGEST_TANGENTIAL, SAILNET_LARGEST_TANGENTIAL},
+    {-SAILNET_LARGEST_ANGLE, SAILNET_LARGEST_ANGLE},
+    {R(-1e18), R(1e18)},
     {-SAILNET_LARGEST_ATTITUDE, SAILNET_LARGEST_ATTITUDE},
     {-SAILNET_LARGEST_OFFSET, SAILNET_LARGEST_OFFSET},
     SAILNET_STATE_LIMITS,
@@ -416,6 +431,47 @@ SAILNET_INLINE void sailnet_cosine_sine(sailnet_real angle, sailnet_real *cosine
     }
     *cosine = c;
     *sine = s;
+}
+
+/*
+ * (arctan(t) / t - 1) / t^2, of z = t^2 for t in [-tan(pi/8), tan(pi/8)], by its best polynomial: the error in arctan is
+ * below 2e-8 (float) and 4e-17 (double) of it.
+ */
+SAILNET_INLINE sailnet_real sailnet_arctan_rest(sailnet_real z)
+{
+#ifdef SAILNET_FLOAT64
+    const sailnet_real z2 = z * z;
+    const sailnet_real z4 = z2 * z2;
+    const sailnet_real lowest = (-0.33333333333330218 + 0.19999999999104691 * z) +
+                                (-0.14285714196529525 + 0.11111106703673881 * z) * z2;
+    const sailnet_real middle = (-0.090907835311274021 + 0.076900833866845471 * z) +
+                                (-0.066412464978030210 + 0.056931659858806027 * z) * z2;
+    const sailnet_real highest = -0.043608284811392481 + 0.021280176437232786 * z;
+    return lowest + z4 * (middle + z4 * highest);
+#else
+    return -0.33332955f + z * (0.19977926f + z * (-0.13879846f + z * 0.080602985f));
+#endif
+}
+
+/*
+ * The angle of a direction, from the first axis to the second: of the smaller by the larger component, turned back by
+ * pi/4 where that is steep, and then in each octant. Of two zeros it is 0. They come by their addresses, as what is
+ * clamped does.
+ */
+SAILNET_PART sailnet_real sailnet_angle(const sailnet_real *first, const sailnet_real *second)
+{
+    const sailnet_real x = sailnet_size(*first);
+    const sailnet_real y = sailnet_size(*second);
+    const sailnet_real larger = x > y ? x : y;
+    const sailnet_real smaller = x > y ? y : x;
+    const sailnet_real steep = smaller > R(0.41421356237309505) * larger ? R(1.0) : R(0.0);
+    const sailnet_real whole = larger + steep * smaller;
+    const sailnet_real t = whole > R(0.0) ? (smaller - steep * larger) / whole : R(0.0);
+    sailnet_real angle = steep * R(0.7853981633974483) + (t + t * (t * t) * sailnet_arctan_rest(t * t));
+    angle = y > x ? R(1.5707963267948966) - angle : angle;
+    angle = *first < R(0.0) ? R(3.141592653589793) - angle : angle;
+    angle = *second < R(0.0) ? -angle : angle;
+    return sailnet_limited(&angle, SAILNET_OF_ANGLE);
 }
 
 /* ================================ The networks ================================ */
@@ -850,8 +906,13 @@ SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
 #undef STAGE_BLOCK
 #undef STAGE_TOGETHER
 
-/* Each network reads all five, those first that are known first; the first gives log2(tau / s). beta must be in its range. */
-SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+/* Inputs of a network, those first that are known first; and in space what its outputs are multiplied by. */
+#define SAILNET_APPROACH_INPUTS 5
+#define SAILNET_APPROACH_STATES 3
+
+/* The inputs, and in space the two factors, which change their signs in a mirror; beta must be in its range. Returns s. */
+SAILNET_INLINE sailnet_real sailnet_approach(const sailnet_real state[SAILNET_APPROACH_STATES], sailnet_real beta,
+                                             sailnet_real input[SAILNET_APPROACH_INPUTS], sailnet_real factors[2])
 {
     /* Deviations in units of the sail's acceleration at the target, beta / r_f^2: they are times. */
     const sailnet_real per_acceleration = SAILNET_TARGET_R2 / beta;
@@ -870,8 +931,22 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real b
     const sailnet_real per_s2 = per_s * per_s;
     /* s4 tells the bound; the clamp tells it to an analyser of intervals. */
     const sailnet_real s = sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6));
-    const sailnet_real input[5] = {beta, s, missing[2] * per_s, missing[1] * per_s,
-                                                 missing[0] * per_s2};
+    input[0] = beta;
+    input[1] = s;
+    factors[0] = R(1.0);
+    factors[1] = R(0.0);
+    input[SAILNET_APPROACH_INPUTS - 3] = missing[2] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 2] = missing[1] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 1] = missing[0] * per_s2;
+    return s;
+}
+
+/* The first network gives log2(tau / s). */
+SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+{
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real s = sailnet_approach(state, beta, input, factors);
     sailnet_approach_networks(input, output);
     /* Bounded, so that no weights make the product overflow. */
     const sailnet_real octaves = sailnet_clamped(output[0], R(-60.0), R(60.0));
@@ -1132,6 +1207,1655 @@ SAILNET_INLINE uint32_t sailnet_law(const sailnet_state *state, sailnet_real bet
     return seen;
 }
 
+/* ================================ The tracker ================================ */
+
+#define SAILNET_TRACKER_API static
+
+/*
+ * Extremals of minimum time, backward from the target orbit: Eqs. (14)-(19), with delta = 0.
+ *
+ * An extremal that arrives is a direction of the arrival costates, constant along the whole flight, and the time to go.
+ * Freestanding C99 without libm; it compiles where it lies, with -DSAILNET_IN_SPACE=1 in three dimensions.
+ */
+#ifndef SAILNET_EXTREMAL_H
+#define SAILNET_EXTREMAL_H
+
+
+
+/* The flight file holds all of this in one translation unit, where functions are static. */
+#ifndef SAILNET_TRACKER_API
+#define SAILNET_TRACKER_API
+#endif
+
+/*
+ * The state and costates `tau` before arrival, of the extremal that arrives with costates along `direction`.
+ *
+ * tolerance: local error of a step, in AU and AU/TU, of costates relative to their size.
+ * Returns the steps it took; 0 if it did not get there: too many steps, or numbers that are not finite.
+ */
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end);
+
+/* An end of an extremal `lapse` [TU] later; the rest is as for sailnet_extremal. */
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end);
+
+/* The optimal attitude of costates. */
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude);
+
+/* The product of costates and the force of an attitude, per beta / r^2: of the optimal one it is least. */
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude);
+
+/* The same for a sail that light pushes along its surface by so much more, per beta / r^2: as is learnt of a vehicle. */
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential);
+
+/* value^(-1/2) of a positive number, to a few units of rounding. */
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value);
+
+/* A square root; of 0 or less 0. */
+SAILNET_TRACKER_API double sailnet_root(double value);
+
+static inline double sailnet_absolute(double value)
+{
+    return value < 0.0 ? -value : value;
+}
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+#define UNKNOWNS (2 * SAILNET_STATES)
+/* Where lambda_u and lambda_v are among the unknowns. */
+#define LAMBDA_U (STATES + STATES - (SAILNET_IN_SPACE ? 3 : 2))
+#define LAMBDA_V (LAMBDA_U + 1)
+
+/* Stages of Dormand and Prince's method of fifth order; the seventh is the first of the next step. */
+#define STAGES 7
+static const double stage_weights[STAGES - 1][STAGES - 1] = {
+    {0.2, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.075, 0.225, 0.0, 0.0, 0.0, 0.0},
+    {0.9777777777777777, -3.7333333333333334, 3.5555555555555554, 0.0, 0.0, 0.0},
+    {2.9525986892242035, -11.595793324188385, 9.822892851699436, -0.2908093278463649, 0.0, 0.0},
+    {2.8462752525252526, -10.757575757575758, 8.906422717743473, 0.2784090909090909, -0.2735313036020583, 0.0},
+    {0.09114583333333333, 0.0, 0.44923629829290207, 0.6510416666666666, -0.322376179245283, 0.13095238095238096}};
+static const double error_weights[STAGES] = {0.0012326388888888888,  0.0, -0.0042527702905061394, 0.03697916666666667,
+                                             -0.05086379716981132, 0.0419047619047619, -0.025};
+
+/* First and shortest step [TU]; a step is at most so much of the time in which the primer, the costates that the
+   attitude depends on, would vanish: where it nearly does the attitude turns fast. */
+#define FIRST_STEP 0.05
+#define SHORTEST_STEP 1e-7
+#define OF_PRIMER 0.3
+/* By how much steps change at most. */
+#define SHRINK 0.1
+#define GROW 4.0
+/* Halvings of the interval in which an event lies. */
+#define HALVINGS 20
+
+/* An extremal on its way: between two events the law is smooth. */
+typedef struct {
+    const sailnet_problem *problem;
+    double at_bound[2]; /* the force at the bound on the cone angle, radial and lateral */
+    int32_t bound;      /* whether the cone angle is there */
+    double side;        /* in the plane the sign that it has there */
+} sailnet_arc;
+
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x5FE6EB50C7B537A9) - (bits >> 1);
+    (void)memcpy(&root, &bits, sizeof root);
+    /* The bits err by 3.5 %: a step of fourth order and one of third leave rounding. */
+    const double off = 1.0 - value * (root * root);
+    root += root * off * ((0.5 + 0.375 * off) + 0.3125 * (off * off));
+    const double rest = 1.0 - value * (root * root);
+    return root + root * (rest * (0.5 + 0.375 * rest));
+}
+
+SAILNET_TRACKER_API double sailnet_root(double value)
+{
+    return value > 0.0 ? value * sailnet_reciprocal_root(value) : 0.0;
+}
+
+/* The force of a cone angle across the Sun line: radial, lateral. */
+static void force_at(const sailnet_problem *problem, double cosine, double sine, double force[2])
+{
+    const double normal = problem->square * cosine + problem->linear;
+    force[0] = cosine * (normal * cosine + problem->across * sine * sine);
+    force[1] = cosine * sine * (normal - problem->across * cosine);
+}
+
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude)
+{
+    double force[2];
+    double along = 0.0;
+    force_at(problem, attitude->cosine, attitude->sine, force);
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        along += costate[STATES - SAILNET_ACROSS + i] * attitude->across[i];
+    }
+    return costate[STATES - SAILNET_ACROSS - 1] * force[0] + along * force[1];
+}
+
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential)
+{
+    const double c = problem->bound_cosine;
+    const double s = sailnet_absolute(problem->bound_sine);
+    problem->across += tangential;
+    problem->edge_radial += tangential * s * (2.0 * c * c - s * s);
+    problem->edge_lateral += tangential * c * (2.0 * s * s - c * c);
+}
+
+/*
+ * The cone angle inside the bound that makes lambda_u f_r - lateral f_t least: of an ideal sail in closed form, and from
+ * there by Newton's steps, which of an ideal sail are none.
+ */
+static void inside_the_bound(const sailnet_problem *problem, double lambda_u, double lateral, double *cosine,
+                             double *sine)
+{
+    const double x = -3.0 * lambda_u;
+    const double y = 2.8284271247461903 * lateral;
+    const double size = sailnet_root(x * x + y * y);
+    /* The tangent is (size - x) / (sqrt(2) y), or y / (sqrt(2) (size + x)): the larger of both numbers is exact. */
+    const double above = x > 0.0 ? y : size - x;
+    const double below = 1.4142135623730951 * (x > 0.0 ? size + x : y);
+    const double square2 = above * above + below * below;
+    const double whole = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
+    double c = whole > 0.0 ? below * whole : 1.0;
+    double s = above * whole;
+    const double linear = problem->linear;
+    const double across = problem->across;
+    if ((linear != 0.0) || (across != 0.0)) {
+        const double square = problem->square;
+        for (int32_t i = 0; i < 5; i++) {
+            const double c2 = c * c - s * s;
+            const double s2 = 2.0 * c * s;
+            /* Derivatives of the force by the cone angle, the first and the second. */
+            const double normal = square * c + linear;
+            const double f_r1 = -s * (3.0 * square * c * c + 2.0 * linear * c) + across * s * (2.0 * c * c - s * s);
+            const double f_t1 = c2 * (normal - across * c) - c * s * s * (square - across);
+            const double f_r2 = square * (6.0 * c * s * s - 3.0 * c * c * c) - 2.0 * linear * c2 +
+                                across * c * (2.0 * c * c - 7.0 * s * s);
+            const double f_t2 = -2.0 * s2 * (normal - across * c) - (square - across) * s * (c2 + 2.0 * c * c - s * s);
+            const double slope = lambda_u * f_r1 - lateral * f_t1;
+            const double bend = lambda_u * f_r2 - lateral * f_t2;
+            const double step = bend > 0.0 ? -slope / bend : 0.0;
+            /* A turn by arctan(step). */
+            const double turned = c - s * step;
+            const double rest = s + c * step;
+            const double per = sailnet_reciprocal_root(turned * turned + rest * rest);
+            c = turned * per;
+            s = rest * per;
+            /* What is left is its square. */
+            if (!(sailnet_absolute(step) > 1e-6)) {
+                break;
+            }
+        }
+    }
+    *cosine = c;
+    *sine = s;
+}
+
+/* Size of the costate across the Sun line. */
+static double lateral_of(const double *unknown)
+{
+    return sailnet_absolute(unknown[LAMBDA_V]);
+}
+
+/* Positive where the optimum is inside the bound. */
+static double inner(const sailnet_problem *problem, const double *unknown)
+{
+    return unknown[LAMBDA_U] * problem->edge_radial - lateral_of(unknown) * problem->edge_lateral;
+}
+
+/* The force by the law of the present arc: radial, along, and in space northward. */
+static void force_of(const sailnet_arc *arc, const double *unknown, double *force)
+{
+    const sailnet_problem *const problem = arc->problem;
+    double in_plane[2] = {arc->at_bound[0], arc->at_bound[1]};
+    const double lateral = lateral_of(unknown);
+    if (arc->bound == 0) {
+        double cosine;
+        double sine;
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &cosine, &sine);
+        force_at(problem, cosine, sine, in_plane);
+    }
+    force[0] = in_plane[0];
+    const double side = arc->bound != 0 ? arc->side : (unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0);
+    force[1] = side * in_plane[1];
+}
+
+/* Eq. (15): rates of the unknowns by the time to go, which are those by time with another sign. */
+static void rates(const sailnet_arc *arc, const double *unknown, double *rate)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double per_r = 1.0 / unknown[0];
+    const double push = problem->beta * per_r * per_r;
+    double force[3] = {0.0, 0.0, 0.0};
+    force_of(arc, unknown, force);
+    const double u = unknown[1];
+    const double v = unknown[2];
+    const double l_r = unknown[3];
+    const double l_u = unknown[4];
+    const double l_v = unknown[5];
+    const double work = push * (l_u * force[0] + l_v * force[1]);
+    rate[0] = -u;
+    rate[1] = -(v * v * per_r - per_r * per_r + push * force[0]);
+    rate[2] = u * v * per_r - push * force[1];
+    rate[3] = -per_r * (per_r * (l_u * v * v - l_v * u * v - 2.0 * l_u * per_r) + 2.0 * work);
+    rate[4] = l_r - l_v * v * per_r;
+    rate[5] = per_r * (2.0 * l_u * v - l_v * u);
+}
+
+/* One step from `unknown`, whose rates are the first of the stages; returned is the estimate of its error. */
+static double step_by(const sailnet_arc *arc, const double *unknown, double step, double stage[STAGES][UNKNOWNS],
+                      double *reached)
+{
+    for (int32_t i = 0; i < (STAGES - 1); i++) {
+        (void)memcpy(reached, unknown, UNKNOWNS * sizeof reached[0]);
+        for (int32_t j = 0; j <= i; j++) {
+            const double share = step * stage_weights[i][j];
+            for (int32_t n = 0; n < UNKNOWNS; n++) {
+                reached[n] += share * stage[j][n];
+            }
+        }
+        rates(arc, reached, stage[i + 1]);
+    }
+    double size = 0.0;
+    for (int32_t n = STATES; n < UNKNOWNS; n++) {
+        size += sailnet_absolute(unknown[n]);
+    }
+    double error = 0.0;
+    for (int32_t n = 0; n < UNKNOWNS; n++) {
+        double sum = 0.0;
+        for (int32_t j = 0; j < STAGES; j++) {
+            sum += error_weights[j] * stage[j][n];
+        }
+        const double own = sailnet_absolute(step * sum);
+        /* Relative to the size of all costates; what is not a number stays none. */
+        const double counted = n < STATES ? own : own / size;
+        error = counted <= error ? error : counted;
+    }
+    return error;
+}
+
+/*
+ * The two functions that end an arc where they become negative: of the bound, and in the plane of the side there. In
+ * space the thrust turns about the Sun line without a jump.
+ */
+static double guard(const sailnet_arc *arc, const double *unknown, int32_t which)
+{
+    const double inside = inner(arc->problem, unknown);
+    double value = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        value = arc->bound != 0 ? -arc->side * unknown[LAMBDA_V] : 1.0;
+    }
+    return value;
+}
+
+/* Its slope: every guard is linear in the costates, but for the size of what is across the Sun line. */
+static double guard_slope(const sailnet_arc *arc, const double *unknown, const double *rate, int32_t which)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double change = unknown[LAMBDA_V] < 0.0 ? -rate[LAMBDA_V] : rate[LAMBDA_V];
+    const double inside = rate[LAMBDA_U] * problem->edge_radial - change * problem->edge_lateral;
+    double slope = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        slope = arc->bound != 0 ? -arc->side * rate[LAMBDA_V] : 0.0;
+    }
+    return slope;
+}
+
+/* The share of a step after which a guard is negative: by the cubic of its values and slopes at both ends. */
+static double share_until(double g0, double slope0, double g1, double slope1)
+{
+    double low = 0.0;
+    double high = 1.0;
+    for (int32_t i = 0; i < HALVINGS; i++) {
+        const double x = 0.5 * (low + high);
+        const double q = 1.0 - x;
+        const double value =
+            q * q * ((1.0 + 2.0 * x) * g0 + x * slope0) + x * x * ((3.0 - 2.0 * x) * g1 - q * slope1);
+        if (value < 0.0) {
+            high = x;
+        } else {
+            low = x;
+        }
+    }
+    return high;
+}
+
+/* Which arc begins at `unknown`. */
+static void begin_arc(sailnet_arc *arc, const double *unknown)
+{
+    arc->bound = inner(arc->problem, unknown) > 0.0 ? 0 : 1;
+    arc->side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/* Which guard a step ends with, and when; -1 if it ends none. */
+static int32_t event_in(const sailnet_arc *arc, const double *before, const double *after,
+                        double stage[STAGES][UNKNOWNS], double *step)
+{
+    int32_t which = -1;
+    const double whole = *step;
+    for (int32_t i = 0; i < (SAILNET_IN_SPACE ? 1 : 2); i++) {
+        const double g1 = guard(arc, after, i);
+        if (g1 < 0.0) {
+            /* Where the arc has just begun rounding may have left it a little below 0. */
+            const double g0 = guard(arc, before, i);
+            const double slope0 = guard_slope(arc, before, stage[0], i) * whole;
+            const double slope1 = guard_slope(arc, after, stage[STAGES - 1], i) * whole;
+            const double at = whole * share_until(g0 > 0.0 ? g0 : 0.0, slope0, g1, slope1);
+            if ((which < 0) || (sailnet_absolute(at) < sailnet_absolute(*step))) {
+                *step = at;
+                which = i;
+            }
+        }
+    }
+    return which;
+}
+
+/* The fifth root of a positive number, to 3.4 %: of its bits, which are nearly its logarithm, and of which the upper half
+   is divided by 5. */
+static double about_fifth_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x3325CFAACD9E8600) + (bits >> 32) * UINT64_C(0x33333333);
+    (void)memcpy(&root, &bits, sizeof root);
+    return root;
+}
+
+/* What the next step is multiplied by. */
+static double factor_of(double tolerance, double error)
+{
+    double factor = SHRINK;
+    if (error <= 1e-6 * tolerance) {
+        factor = GROW;
+    } else if (error == error) {
+        factor = 0.9 * about_fifth_root(tolerance / error);
+    } else {
+        /* It is not a number: much shorter. */
+    }
+    factor = factor > SHRINK ? factor : SHRINK;
+    return factor < GROW ? factor : GROW;
+}
+
+/* A step, or the longest that the primer leaves. */
+static double limited_step(const double *unknown, const double *rate, double step)
+{
+    double primer = 0.0;
+    double change = 0.0;
+    double limited = step;
+    const int32_t first = LAMBDA_U;
+    for (int32_t n = first; n < UNKNOWNS; n++) {
+        primer += unknown[n] * unknown[n];
+        change += rate[n] * rate[n];
+    }
+    if (!(step * step * change <= OF_PRIMER * OF_PRIMER * primer)) {
+        const double longest = OF_PRIMER * sailnet_root(primer / change);
+        limited = longest > SHORTEST_STEP ? longest : SHORTEST_STEP;
+    }
+    return limited < step ? limited : step;
+}
+
+/* The first trial of `step` from `unknown` that ends an arc, or none: as in event_in; and to the event itself. */
+static int32_t end_at_event(const sailnet_arc *arc, const double *unknown, double stage[STAGES][UNKNOWNS],
+                            double *reached, double left, double *step)
+{
+    const int32_t which = event_in(arc, unknown, reached, stage, step);
+    if (which >= 0) {
+        (void)step_by(arc, unknown, *step, stage, reached);
+        /* By one step of Newton's method. */
+        const double slope = guard_slope(arc, reached, stage[STAGES - 1], which);
+        const double more = slope != 0.0 ? -guard(arc, reached, which) / slope : 0.0;
+        if ((sailnet_absolute(more) < 0.1 * sailnet_absolute(*step)) && (sailnet_absolute(*step + more) < left)) {
+            *step += more;
+            (void)step_by(arc, unknown, *step, stage, reached);
+        }
+    }
+    return which;
+}
+
+/*
+ * An end of an extremal, `span` [TU] farther from arrival; nearer, if that is negative. Its rates are computed.
+ * Returns the steps it took; 0 if it did not get there.
+ */
+static int32_t fly(const sailnet_problem *problem, double span, double tolerance, sailnet_end *end)
+{
+    sailnet_arc arc = {problem, {0.0, 0.0}, 0, 1.0};
+    double *const unknown = end->value;
+    double stage[STAGES][UNKNOWNS];
+    double reached[UNKNOWNS];
+    const double sign = span < 0.0 ? -1.0 : 1.0;
+    double left = sailnet_absolute(span);
+    double wanted = FIRST_STEP;
+    int32_t steps = 0;
+    force_at(problem, problem->bound_cosine, problem->bound_sine, arc.at_bound);
+    begin_arc(&arc, unknown);
+    rates(&arc, unknown, stage[0]);
+    while ((left > 0.0) && (steps < SAILNET_MOST_STEPS)) {
+        const double longest = limited_step(unknown, stage[0], wanted);
+        double step = sign * (longest < left ? longest : left);
+        const double error = step_by(&arc, unknown, step, stage, reached);
+        steps++;
+        wanted = sign * step * factor_of(tolerance, error);
+        if (error <= tolerance) {
+            const int32_t which = end_at_event(&arc, unknown, stage, reached, left, &step);
+            (void)memcpy(unknown, reached, sizeof reached);
+            left = sign * step < left ? left - sign * step : 0.0;
+            if (which == 0) {
+                arc.bound = 1 - arc.bound;
+                arc.side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+            } else if (which > 0) {
+                arc.side = -arc.side;
+            } else {
+                /* The same arc goes on. */
+            }
+            if (which >= 0) {
+                wanted = FIRST_STEP;
+                rates(&arc, unknown, stage[0]);
+            } else {
+                (void)memcpy(stage[0], stage[STAGES - 1], sizeof stage[0]);
+            }
+        }
+    }
+    (void)memcpy(end->rate, stage[0], sizeof end->rate);
+    return left > 0.0 ? 0 : steps;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end)
+{
+    (void)memset(end->value, 0, sizeof end->value);
+    end->value[0] = problem->target_radius;
+    end->value[STATES - 1 - SAILNET_IN_SPACE] = sailnet_reciprocal_root(problem->target_radius);
+    (void)memcpy(&end->value[STATES], direction, (size_t)STATES * sizeof direction[0]);
+    return fly(problem, tau > 0.0 ? tau : 0.0, tolerance, end);
+}
+
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end)
+{
+    return fly(problem, -lapse, tolerance, end);
+}
+
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude)
+{
+    double unknown[UNKNOWNS] = {0.0};
+    (void)memcpy(&unknown[STATES], costate, (size_t)STATES * sizeof costate[0]);
+    const double lateral = lateral_of(unknown);
+    if (inner(problem, unknown) > 0.0) {
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &attitude->cosine, &attitude->sine);
+    } else {
+        attitude->cosine = problem->bound_cosine;
+        attitude->sine = problem->bound_sine;
+    }
+    attitude->across[0] = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/*
+ * Newton's method that keeps a plan at the state of the sail.
+ */
+#ifndef SAILNET_PLAN_H
+#define SAILNET_PLAN_H
+
+
+
+/* The largest residual of a plan that counts as solved [AU, AU/TU], by the time to go [TU]: towards arrival an error of
+   the state takes a time that grows as its root. */
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go);
+
+/* Whether a plan passes through the state that it was last corrected for. */
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan);
+
+/* A budget is never larger, whatever is asked for. */
+#define SAILNET_MOST_EXTREMALS 64
+
+/* The problem of the vehicle that a plan is for; of `problem` the rest is used. */
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan);
+
+/*
+ * Correct a plan by damped Newton steps until its extremal of `problem` passes through `state`. The plan is replaced by a
+ * trial only if that has a smaller residual. What is not converged goes on in the next call.
+ *
+ * most: extremals that may be computed, at least 1; so many more than the components of a state are one step with new
+ *     derivatives.
+ * Returns how many extremals were computed: from 1 to `most`.
+ */
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan);
+
+/*
+ * Correct a plan, with its vehicle moved towards that of `problem`: beta by at most the share `largest` of it, and the
+ * force along the surface by at most as much. Where no extremal is found for that, the plan is corrected for its vehicle as
+ * it was: beyond the edge of what the sail can reach the last plan that exists is better than another revolution.
+ *
+ * The rest is as for sailnet_correct_plan.
+ */
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan);
+
+/* Whether a plan is for the vehicle of `problem`. */
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem);
+
+/* Bring the end of a plan to the present, and with it its residual: by how much it misses the state. */
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan);
+
+/* The attitude of a plan, `ahead` [TU] later than the state that `end` is of, and its costates there, scaled to H = 0. */
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude);
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+/* What is unknown of a plan: all components of the direction but one, and the time to go. */
+#define TIME (STATES - 1)
+
+/* Longest step of Newton's method: of the direction, per its largest component, and of the time to go [TU]. */
+#define LARGEST_TURN 0.2
+#define LARGEST_SHIFT 0.1
+/* By how much the direction is changed to differentiate by it. */
+#define DIFFERENCE 1e-5
+/* A shorter step is given up: derivatives are renewed, or there is no way. */
+#define SHORTEST_SHARE 1e-3
+/* Of the residual: derivatives that leave more of it are renewed. */
+#define STALE 0.5
+/* Of the goal: a residual in which integration errors are a part. */
+#define FLOOR 0.1
+/* A component that was the largest is replaced when it is less than so much of the one that is. */
+#define STILL_LARGE 0.4
+#define LEAST_TIME 1e-4
+/* The goal far from arrival [AU, AU/TU], and its smallest share. */
+#define LARGEST_GOAL 4e-6
+#define SMALLEST_SHARE 1e-4
+/* Of the goal: the local error of extremals. */
+#define TOLERANCE 0.03
+/* A residual of what cannot be flown. */
+#define NOWHERE 1e9
+
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go)
+{
+    const double square = time_to_go * time_to_go;
+    const double share = square < 1.0 ? square : 1.0;
+    return LARGEST_GOAL * (share > SMALLEST_SHARE ? share : SMALLEST_SHARE);
+}
+
+/* A plan that is tried. */
+typedef struct {
+    double direction[STATES];
+    double time_to_go;
+    double error[STATES];
+    double residual;
+    sailnet_end end;
+} trial;
+
+static void compare(const double state[STATES], trial *tried)
+{
+    double worst = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        tried->error[n] = state[n] - tried->end.value[n];
+        /* What is not a number leads nowhere. */
+        const double size = sailnet_absolute(tried->error[n]);
+        const double counted = size < NOWHERE ? size : NOWHERE;
+        worst = counted > worst ? counted : worst;
+    }
+    tried->residual = worst;
+}
+
+static void fly_back(const sailnet_problem *problem, const double state[STATES], trial *tried)
+{
+    const double tolerance = TOLERANCE * sailnet_plan_goal(tried->time_to_go);
+    const int32_t steps = sailnet_extremal(problem, tried->direction, tried->time_to_go, tolerance, &tried->end);
+    compare(state, tried);
+    tried->residual = steps > 0 ? tried->residual : NOWHERE;
+}
+
+/* Another direction: its components, per the largest, plus a share of a step. */
+static void turn_direction(const double from[STATES], int32_t largest, const double step[STATES], double share,
+                           double to[STATES])
+{
+    const double per = 1.0 / sailnet_absolute(from[largest]);
+    double square = 0.0;
+    int32_t k = 0;
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] = from[n] * per;
+        if (n != largest) {
+            to[n] += share * step[k];
+            k++;
+        }
+        square += to[n] * to[n];
+    }
+    const double scale = sailnet_reciprocal_root(square);
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] *= scale;
+    }
+}
+
+/* By which component the others are divided: the largest, or still the one that was. */
+static void choose_largest(sailnet_plan *plan)
+{
+    int32_t largest = 0;
+    for (int32_t n = 1; n < STATES; n++) {
+        if (sailnet_absolute(plan->direction[n]) > sailnet_absolute(plan->direction[largest])) {
+            largest = n;
+        }
+    }
+    const int32_t known = ((plan->largest >= 0) && (plan->largest < STATES)) ? plan->largest : largest;
+    const double size = sailnet_absolute(plan->direction[known]);
+    if ((known != plan->largest) || !(size >= STILL_LARGE * sailnet_absolute(plan->direction[largest]))) {
+        plan->largest = largest;
+        plan->differentiated = 0;
+    }
+}
+
+/* The derivatives by differences. */
+static void differentiate(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, const trial *at)
+{
+    trial near = *at;
+    plan->differentiated = 1;
+    for (int32_t k = 0; k < TIME; k++) {
+        double step[STATES] = {0.0};
+        step[k] = DIFFERENCE;
+        turn_direction(at->direction, plan->largest, step, 1.0, near.direction);
+        fly_back(problem, state, &near);
+        if (near.residual >= NOWHERE) {
+            plan->differentiated = 0;
+        }
+        for (int32_t n = 0; n < STATES; n++) {
+            plan->jacobian[n][k] = (near.end.value[n] - at->end.value[n]) / DIFFERENCE;
+        }
+    }
+}
+
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan)
+{
+    sailnet_problem own = *problem;
+    own.beta = plan->beta;
+    sailnet_push_aside(&own, plan->across - problem->across);
+    return own;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem)
+{
+    return ((plan->beta == problem->beta) && (plan->across == problem->across)) ? 1 : 0;
+}
+
+/* The derivative by what differs of another vehicle, `change`; of a plan that cannot be flown by that it is none. */
+static void differentiate_by_one(const sailnet_problem *other, const double state[STATES], double change,
+                                 sailnet_plan *plan, double derivative[STATES])
+{
+    trial near;
+    (void)memset(&near, 0, sizeof near);
+    (void)memcpy(near.direction, plan->direction, sizeof near.direction);
+    near.time_to_go = plan->time_to_go;
+    fly_back(other, state, &near);
+    if (near.residual >= NOWHERE) {
+        plan->differentiated = 1;
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        derivative[n] = (near.end.value[n] - plan->end.value[n]) / change;
+    }
+}
+
+/* Both derivatives by the vehicle: two extremals. */
+static void differentiate_by_vehicle(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    sailnet_problem stronger = own;
+    sailnet_problem aside = own;
+    const double change = DIFFERENCE * plan->beta;
+    stronger.beta += change;
+    sailnet_push_aside(&aside, DIFFERENCE);
+    plan->differentiated = 2;
+    differentiate_by_one(&stronger, state, change, plan, plan->per_beta);
+    differentiate_by_one(&aside, state, DIFFERENCE, plan, plan->per_across);
+}
+
+/* Newton's step: solve jacobian step = error by elimination with pivots; 0 if there is no solution. */
+static int32_t solve(const sailnet_plan *plan, const double error[STATES], double step[STATES])
+{
+    double m[STATES][STATES + 1];
+    int32_t solved = 1;
+    for (int32_t i = 0; i < STATES; i++) {
+        (void)memcpy(m[i], plan->jacobian[i], sizeof plan->jacobian[i]);
+        m[i][STATES] = error[i];
+    }
+    for (int32_t c = 0; c < STATES; c++) {
+        int32_t pivot = c;
+        for (int32_t i = c + 1; i < STATES; i++) {
+            pivot = sailnet_absolute(m[i][c]) > sailnet_absolute(m[pivot][c]) ? i : pivot;
+        }
+        solved = sailnet_absolute(m[pivot][c]) > 0.0 ? solved : 0;
+        for (int32_t j = 0; j <= STATES; j++) {
+            const double other = m[c][j];
+            m[c][j] = m[pivot][j];
+            m[pivot][j] = other;
+        }
+        for (int32_t i = 0; i < STATES; i++) {
+            const double factor = i != c ? m[i][c] / m[c][c] : 0.0;
+            for (int32_t j = c; j <= STATES; j++) {
+                m[i][j] -= factor * m[c][j];
+            }
+        }
+    }
+    for (int32_t i = 0; i < STATES; i++) {
+        step[i] = m[i][STATES] / m[i][i];
+        solved = step[i] == step[i] ? solved : 0;
+    }
+    return solved;
+}
+
+/* The share of a step of Newton's method that is within bounds. */
+static double share_within(const double step[STATES])
+{
+    double square = 0.0;
+    for (int32_t k = 0; k < TIME; k++) {
+        square += step[k] * step[k];
+    }
+    const double turned = square > 0.0 ? square * sailnet_reciprocal_root(square) : 0.0;
+    const double by_turn = turned > LARGEST_TURN ? LARGEST_TURN / turned : 1.0;
+    const double shift = sailnet_absolute(step[TIME]);
+    const double by_shift = shift > LARGEST_SHIFT ? LARGEST_SHIFT / shift : 1.0;
+    return by_turn < by_shift ? by_turn : by_shift;
+}
+
+/* Broyden's update: derivatives that say of the last step what it did, and of the change of the vehicle, by beta and by
+   the force along the surface, which what was before has in it as predicted. */
+static void mend(sailnet_plan *plan, const trial *before, const trial *after, const double step[STATES], double share,
+                 const double change[2])
+{
+    double moved[STATES];
+    double square = change[0] * change[0] + change[1] * change[1];
+    for (int32_t k = 0; k < STATES; k++) {
+        moved[k] = k < TIME ? share * step[k] : after->time_to_go - before->time_to_go;
+        square += moved[k] * moved[k];
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        double innovation = after->end.value[n] - before->end.value[n];
+        for (int32_t k = 0; k < STATES; k++) {
+            innovation -= plan->jacobian[n][k] * moved[k];
+        }
+        for (int32_t k = 0; k < STATES; k++) {
+            plan->jacobian[n][k] += innovation * moved[k] / square;
+        }
+        plan->per_beta[n] += innovation * change[0] / square;
+        plan->per_across[n] += innovation * change[1] / square;
+    }
+}
+
+/* The next trial, and what comes of it. */
+static void try_step(const sailnet_problem *problem, const double state[STATES], const sailnet_plan *plan,
+                     const trial *from, const double step[STATES], double share, trial *tried)
+{
+    const double later = from->time_to_go + share * step[TIME];
+    tried->time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
+    turn_direction(from->direction, plan->largest, step, share, tried->direction);
+    fly_back(problem, state, tried);
+}
+
+/* Take one damped step; 0 if it came no nearer. */
+static int32_t advance(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, trial *best,
+                       const double step[STATES], double share)
+{
+    static const double unchanged[2] = {0.0, 0.0};
+    trial tried;
+    try_step(problem, state, plan, best, step, share, &tried);
+    const int32_t nearer = tried.residual < best->residual ? 1 : 0;
+    if (nearer != 0) {
+        mend(plan, best, &tried, step, share, unchanged);
+        *best = tried;
+    }
+    return nearer;
+}
+
+static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
+{
+    for (int32_t n = 0; n < STATES; n++) {
+        plan->jacobian[n][TIME] = end->rate[n];
+    }
+}
+
+/* The first trial: a whole step from where the plan is predicted to be now, or the plan as it is. Returned are the
+   extremals that were computed. */
+static int32_t begin(const sailnet_problem *problem, const double state[STATES], int32_t most, sailnet_plan *plan,
+                     trial *best)
+{
+    const double change[2] = {problem->beta - plan->beta, problem->across - plan->across};
+    const double floor = FLOOR * sailnet_plan_goal(plan->time_to_go);
+    int32_t count = 0;
+    (void)memcpy(best->direction, plan->direction, sizeof best->direction);
+    best->time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
+    choose_largest(plan);
+    if ((plan->differentiated != 0) && (most > 1)) {
+        trial tried;
+        double step[STATES];
+        sailnet_bring_up(problem, state, plan);
+        best->end = plan->end;
+        for (int32_t n = 0; n < STATES; n++) {
+            best->end.value[n] += plan->per_beta[n] * change[0] + plan->per_across[n] * change[1];
+        }
+        compare(state, best);
+        differentiate_by_time(plan, &best->end);
+        if (solve(plan, best->error, step) != 0) {
+            const double share = share_within(step);
+            try_step(problem, state, plan, best, step, share, &tried);
+            count = 1;
+            if (tried.residual <= floor) {
+                *best = tried;
+            } else if (tried.residual < best->residual) {
+                const int32_t stale = tried.residual > STALE * best->residual ? 1 : 0;
+                mend(plan, best, &tried, step, share, change);
+                plan->differentiated = stale != 0 ? 0 : plan->differentiated;
+                *best = tried;
+            } else {
+                plan->differentiated = 0;
+                fly_back(problem, state, best);
+                count = 2;
+            }
+        }
+    }
+    if (count == 0) {
+        fly_back(problem, state, best);
+        count = 1;
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    trial now;
+    int32_t steps = 1;
+    if (plan->age > 0.0) {
+        const double tolerance = TOLERANCE * sailnet_plan_goal(plan->time_to_go);
+        steps = sailnet_move_end(&own, plan->age, tolerance, &plan->end);
+        plan->age = 0.0;
+    }
+    now.end = plan->end;
+    compare(state, &now);
+    plan->residual = steps > 0 ? now.residual : NOWHERE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan)
+{
+    trial best;
+    double step[STATES] = {0.0};
+    const double goal = sailnet_plan_goal(plan->time_to_go);
+    double damped = 1.0;
+    int32_t fresh = 0;
+    int32_t going = 1;
+    const int32_t limit = most < SAILNET_MOST_EXTREMALS ? most : SAILNET_MOST_EXTREMALS;
+    int32_t count = begin(problem, state, limit, plan, &best);
+    while ((going != 0) && (count < limit) && ((best.residual > goal) || (plan->differentiated == 0)) &&
+           (best.residual < NOWHERE)) {
+        choose_largest(plan);
+        const int32_t renewed = plan->differentiated == 0 ? TIME : 0;
+        going = count < (limit - renewed) ? 1 : 0;
+        if ((going != 0) && (renewed != 0)) {
+            differentiate(problem, state, plan, &best);
+            count += TIME;
+            fresh = 1;
+        }
+        differentiate_by_time(plan, &best.end);
+        if ((going != 0) && (plan->differentiated != 0)) {
+            going = solve(plan, best.error, step);
+            plan->differentiated = going != 0 ? plan->differentiated : 0;
+        }
+        going = plan->differentiated != 0 ? going : 0;
+        if (going != 0) {
+            const double before = best.residual;
+            const double share = damped * share_within(step);
+            count++;
+            if (advance(problem, state, plan, &best, step, share) != 0) {
+                plan->differentiated = ((best.residual > STALE * before) && (fresh == 0)) ? 0 : plan->differentiated;
+                fresh = 0;
+                damped = damped < 0.5 ? 2.0 * damped : 1.0;
+            } else if (fresh == 0) {
+                plan->differentiated = 0;
+            } else {
+                damped *= 0.25;
+                going = damped > SHORTEST_SHARE ? 1 : 0;
+            }
+        }
+    }
+    (void)memcpy(plan->direction, best.direction, sizeof best.direction);
+    plan->time_to_go = best.time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = best.residual;
+    plan->end = best.end;
+    plan->age = 0.0;
+    plan->differentiated = best.residual < NOWHERE ? plan->differentiated : 0;
+    /* It is no more than the limit: the comparison shows that to an analyser. */
+    return count < limit ? count : limit;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan)
+{
+    return plan->residual <= sailnet_plan_goal(plan->time_to_go) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan)
+{
+    const double stronger = problem->beta - plan->beta;
+    const double aside = problem->across - plan->across;
+    const double by_beta = sailnet_absolute(stronger) / plan->beta;
+    const double by_aside = sailnet_absolute(aside);
+    const double by = by_beta > by_aside ? by_beta : by_aside;
+    int32_t count = 0;
+    int32_t moves = by > 0.0 ? most - 2 : 0;
+    if (moves > 0) {
+        sailnet_problem next = *problem;
+        if (by > largest) {
+            const double share = largest / by;
+            next.beta = plan->beta + share * stronger;
+            sailnet_push_aside(&next, (share - 1.0) * aside);
+        }
+        if ((plan->differentiated == 1) && (moves > 3)) {
+            sailnet_bring_up(problem, state, plan);
+            differentiate_by_vehicle(problem, state, plan);
+            count = 2;
+        }
+        sailnet_plan moved = *plan;
+        count += sailnet_correct_plan(&next, state, moves - count, &moved);
+        if (sailnet_plan_is_solved(&moved) != 0) {
+            *plan = moved;
+        } else {
+            moves = 0;
+        }
+    }
+    if (moves <= 0) {
+        const sailnet_problem own = sailnet_problem_of(problem, plan);
+        count += sailnet_correct_plan(&own, state, most - count, plan);
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude)
+{
+    double product = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = end->value[STATES + n] - ahead * end->rate[STATES + n];
+        /* Rates are by the time to go. */
+        product += end->value[STATES + n] * end->rate[n];
+    }
+    sailnet_optimal_attitude(problem, costates, attitude);
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = product != 0.0 ? costates[n] / product : 0.0;
+    }
+}
+
+/*
+ * The tracker: the plan that is flown, when it is corrected, and when a plan of the networks replaces it.
+ */
+#ifndef SAILNET_TRACKER_H
+#define SAILNET_TRACKER_H
+
+
+
+/* The guidance period of `held` [TU] is over. */
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
+
+/* Whether the networks are to be evaluated, for sailnet_propose. */
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker);
+
+/*
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time to go
+ * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ */
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[SAILNET_STATES], double time_to_go);
+
+/* Fly by a plan from elsewhere, of the same numbers, if it converges to pass through the state; 0 if it does not. */
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[SAILNET_STATES],
+                                              const double direction[SAILNET_STATES], double time_to_go);
+
+/*
+ * Correct the plan, and the candidate, with at most `most` extremals in all; the command is the attitude in the middle
+ * of the next `hold` [TU].
+ *
+ * problem: of the vehicle to plan for.
+ * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
+ *     flown only while its beta moves.
+ * Returns 1; 0 if there is no plan that passes through the state.
+ */
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[SAILNET_STATES], double estimated, double hold,
+                                           int32_t most, sailnet_planned *planned);
+
+#endif
+
+#include <string.h>
+
+/* A plan is corrected after so much of its time to go, and at the latest after so long [TU]; in every guidance period while
+   it is not solved for the vehicle. While another attitude than its own is flown it stays, since it measures the time lost
+   by that. */
+#define CORRECT_AFTER 0.007
+#define CORRECT_AT_LATEST 0.1
+/* By how much a plan's vehicle moves in a correction, as a share of its force: at most, and at least. A step that fails
+   makes the next one shorter. */
+#define LARGEST_STRIDE 0.01
+#define SMALLEST_STRIDE 1e-4
+#define SHORTER 0.25
+#define LONGER 2.0
+/* The networks are evaluated for a plan once in so long [TU]. */
+#define SEARCH_EVERY 0.1
+/* A faster plan saves at least so much of the time to go: what networks err by. */
+#define FASTER 0.01
+/* A plan that was not solved for the vehicle for so long [TU] has failed: its family of extremals has ended, and any other
+   is better. */
+#define FAILED_AFTER 0.2
+/* Extremals that a candidate may take until it is given up. */
+#define CANDIDATE_EXTREMALS 80
+/* A plan that misses the state by more [AU, AU/TU] is not flown. */
+#define USABLE 1e-3
+#define UNSOLVED 1e9
+/* Hysteresis: an attitude is kept until that has lost so much of the time to go, and not while the plan misses the state by
+   more [AU, AU/TU]. A plan that misses by more and is not solved spends the thrust margin. */
+#define OF_TIME_TO_GO 1.6e-2
+#define STILL_NEAR 4e-4
+/* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
+   the side of the thrust. */
+#define TURN_COSINE 0.939
+#define LATE 1.0
+
+#define STATES SAILNET_STATES
+
+/* A time that has passed [TU]; of what is none, as long as counts. */
+static double passed(double before, double held)
+{
+    const double now = before + held;
+    return ((now >= 0.0) && (now < 1.0)) ? now : 1.0;
+}
+
+static void grow_older(sailnet_plan *plan, double held)
+{
+    plan->time_to_go -= held;
+    plan->age = passed(plan->age, held);
+}
+
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held)
+{
+    grow_older(&tracker->plan, held);
+    grow_older(&tracker->candidate, held);
+    tracker->since = passed(tracker->since, held);
+    tracker->searched = passed(tracker->searched, held);
+}
+
+/* Whether there is no plan, or none that will be flown on. */
+static int32_t has_failed(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER)) ? 1 : 0;
+}
+
+/* Whether a plan of so long a time to go is better than the one that is flown. */
+static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
+{
+    return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker)
+{
+    const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
+    return tracker->searching <= 0 ? due : 0;
+}
+
+/* A plan that is not corrected yet. */
+static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
+                       sailnet_plan *plan)
+{
+    (void)memset(plan, 0, sizeof *plan);
+    (void)memcpy(plan->direction, direction, sizeof plan->direction);
+    plan->largest = -1;
+    plan->time_to_go = time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = UNSOLVED;
+}
+
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[STATES], double time_to_go)
+{
+    tracker->searched = 0.0;
+    if (is_better(tracker, time_to_go) != 0) {
+        begin_plan(problem, direction, time_to_go, &tracker->candidate);
+        tracker->searching = CANDIDATE_EXTREMALS;
+    }
+}
+
+/* Fly by a plan that is solved. */
+static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
+{
+    tracker->plan = *plan;
+    tracker->since = 0.0;
+    tracker->stride = LARGEST_STRIDE;
+    tracker->planned = 1;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[STATES], const double direction[STATES],
+                                              double time_to_go)
+{
+    sailnet_plan plan;
+    begin_plan(problem, direction, time_to_go, &plan);
+    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
+    const int32_t solved = sailnet_plan_is_solved(&plan);
+    if (solved != 0) {
+        adopt(tracker, &plan);
+        tracker->searching = 0;
+    }
+    return solved;
+}
+
+/* Correct the candidate, and fly it if it is better. */
+static void advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                              int32_t most)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, &tracker->candidate);
+    const int32_t computed = sailnet_correct_plan(&own, state, most, &tracker->candidate);
+    tracker->computed += computed;
+    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
+    tracker->searching = left - computed;
+    if (sailnet_plan_is_solved(&tracker->candidate) != 0) {
+        tracker->searching = 0;
+        if (is_better(tracker, tracker->candidate.time_to_go) != 0) {
+            adopt(tracker, &tracker->candidate);
+        }
+    } else if (!(tracker->candidate.residual < UNSOLVED)) {
+        /* It leads nowhere. */
+        tracker->searching = 0;
+    } else {
+        /* It goes on in the next period. */
+    }
+}
+
+/* Keep the attitude while another hardly gains: noise would else turn the sail far again and again. */
+static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                          double hold, sailnet_planned *planned)
+{
+    const sailnet_attitude *const before = &tracker->flown;
+    sailnet_attitude *const attitude = &planned->attitude;
+    double alike = 0.0;
+    double size2 = 0.0;
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        alike += attitude->across[i] * before->across[i];
+        size2 += before->across[i] * before->across[i];
+    }
+    const double turn_cosine = attitude->cosine * before->cosine + attitude->sine * before->sine * alike;
+    /* Nothing else than unit vectors are directions. */
+    const double square = before->cosine * before->cosine + before->sine * before->sine;
+    const int32_t known = ((sailnet_absolute(size2 - 1.0) < 1e-6) && (sailnet_absolute(square - 1.0) < 1e-6)) ? 1 : 0;
+    double regret = 0.0;
+    if ((known != 0) && (turn_cosine < TURN_COSINE) && ((alike < 0.0) || (planned->time_to_go < LATE))) {
+        const double per_r = 1.0 / state[0];
+        const double loss = sailnet_work(problem, planned->costates, before) -
+                            sailnet_work(problem, planned->costates, attitude);
+        regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
+    }
+    const double share = OF_TIME_TO_GO * planned->time_to_go;
+    const int32_t near = tracker->plan.residual < STILL_NEAR ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (near != 0)) ? 1 : 0;
+    tracker->regret = keep != 0 ? regret : 0.0;
+    if (keep != 0) {
+        *attitude = *before;
+    }
+    tracker->flown = *attitude;
+}
+
+/* The next step of the plan's beta, by whether the last one found a plan. */
+static void keep_stride(sailnet_tracker *tracker, int32_t moved)
+{
+    const double next = (moved != 0 ? LONGER : SHORTER) * tracker->stride;
+    tracker->stride = next > SMALLEST_STRIDE ? next : SMALLEST_STRIDE;
+    tracker->stride = tracker->stride < LARGEST_STRIDE ? tracker->stride : LARGEST_STRIDE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[STATES], double estimated, double hold, int32_t most,
+                                           sailnet_planned *planned)
+{
+    sailnet_plan *const plan = &tracker->plan;
+    tracker->computed = 0;
+    if (tracker->planned != 0) {
+        sailnet_bring_up(problem, state, plan);
+    }
+    /* A plan that is not solved, or has failed, leaves the budget to the candidate. */
+    const int32_t first = ((tracker->planned == 1) && (has_failed(tracker) == 0)) ? 1 : 0;
+    if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
+        const sailnet_problem before = sailnet_problem_of(problem, plan);
+        int32_t corrected = 1;
+        if ((tracker->planned > 1) && (plan->residual > STILL_NEAR)) {
+            /* What no plan for less leads through, one for all that the vehicle has may. */
+            sailnet_problem all = *problem;
+            all.beta = estimated;
+            tracker->computed = sailnet_track(&all, state, LARGEST_STRIDE, most, plan);
+        } else if (tracker->planned > 1) {
+            tracker->computed = sailnet_correct_plan(&before, state, most, plan);
+        } else if (!(tracker->regret > 0.0) &&
+                   (!(tracker->since < CORRECT_AFTER * plan->time_to_go) || !(tracker->since < CORRECT_AT_LATEST))) {
+            const int32_t there = sailnet_is_for(plan, problem);
+            tracker->computed = sailnet_track(problem, state, tracker->stride, most, plan);
+            keep_stride(tracker, ((there != 0) || (sailnet_is_for(plan, &before) == 0)) ? 1 : 0);
+        } else {
+            corrected = 0;
+        }
+        if (corrected != 0) {
+            tracker->planned = 2 - sailnet_plan_is_solved(plan);
+            if ((tracker->planned == 1) && (plan->beta <= estimated)) {
+                /* On its way to another vehicle it goes on at once. */
+                const int32_t under_way = sailnet_is_for(plan, &before) + sailnet_is_for(plan, problem);
+                tracker->since = under_way == 0 ? CORRECT_AT_LATEST : 0.0;
+            }
+        }
+    }
+    if ((tracker->searching > 0) && (tracker->computed < (most - 1))) {
+        advance_candidate(problem, tracker, state, most - tracker->computed);
+    }
+    /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
+    const double stronger = (1.0 + LARGEST_STRIDE) * estimated;
+    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= LARGEST_STRIDE)) ? 1 : 0;
+    const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
+    if (flown != 0) {
+        const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
+        planned->time_to_go = plan->time_to_go;
+        sailnet_planned_attitude(problem, &plan->end, 0.5 * (hold < left ? hold : left), planned->costates,
+                                 &planned->attitude);
+        keep_attitude(problem, tracker, state, hold, planned);
+    } else {
+        (void)memset(&tracker->flown, 0, sizeof tracker->flown);
+        tracker->regret = 0.0;
+    }
+    return flown;
+}
+
+/* The direction of the arrival costates by the networks, of any size, from a state that is finite. */
+
+/* The time scale of the approach below which costates of position are scaled down [TU]. */
+#define SAILNET_ARRIVAL_SCALE R(1.0)
+/* Stage "plan": arrival_lambda_r [20, 20, 20], arrival_lambda_u [20, 20, 20], arrival_lambda_v [20, 20, 20]. */
+#define STAGE(name) sailnet_plan_##name
+#define STAGE_NETWORKS 3
+#define STAGE_INPUTS 5
+#define STAGE_EVEN_INPUTS 6
+#define STAGE_DEPTH 3
+#define STAGE_ROWS 20
+#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)
+#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == 16
+#define STAGE_SIDE_BY_SIDE 1
+#define STAGE_SHARE 5
+#define STAGE_PARTS 4
+#define STAGE_PART SAILNET_LANES
+#define STAGE_OUTPUTS STAGE_ROWS
+#define STAGE_OUTPUT SAILNET_PER_16_BYTES
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0), (n0_1), (n1_1), (n2_1), (n0_2), (n1_2), (n2_2), (n0_3), (n1_3), (n2_3), (n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5), (n0_6), (n1_6), (n2_6), (n0_7), (n1_7), (n2_7), (n0_8), (n1_8), (n2_8), (n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10), (n0_11), (n1_11), (n2_11), (n0_12), (n1_12), (n2_12), (n0_13), (n1_13), (n2_13), (n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15), (n0_16), (n1_16), (n2_16), (n0_17), (n1_17), (n2_17), (n0_18), (n1_18), (n2_18), (n0_19), (n1_19), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0)}, {(n0_1), (n1_1), (n2_1)}, {(n0_2), (n1_2), (n2_2)}, {(n0_3), (n1_3), (n2_3)}, {(n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5)}, {(n0_6), (n1_6), (n2_6)}, {(n0_7), (n1_7), (n2_7)}, {(n0_8), (n1_8), (n2_8)}, {(n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10)}, {(n0_11), (n1_11), (n2_11)}, {(n0_12), (n1_12), (n2_12)}, {(n0_13), (n1_13), (n2_13)}, {(n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15)}, {(n0_16), (n1_16), (n2_16)}, {(n0_17), (n1_17), (n2_17)}, {(n0_18), (n1_18), (n2_18)}, {(n0_19), (n1_19), (n2_19)}}
+#else
+#define STAGE_SIDE_BY_SIDE 0
+#define STAGE_PARTS STAGE_NETWORKS
+#define STAGE_PART STAGE_WIDTH
+#define STAGE_OUTPUTS STAGE_NETWORKS
+#define STAGE_OUTPUT STAGE_WIDTH
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#endif
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_lower[STAGE_INPUTS] =
+{R(0.135136), R(0.0007113765892913885), R(-0.9999081180755941), R(-0.9999984992268545), R(-0.49999999999995964)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_min[STAGE_INPUTS] =
+{R(8.326672684688674e-17), R(-28.145628206782263), R(-4.9898814805996725), R(-4.99999506756846), R(-2.499999997129208)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_max[STAGE_INPUTS] =
+{R(0.3378399999999999), R(42.22022075164662), R(4.985051925710524), R(4.999996353285555), R(2.499999995693913)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-17.345087968137953), R(-1.4311599351427284), R(47.425868285922675), R(2.837709364879711), R(-9.828397838797432), R(-31.477622821300685), R(3.902793548004511), R(0.5695591770012413), R(7.589885536824829), R(-13.554051726772075), R(-1.5702696566736682), R(4.716832911417349), R(13.062257351307116), R(-1.5455016155934902), R(2.7597519365563272), R(-2.534882073232837), R(7.942963716296295), R(3.486610493033223), R(1.9773469314723937), R(-7.346370925921007), R(-17.86873277511758), R(-7.213507951342967), R(-14.52817374595792), R(0.07592077327408618), R(5.5617744851824185), R(-3.2356617374245196), R(-0.1896604934506656), R(1.2892644386947172), R(-2.9858662858022744), R(-14.510210416919813), R(-5.037236600896204), R(-2.5078430006319956), R(-258.68592194363924), R(1.9718806610265147), R(14.807282493073302), R(4.449128553422875), R(7.103062164203856), R(17.217457920258763), R(-1.5102792626434256), R(-0.09092637006973112), R(-12.436938748701413), R(-10.612811404128857), R(7.729884729831752), R(-62.03979114205099), R(-12.676902381276259), R(-1.1947072786025577), R(0.7652481718656147), R(-5.282758226395757), R(4.951322946035532), R(-2.6794372779528057), R(-26.820364656396187), R(-0.3219807891557465), R(14.392535369426708), R(0.2994258830497701), R(-10.395683946354795), R(18.94858420763832), R(77.2708761607711), R(13.672537153480059), R(5.076832399750621), R(6.606061008646915)),
+STAGE_ROW(R(0.13577072305718735), R(-0.622939053497392), R(6.300720704117958), R(-0.08765333593328035), R(-5.543389313165415), R(1.1611722649861445), R(0.0012892974001322058), R(-1.870818939641168), R(-0.9688392903763976), R(-0.27055556273134224), R(-0.4388636299709136), R(-1.3090237009952324), R(-0.04533480414965913), R(1.4115061227748975), R(-4.473384756728502), R(-0.43949716501642355), R(-0.8046122520040637), R(2.508116838505769), R(-0.11602636223107735), R(0.27244010523234136), R(-1.2325089530393192), R(0.08052040073076557), R(-1.6922938535421514), R(0.3587568482361897), R(0.5805643370616291), R(0.6232074551416672), R(1.4310956840659197), R(-1.7356704308532251), R(0.5761790486288514), R(-0.2810889825921164), R(-0.7864448949553199), R(-1.7543499589053861), R(-2.0836112320117164), R(0.4985615415188633), R(-1.7314425463378946), R(0.44477366691717946), R(-0.9314306456533727), R(0.2145146616314623), R(0.5810316399237019), R(-2.654782302368381), R(-2.103353024783206), R(-0.1663832850073825), R(-0.2288398796244124), R(0.515611516825233), R(2.033660229294939), R(0.5902010357241335), R(2.029921979722313), R(-0.42609823452492285), R(1.2930069763435195), R(-1.8907836726853513), R(-1.0929825971558051), R(2.8420578684188795), R(-0.26118670077513223), R(0.23407622221757005), R(-3.9632541537096975), R(1.6273559644987443), R(1.6124727895465447), R(1.378534595162278), R(-0.4046198900313926), R(-1.3514408458903953)),
+STAGE_ROW(R(-1.56070272729707), R(-0.44225626938993107), R(-8.83627455262478), R(-4.061872714733933), R(-4.156346027968811), R(-3.5048301711293854), R(-4.947721090566726), R(4.616902836590638), R(-3.0119304527104966), R(-2.653371576947787), R(0.8218779333456756), R(-1.7709399565410655), R(-1.9321044170538013), R(-2.4279952516906733), R(1.9508896366105766), R(2.1911909899442223), R(1.9317739948791297), R(2.2951026934325953), R(3.376854073978849), R(-1.3671529258435673), R(-7.694653330647557), R(3.4799658040777364), R(-9.53206154461287), R(0.014784547774968548), R(-4.8805211499304475), R(-0.513386112920313), R(-0.9952841757424927), R(2.2898692974982393), R(1.6416116166827368), R(-10.193007132672836), R(-1.641489048803111), R(-4.720922011307601), R(-19.647856425594977), R(2.7337490624319085), R(-1.51613053434965), R(-4.687146688719669), R(-2.323831869592887), R(-5.734547244728835), R(3.5513750438559812), R(-1.4202153284812107), R(-3.434771989817645), R(1.3217641358594092), R(-0.7894529795557946), R(-0.6274183122563425), R(7.522503627840609), R(-4.43439124335704), R(1.2991967396272486), R(2.6485254721595872), R(2.5505224988549435), R(-0.31588391596196974), R(1.7855514940950206), R(-3.6442300310186404), R(-1.5162378723055752), R(0.23630068726125375), R(-1.180397930995862), R(-1.1591873097028873), R(-4.262836394575568), R(1.761600327291494), R(2.101033610503727), R(-1.0763240340539597)),
+STAGE_ROW(R(-1.9394446445868203), R(0.6800678923200661), R(5.498117054987525), R(2.0814135729429832), R(-4.15010903546123), R(-4.101421716698654), R(8.527940006621568), R(3.464726580816377), R(-5.893681620883252), R(-0.7013515876203206), R(1.299999578001225), R(-0.3615243712009622), R(-1.1656947480642834), R(17.13527644447872), R(2.7878009455633666), R(5.5137353501050415), R(-1.7146722230458413), R(0.7394629633242243), R(3.3821756512134797), R(-1.760470979877548), R(2.8943283243206643), R(3.988151080786045), R(5.671700395519616), R(1.163572380242214), R(-1.9563542096295867), R(-13.055900981396146), R(1.6510306169337583), R(-1.64179269598426), R(-3.6805991366524715), R(-2.2379942303055183), R(1.7447343748687427), R(-3.681660005081913), R(-7.377498162205093), R(4.095339542946691), R(-7.371136671808662), R(-0.6139245126943943), R(-0.33419687388322117), R(-0.3165468719357396), R(0.8574229254552468), R(-3.3406712945621866), R(6.34425259984986), R(3.4055640618735747), R(0.01060870619219516), R(1.78383418050657), R(-8.932779444987208), R(-0.8988757923487787), R(6.377203181437473), R(1.4058925878170696), R(-1.225580360513356), R(-2.1497728015821065), R(3.085651897240071), R(3.562573664369233), R(0.2399626233382679), R(5.767386521151706), R(3.1203723363447904), R(3.559992417877451), R(-2.241813685034583), R(2.8832607946623376), R(2.233378755180525), R(-0.6475469325246288)),
+STAGE_ROW(R(3.0085217230467207), R(-5.547787961083167), R(-59.47915932179484), R(-8.494476258465358), R(-6.849393030686843), R(3.2059411568139047), R(-0.8158001696689445), R(5.508733167128377), R(6.18110282662676), R(7.3662548087703605), R(6.108926096503146), R(-4.731315294730368), R(-6.287334262859788), R(-10.552319586149988), R(4.131596364842042), R(-6.187887410092913), R(-4.474141531452462), R(-22.392149860905324), R(3.530031830714804), R(5.557978376871876), R(-0.597271884549529), R(-9.077227982480286), R(8.34832493517771), R(-6.774626933978973), R(-19.782832805432093), R(-0.39827516130529717), R(-0.6459355344132519), R(-11.622587954531495), R(5.579564448266621), R(2.9670985559900873), R(3.121446569702577), R(-4.689745608624242), R(-0.6837362096466333), R(3.3940833248899005), R(-8.187890950176971), R(-33.65270551275103), R(-2.077990079018809), R(-2.7557773005858652), R(3.6510550878717165), R(-1.0330050862601046), R(4.078071177778899), R(-6.805192646149735), R(0.6810642457555115), R(-9.092348285361865), R(-8.135461902875267), R(-2.177224966922492), R(-3.535430960551611), R(11.072254523965848), R(0.005155823193098078), R(2.78637404603471), R(-1.139801268099457), R(-4.09919170778001), R(-6.893904657131664), R(-1.5085273053902466), R(3.106670846262147), R(-52.58452056571472), R(-10.46983350952474), R(-14.267118500713286), R(4.643872384615239), R(8.094552791198014))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-0.9251108914065379), R(7.415951007205299), R(-8.919179444101399), R(7.27163538436165), R(6.57479046449196), R(9.108092073583443), R(3.8135564603306027), R(-5.372140538178155), R(-0.5217747970373154), R(-1.0468858511393022), R(-3.1240097253939756), R(9.325243054845698), R(7.163893023998057), R(0.14033265372209172), R(-7.024053859541219), R(-1.5908481392851888), R(1.891854177645546), R(-7.081511548376618), R(-5.305402449902801), R(3.6285661536506355), R(-4.4984852829184865), R(3.5777679933975572), R(-10.460133952048569), R(3.352326899433174), R(11.850260645890478), R(3.9833898753849724), R(2.2185011396455336), R(6.453160542045753), R(-4.6071851713427225), R(-0.8021123468395626), R(0.9582170406022061), R(11.061338593892316), R(-1.6656453232247694), R(-7.554192536336207), R(-12.013029833711384), R(18.895633043433627), R(4.077353074631638), R(2.0426205772691346), R(-4.886945415776864), R(3.143766215074216), R(2.3322948105623897), R(7.368770219383507), R(-13.16797971587471), R(4.830806202078711), R(-0.9601161831473725), R(6.049159385290707), R(-1.0432435304701853), R(-7.814418801085005), R(-3.0705774765809855), R(3.0540232930797195), R(-0.036709789105670104), R(8.199265523418894), R(6.9748392839922), R(-7.73142667417723), R(-3.7159504521735287), R(1.4768027230997454), R(-1.5561459878569082), R(-4.701449064248542), R(-4.473182883936034), R(4.9508188929597114)),
+STAGE_ROW(R(33.41171771899667), R(22.02866354977749), R(0.16908181660436966), R(3.021398372133002), R(25.080457424161285), R(-19.66002322812984), R(-12.079914695194342), R(-12.297076249246086), R(-23.010621866840385), R(-11.883218780287512), R(24.076881984851777), R(-40.585709678976606), R(-2.3174512089233663), R(-3.6569068996294556), R(-377.9410931312942), R(-9.057232579659916), R(-13.685941838101352), R(-3.2262464613252666), R(1.4035092107612743), R(12.643843974414398), R(-15.437390156406252), R(4.629589086024386), R(5.162573098145205), R(-1.2685566411738949), R(219.09117678153467), R(-43.47459044893819), R(32.33354751309814), R(-0.1703616147124436), R(-3.181722303722365), R(-6.335700666668807), R(89.58981458614952), R(29.245476684206558), R(-3.5539709563802866), R(-2.225609493933748), R(-48.79174947823146), R(-13.099446532546958), R(-11.877680571405168), R(-8.981582965659728), R(-32.598491041900964), R(10.759927098006068), R(13.618988590879708), R(21.13338623145928), R(3.6587112902999577), R(-0.2074560010010653), R(42.36609382879818), R(-8.527328933294047), R(34.78867531553881), R(0.7297791915930605), R(2.1616025147542355), R(-9.622822401155076), R(33.760111665901405), R(3.2536106983591004), R(1.4021669655226034), R(0.905494622737103), R(-128.42879599549713), R(6.038370860656084), R(10.303687629483138), R(10.403607618536713), R(47.73743834741407), R(8.426730419531978)),
+STAGE_ROW(R(4.177166773411921), R(-11.774348412096089), R(-1.5801266747299452), R(-68.78113939393084), R(5.5515855244118475), R(-8.782926104773928), R(1.1755705723044771), R(22.739579789712437), R(12.047638887821988), R(6.205848308025116), R(-4.563128351871818), R(75.97848906677771), R(3.6090652757574184), R(8.354735276529578), R(1.621940167667076), R(4.225185936086547), R(116.28463906920453), R(0.30830904833783357), R(-4.442704533193088), R(2.5542814194600263), R(19.464179150635033), R(-5.580234074597302), R(-19.19306186695452), R(-56.77380518775983), R(-9.56225607010385), R(-15.169657671153667), R(-6.993634922541521), R(59.91258774477489), R(20.198247942377964), R(16.608497908880285), R(-5.306608730207646), R(15.838965346251124), R(-19.031233245746183), R(6.586277260992904), R(7.421155063279784), R(-2.572236952430767), R(39.41756485958778), R(6.662105081288261), R(39.79723569269445), R(-3.74096551679637), R(5.628942296696071), R(8.147534164088817), R(-0.386776935348236), R(-33.123067939127885), R(3.0096808329893485), R(-0.5900355688008909), R(-8.718224839444398), R(-5.481573633448297), R(8.126417135316181), R(0.790136591279035), R(-5.225248102692789), R(3.090804730571644), R(-3.050364404426848), R(2.91658654996861), R(7.941499003654125), R(-4.672630873619002), R(164.85658067956987), R(4.172386589545959), R(-6.955088786035744), R(1.2443311339727432))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_hidden[2][STAGE_ROWS][STAGE_PARTS][STAGE_PART] =
+{
+{
+STAGE_ROW(R(-0.7082742554498171), R(-0.030310801977457984), R(-0.7911989803521196), R(-0.25775210270720217), R(-1.0846155956927734), R(0.7293160955100374), R(0.051542236034147815), R(-0.39990762357090165), R(-0.024534403424806246), R(0.0246401038706947), R(-0.07019014204110845), R(0.1996938664236858), R(0.14736408532683093), R(0.9284565587382478), R(-7.057579351698739), R(0.33953599926784084), R(-1.7111400658859257), R(-1.10879368070603), R(1.5133232295405876), R(0.26745758105281175), R(-0.3215081548372322), R(0.15877391012804737), R(-0.5427179528324777), R(-0.19592864036432014), R(9.461324087209821), R(-0.34047159407423483), R(2.3315603532676845), R(-0.020747202465624223), R(-1.8415226161395166), R(-0.3891584814452749), R(1.9857126657980302), R(1.2694338474126101), R(0.5207738259229341), R(0.4678074148495126), R(-0.7975238968570112), R(-0.989133942342194), R(-0.8684818176940645), R(-0.8401521976161755), R(-0.6278820974768702), R(0.18282815258519033), R(-3.174721609905924), R(-0.29944941665863095), R(-1.149068427032327), R(1.603816318337674), R(0.8057904722080753), R(1.7677131357767653), R(1.7760793879478458), R(-0.5815851437545299), R(-0.5929711817929787), R(2.3824742513938255), R(-2.720816990113816), R(-0.7803902378314119), R(-0.3227902919476981), R(0.8957031875556165), R(-2.730710496053622), R(-0.1545447587225725), R(-1.1618630952413147), R(0.1838623229234747), R(1.3464160812779227), R(0.6295542920408876)),
+STAGE_ROW(R(11.276876780935584), R(13.958738012471734), R(-0.6355005100679979), R(2.6558165184806315), R(4.875579354468875), R(-22.43661243722017), R(1.2515520533921969), R(-1.9223753301149495), R(-7.985210863006208), R(-1.8389446239493388), R(5.0121354053000085), R(-9.159707175407778), R(-0.14939299143909907), R(-0.9237836905791377), R(-69.31766802233547), R(-0.5887431942501149), R(-5.673790464013048), R(4.564140977886238), R(16.443757423105065), R(-5.186485494334109), R(5.571776352856951), R(-2.563651776295175), R(-3.2057059925903095), R(-1.6025026334476935), R(52.99379030154714), R(-12.877039667211697), R(4.189132089706788), R(0.9966232178811416), R(-0.47023275787680174), R(-1.4614982070203626), R(32.99687532155476), R(-9.587165462002318), R(-0.2946692055413995), R(8.401598568008957), R(-8.467471516452273), R(-2.239814933628016), R(-2.2380437720419404), R(6.467254409093847), R(6.107078500428467), R(-3.280210409692471), R(10.649409307673215), R(5.068922242493201), R(1.0815653758554142), R(1.137335305522526), R(14.18538705270964), R(3.3946596330859307), R(4.686789926090401), R(-0.14605870266199383), R(-1.5104667373382938), R(-6.831769604825524), R(12.100950821848723), R(-0.9268156700482383), R(-1.1426079323017309), R(4.087308768809661), R(-25.638557871330143), R(0.3126038856836194), R(8.745706254885778), R(1.6653981542136391), R(3.84126125286158), R(-0.9607857244934456)),
+STAGE_ROW(R(1.8236291969823928), R(0.625782917991307), R(-0.7402804434900279), R(-0.5394911934785209), R(2.6902822489342912), R(0.6943653307235972), R(4.767534059001682), R(0.08228821002618072), R(-0.31339749669810496), R(-0.8119864236463739), R(-1.1292141095266808), R(0.4089618736584208), R(-0.12416678508757475), R(-1.0088219689050293), R(-4.341215739471061), R(1.0313069516962647), R(0.10964995460060238), R(3.919581855991215), R(1.1149350122573691), R(0.3813219692845395), R(-1.002370576742608), R(1.955018284184365), R(-0.45455509503303637), R(0.6639876024612767), R(3.3962607757341616), R(-0.8061694451066806), R(0.8414050610964492), R(0.11101199107878702), R(-1.4370992736865968), R(-1.493781989273475), R(1.2381907466342479), R(1.8315106166663675), R(0.4544047563018732), R(0.05315871708235692), R(-3.580751220852948), R(0.13678656808021933), R(0.08875764016736494), R(-3.010377069103634), R(0.03283559634350617), R(0.454758617996608), R(-1.0520080886825236), R(0.8902867388990369), R(-0.4879391027486502), R(-0.7011083708498599), R(0.4051106819197014), R(0.29043467166181053), R(0.363416910670074), R(0.07977213375126702), R(-0.143408611597166), R(-1.3511839610858631), R(-0.10334292856150973), R(0.6316280682414772), R(0.38820703289326913), R(-0.4274478785898828), R(-2.7817847247084804), R(0.4601715256196522), R(0.03354262943127637), R(1.2249184773222677), R(0.8889209874498084), R(0.4402263124282153)),
+STAGE_ROW(R(-4.585907878286166), R(1.4114788947691252), R(-0.40822338741898234), R(0.6472657397857507), R(5.9000768432133714), R(-0.7435888937397096), R(5.65680499158413), R(1.7287881055105996), R(1.7678814365050515), R(-0.0049940630487838285), R(0.10437828864499234), R(3.4482049264256367), R(1.8741449401587997), R(1.3265634488111666), R(-16.07226848253934), R(1.1568231757547218), R(-0.38750551735518085), R(2.6865601720716983), R(7.451590839157469), R(-1.195682698852695), R(-4.031042117398276), R(-0.487678057658627), R(1.1146028985808467), R(1.6574688141501237), R(29.377097089829014), R(-1.6835670171617756), R(1.305353577988879), R(-0.43469026771419317), R(0.10188529194388751), R(-15.802063529159243), R(-0.24080703200567066), R(7.012473934469532), R(1.783375883697366), R(7.984082558506034), R(-5.371829035149953), R(-0.5969530340714301), R(-0.7735335949674428), R(-3.755187692345031), R(-3.2765746167946963), R(-2.9964500261733966), R(-0.17343750124946045), R(2.6844235083248646), R(-0.05932014579712344), R(-0.09756389658502095), R(5.456494753230646), R(-11.870691738719719), R(2.6954299053965327), R(-0.13329852167273404), R(0.060178487102980426), R(-1.1137057917117013), R(1.9957822721854186), R(0.2925592775251557), R(0.1519470208880648), R(0.3671320634614993), R(-3.496173085693916), R(0.18352706045427838), R(-1.9735501692808823), R(-0.08184025589745655), R(0.7685309483391782), R(-0.13502269156293198)),
+STAGE_ROW(R(6.296990000392587), R(0.6500488757534111), R(-0.1622155802794007), R(-0.1374759539154668), R(6.239880338015592), R(1.326568165132897), R(8.201458013264805), R(0.9897626978161447), R(0.062426662318213456), R(-2.312677840955887), R(-0.007251998479460356), R(-0.19098206548871818), R(0.31813808902909685), R(1.0339715405543353), R(-45.29958420863518), R(0.6327495945747056), R(-1.5877341903230864), R(-0.041891317744738796), R(7.62930102901947), R(-0.9519374784795571), R(9.521884511417776), R(3.1215190868141733), R(0.6865178477659387), R(2.1486343444487974), R(36.62277795588106), R(-4.881944947969214), R(1.0762735459260584), R(-0.2965403964854814), R(2.736248450264155), R(-3.419931707027508), R(1.54084854592852), R(-3.4965914850450543), R(1.3240670236315517), R(2.1808833632242113), R(18.457077638273073), R(-0.6991971722930399), R(-1.827177995465988), R(-5.143769024915675), R(-4.600379767092009), R(-0.8214101005194336), R(-0.14732588374327202), R(1.7025130012164011), R(0.6073737835300865), R(-1.7308194681169324), R(4.592985889978197), R(1.4718876438992174), R(5.344619805211909), R(0.2992003799645097), R(-0.15941169203940783), R(1.1540430005504), R(-1.2790695711087898), R(-0.6066034219210734), R(0.530347933435223), R(0.38102637476025375), R(-11.000131915362118), R(-0.12975546450914802), R(-1.6319708239413706), R(0.728298532856556), R(1.7719398265744077), R(-1.0744358566857142)),
+STAGE_ROW(R(2.2597010693731376), R(-4.8198202601618405), R(0.4995327144207769), R(0.3762464888649564), R(4.616123568026312), R(-4.727169315574057), R(4.7000265436516075), R(1.172681368318725), R(-0.9313209580534163), R(-0.5128000691282002), R(-2.6879643584690323), R(-2.4682529914512092), R(-1.1915060938087243), R(-0.9553534846180869), R(-10.071670049597381), R(0.35336570858309035), R(0.9753643381043942), R(-0.22101484999718982), R(18.294428091836714), R(-0.7815353360270993), R(1.8031150307808999), R(-8.585767362331678), R(-1.186422383226336), R(-0.5826625829835685), R(51.45746442843959), R(1.0320535127892647), R(-1.1470651871266722), R(0.2132116024192844), R(-0.6419061818439803), R(-0.3586515455586801), R(-4.168342778971595), R(8.00337726220769), R(0.3692850399687339), R(0.365713158543684), R(30.148084775915656), R(-0.6921663090545004), R(-0.48545621572552994), R(4.822223354485908), R(7.814714767810213), R(-0.37156176747672476), R(-3.7412795670535925), R(-0.34252919940481646), R(0.760156458658337), R(-1.5272892929089867), R(3.5960731110602175), R(-4.69092432307162), R(4.072287338271682), R(-0.25497998808975353), R(0.23633896290343387), R(3.425217466946985), R(0.651050252402166), R(4.531614015188717), R(-0.8758804709424295), R(0.7396173317816039), R(-4.833766416272176), R(-3.59331793457372), R(-0.6153357376389985), R(1.4491383024722315), R(0.8389042687290883), R(-0.886567066265793)),
+STAGE_ROW(R(-8.696681595048261), R(3.5900971773191923), R(-0.6880073249475491), R(-1.6404967878085324), R(-2.266661233609301), R(-2.3884795012221414), R(-14.75256228247398), R(-8.626215962137397), R(4.062417939411029), R(-1.3206593455371283), R(6.019852365164587), R(-0.39689862629854866), R(-3.461198541474361), R(-1.801302786925953), R(-0.6131927581625672), R(-4.180824310474503), R(2.515038343494133), R(-8.15518496424036), R(-5.5302603734714175), R(-0.026817307414009783), R(-11.852047297648305), R(-3.539096199453127), R(-3.6629448988573743), R(-1.7835237708069402), R(-18.50260881469709), R(-5.70393683826324), R(0.6260003921417453), R(-0.8998097896583684), R(-4.546525246699218), R(11.091799346392934), R(1.937668276885622), R(1.2397714211636317), R(-3.2315698923676908), R(-25.01458225787473), R(-21.22439480398057), R(-0.7294672262828974), R(-3.318342096852999), R(-13.828396678353576), R(1.9823828354790682), R(-3.355812085714079), R(-1.6385629243621447), R(-0.8851891558516253), R(-2.0294178715941156), R(1.4432945552081071), R(-0.43346159075174634), R(1.7876252085711715), R(-1.8803106282501747), R(-1.1791330855296913), R(-0.30244717013371697), R(-4.878684610570055), R(4.090779939950168), R(-3.884687699444459), R(0.3835834198824809), R(1.2320090753558313), R(3.956826089623971), R(2.900514768668793), R(2.2995293622221187), R(-0.9705576502069544), R(2.844413650976179), R(-1.1852211276300246)),
+STAGE_ROW(R(4.609517405522519), R(5.084775013984728), R(0.6256819864538314), R(-0.4457915719816645), R(-6.591082225448028), R(2.340958040810278), R(-1.3912184902211624), R(-0.24052387644264933), R(0.3760825700629769), R(-0.40395437079424085), R(2.98951493090219), R(3.6993046894838524), R(-0.05992859565779707), R(-0.12758634608703398), R(-7.549715482415285), R(1.2841778189232915), R(3.6273174568667503), R(-5.8988062330238265), R(5.279644710884801), R(1.1634531384377513), R(-4.301248437288632), R(0.175760482172591), R(-0.6650178656210858), R(1.4800716338941258), R(4.45756155461945), R(-1.2766626722451262), R(0.9115571505722264), R(0.768759737260247), R(1.083698728882537), R(-0.37259292017255), R(2.170740878635062), R(2.654467985015188), R(-0.15738699242810528), R(-0.5770829214084305), R(-6.441168796103438), R(0.028689998728238738), R(-0.8684529515235468), R(-0.7357398945840753), R(-7.622547013800609), R(-2.614796438427388), R(-2.7942011179837225), R(1.0953088741172385), R(0.6180552229882642), R(-2.3151634531998178), R(0.8313991552032021), R(6.125272583192583), R(1.1387296243362786), R(1.7015288199447927), R(1.5319827929534549), R(-1.8522105743011341), R(9.85822598810501), R(3.3637335342339822), R(1.2407615036716293), R(-1.5070153799953343), R(-5.706021190141729), R(2.054671408956268), R(0.5023237623585788), R(0.13606247000324803), R(1.2176097767578489), R(-0.3897370964221928)),
+STAGE_ROW(R(-0.3654705809623073), R(0.39533205504264374), R(-0.06241318717320265), R(-0.23354486519950257), R(2.5213063702566285), R(-1.5072942701725596), R(-2.0506460596012426), R(-0.16377398708769095), R(-1.37651616512968), R(-0.6925345498628209), R(3.0794098227977593), R(0.2288468508934059), R(-0.6750981951343471), R(-0.8892858968388555), R(-16.211092935515836), R(-0.11777557289503846), R(1.211835164524343), R(-1.4668987439281453), R(0.5049044977587793), R(2.750580746490089), R(-2.575975132881022), R(-1.0849484256803708), R(1.9923962314247614), R(-2.735490186852285), R(-9.293894197993358), R(-0.36713846289286806), R(1.0583667477118315), R(1.0267461553722501), R(2.8799613637880905), R(0.14426567910301813), R(1.0828618927123927), R(3.3124594354164856), R(-0.43015788574461256), R(0.06008340186749269), R(-4.2001017621735635), R(-0.5010785697475214), R(-0.1306186361814652), R(3.9086165011634932), R(5.336332439263789), R(5.172114179888554), R(-0.179089034599834), R(0.889996499289635), R(0.6724765264040189), R(-2.8734742993636795), R(0.38824274602560066), R(0.9490336904425427), R(0.6778384863670583), R(1.2863401099177536), R(2.541084782869903), R(-0.599892125149597), R(0.6815700928713999), R(3.1673139900609057), R(0.05388328147324208), R(-1.5506681814042618), R(-5.844786825126472), R(0.955971537667636), R(0.07858280780983748), R(1.0154892443088437), R(1.5897046151328398), R(-0.024301685333377735)),
+STAGE_ROW(R(1.0230036864621306), R(1.9557054918520504), R(0.6051546638380974), R(2.013215526677987), R(-5.151564100382464), R(-1.2767957353941135), R(-4.644643857084424), R(0.8250091674021429), R(-0.9432442713894905), R(-0.3539882349271215), R(4.5234596750687555), R(2.51515830361795), R(-1.0665997292598155), R(-0.3264039255639652), R(-11.448414307434795), R(-1.9753586986425218), R(-2.567266810347445), R(-1.6051113358703422), R(2.5149166475768014), R(1.813003926536117), R(1.2448430513730908), R(2.772635901038667), R(1.2217931859755902), R(0.10726402674176877), R(9.743665712543221), R(-1.280090152298574), R(-1.1017621706358198), R(0.5877564774195828), R(0.5077621470739252), R(-0.17108671494827374), R(10.89266985589088), R(0.28607729383580405), R(-0.5055671258251808), R(1.5846672252024665), R(0.3571774495386728), R(-0.43943974538248903), R(-0.3526667616246547), R(0.01582044750032804), R(0.43822245304871305), R(1.1917215047364542), R(2.9170313621225943), R(0.13160189660789504), R(1.587488278172782), R(-0.006525081301309125), R(0.3477772539131516), R(-0.6117646883585066), R(1.9983932491593326), R(1.6588648579185639), R(-1.2110190283101536), R(0.2975514755650075), R(2.508829875617312), R(0.7542354999142031), R(-0.4187137373768597), R(1.1459052124074955), R(-4.2344459348936985), R(-0.38477285222700713), R(-0.9049598396979588), R(1.0329626251294468), R(2.3086252611322187), R(2.115632454601732)),
+STAGE_ROW(R(11.775058380041239), R(-9.699089322607175), R(1.8912041512415245), R(-2.7874908331402115), R(-19.644562565959436), R(6.160025265719441), R(-14.215911373523223), R(-4.516345845817609), R(-3.1544210454265937), R(-0.47311095431859196), R(0.9430949414296914), R(-5.306465833901874), R(-0.9420623278682012), R(6.644254713602023), R(-5.5237645993952516), R(-1.2099930153968521), R(4.597306957764495), R(-6.88791439685643), R(18.46580655051456), R(3.5773971387043946), R(-10.436753249847136), R(5.160056687583889), R(3.907422348002803), R(0.23557102464144727), R(49.60978809172011), R(-1.4604421026416317), R(-0.6500112751029968), R(1.6028026815635443), R(-5.394550723750462), R(5.837642225205112), R(6.280530132955596), R(-0.42642205580935033), R(0.06690409791768859), R(-2.764384997998834), R(-9.958949155555198), R(-0.7798780876292182), R(-0.6000004977332768), R(-2.15552561730834), R(-1.3534943972487752), R(5.60596822924739), R(-0.752840829582895), R(0.6646371833803189), R(-0.5956047562255866), R(1.4356701553785758), R(1.5173353358868298), R(4.31933678085265), R(2.041571167704635), R(-1.3670888912573813), R(-0.16637123426107842), R(1.8273805594083703), R(-3.230744918023769), R(-0.5500157307115143), R(-1.2514773427743713), R(-0.33916980950081216), R(-3.283396996768957), R(0.754907517528252), R(0.5058169910912022), R(2.5773939874267033), R(7.2805998034278545), R(-0.2210060098533613)),
+STAGE_ROW(R(2.717172362640212), R(-9.503887250718048), R(-1.3266756502712653), R(4.169714464493912), R(4.587999111221706), R(-8.080947659143234), R(-4.549279017665945), R(1.0132017781845164), R(-12.278770899140033), R(-0.2842207508524452), R(23.615283954081974), R(-11.619798512041417), R(-0.6543320936768613), R(-0.08035316680619974), R(-0.582914258866127), R(-0.1557310846023603), R(1.0850501341408458), R(6.395546665383831), R(-10.302611781003339), R(-1.1701116466977777), R(1.2628488679806695), R(-0.8656558618258029), R(-0.6236186177134411), R(1.1616344222556618), R(3.1654306433474417), R(-1.8558277977621653), R(2.4800057766509265), R(0.33908200605253386), R(0.41301047340096403), R(-1.0592041233026401), R(8.8474104967958), R(4.720162833804536), R(-0.7705942884540906), R(-0.2595629256384541), R(4.846243986327986), R(-0.08760819649904737), R(0.050442096124578756), R(-2.2891467116080686), R(2.126467099838461), R(-1.0496993844333535), R(4.20402484845955), R(0.596126068249336), R(-0.1481166177515185), R(1.0405824051681758), R(0.4957576754306757), R(-0.20563247155017442), R(0.7080982595416198), R(0.8661254953149372), R(-2.718025079704664), R(1.648191731613846), R(4.992812087392333), R(1.1411893542079667), R(-0.24810255700013), R(-1.3252995299181236), R(-4.682892580838193), R(0.9966788320437732), R(3.046350629395558), R(1.0068573783717158), R(3.8852239530684565), R(-0.017646986171721956)),
+STAGE_ROW(R(-0.08059303364258388), R(-0.2783804310842052), R(-0.7435602375005316), R(0.22308222752175896), R(8.572250454095995), R(-0.6096478274343552), R(3.539787466387128), R(0.8122307446619962), R(-0.6821710740261631), R(0.6429321507429747), R(-3.2899833486348347), R(1.5963066192234603), R(0.06222798918991898), R(-0.9710600282430053), R(-2.703001935306365), R(-2.008947995008983), R(-5.8436604656225954), R(-0.14366013299994074), R(6.269511818646939), R(-0.48516746088347495), R(0.5045546721420561), R(1.397163469465245), R(-0.6555514244262868), R(0.5531196714354483), R(14.730388551596462), R(-2.4337411239894533), R(1.9853227225998096), R(0.16595895175941988), R(-2.1181905658558313), R(-0.20349962712340003), R(0.6647595929068209), R(0.19120036345197933), R(-0.2941399655183649), R(0.718150898522271), R(0.5864982658890764), R(-0.5216113468368391), R(0.2579329231720645), R(-1.202836030267088), R(-0.8135939223975881), R(-0.5347162591944411), R(1.227348986583369), R(1.345063789474848), R(-0.9756831224199974), R(3.6737781696710967), R(0.9557465577877932), R(-2.0318364258143484), R(0.9913549953449844), R(-0.6240994343370088), R(-1.8068093322794945), R(4.208066254348371), R(-2.6329093455918198), R(-5.003302922777107), R(-1.0044974260109034), R(1.3480948522097613), R(-2.7270771347025775), R(-1.632849966186411), R(1.5028656384312638), R(0.6804199403177501), R(0.3885227146466043), R(-0.36204729368820604)),
+STAGE_ROW(R(2.7349165475157755), R(-0.1291046627983286), R(-0.6095810604238279), R(0.4761487833873012), R(3.321602765508502), R(-0.2009697766191503), R(-3.2161128695460364), R(0.0538332380268883), R(1.1864451635416973), R(0.04182582224279601), R(0.0548561797193169), R(1.6519060645700572), R(0.1653153606120195), R(-1.927030974117291), R(-6.708804551723148), R(0.4191452161370225), R(2.068575390560141), R(0.5190325275117639), R(-1.0229005245746747), R(-0.5681315867698431), R(-2.989308787912538), R(-0.7049381473809205), R(-1.9326247315619516), R(-1.4669897726409449), R(-19.09406125841142), R(-1.2978423725862256), R(-0.040175244036251695), R(-0.3176051977109072), R(3.61242285826055), R(-3.793058648251875), R(-0.5235587724940666), R(1.6155917087907343), R(-2.0239872100416774), R(0.9082067143484883), R(14.314924637652508), R(0.40774582400257203), R(-0.8005979291010029), R(-4.250063809167826), R(0.38524683406800214), R(-0.9693013492403881), R(0.12931048774833334), R(0.5586841010758523), R(-0.4388834731510341), R(0.3936788249225204), R(-0.13282987150216075), R(-1.5489018567688497), R(0.978720974947494), R(-0.17256224630531197), R(1.406487422656304), R(0.07209537782715617), R(-2.045102174098315), R(1.660408295099842), R(-0.597608568551271), R(-0.7515304719736766), R(-4.918116246313526), R(1.3640863294659311), R(0.027387869438464475), R(-0.4227902552929347), R(0.9253750300497743), R(-0.9227837085122268)),
+STAGE_ROW(R(1.1745634731259147), R(0.6717130305929544), R(-0.28328360299329197), R(0.3158864288350729), R(-0.9030650185897973), R(1.6485750706319056), R(-0.11601834341388596), R(0.822885532198005), R(-0.759198959772595), R(-0.6153958032667712), R(-2.14958747195334), R(0.2606635331945664), R(-1.017909067801789), R(-0.555625853067934), R(-37.493954581556935), R(-2.0934024244082985), R(1.4515897104099016), R(0.1928635927212625), R(-2.7767706012148503), R(0.37151178837145776), R(2.1486435338354077), R(0.9795193694537527), R(0.09693858626838027), R(-0.16128708077098247), R(5.163219220779122), R(-1.2589614495989656), R(1.3359589963308927), R(0.47674752990511654), R(-0.4403975691504497), R(-0.8020560463417198), R(2.1151749240769346), R(3.8674091657726053), R(-0.6022423705909655), R(0.3207736564315392), R(2.1560200010415174), R(-1.2425629025806542), R(-0.08016733163651933), R(1.126653013946075), R(-0.28000930685699255), R(2.189644942569574), R(0.19869797395982525), R(1.1563613499628917), R(-0.12569131480586254), R(0.2686445040096188), R(-0.02123193071890754), R(0.9379366057095753), R(1.989938702121167), R(1.2176019585617055), R(-0.9439161697127154), R(0.01634485496727048), R(0.16720918113257438), R(0.3929152021142459), R(-0.4849084906893431), R(1.01620638277554), R(-9.404864298583748), R(-1.2178987220455946), R(0.04715894024504339), R(1.5828463599317109), R(-0.8850820295901751), R(2.216977792025998)),
+STAGE_ROW(R(0.28303632511066207), R(-3.392503515693388), R(-0.3805122456142433), R(0.5782240593435343), R(4.888941778687333), R(0.4966281150758074), R(0.502815232591846), R(0.2913258776484058), R(-0.06005805923318162), R(-1.0705725869237768), R(-0.4737766662396971), R(0.5521135282287006), R(-0.38493327361817464), R(1.1491896686907508), R(-5.709554784335203), R(-1.1856504796582155), R(0.06151776666426861), R(-0.7510648085924708), R(2.297472588815376), R(-0.5454313476220818), R(-6.267869841877512), R(-0.6660484490408437), R(-0.37712491812141763), R(-0.23313765064506897), R(7.4120259328968565), R(-1.7963484664273204), R(2.946521956861526), R(0.4620944985178989), R(-4.875861339125251), R(3.04405194897661), R(1.0269122993195339), R(1.9439696971975), R(-0.10384348322582805), R(2.188169844470729), R(-12.254409104659501), R(-1.0238690963956252), R(0.14798215785572796), R(-0.17634141071251744), R(-0.33461833931287727), R(-0.7306834556494889), R(-1.2214492061993265), R(0.21455802428136783), R(-1.0755256541571867), R(1.4073037338188155), R(0.023613573772016946), R(-5.077899425751847), R(1.1509038665445939), R(0.842156330229515), R(-0.9501003825483292), R(-2.27281379449261), R(-0.4415394524928664), R(-0.7381104936897895), R(0.2845963194289654), R(0.7235965460418009), R(-6.109183089171683), R(-1.5412360860942835), R(-0.10842513697549654), R(-0.2034635990406155), R(0.5610978975249455), R(-0.4292075247757352)),
+STAGE_ROW(R(1.5070785968651303), R(0.49076835663012136), R(0.7468192447180378), R(-0.7377126285720179), R(-2.8667208400437327), R(-0.058634012268021), R(2.63168494911177), R(0.9193973537033644), R(0.571479358828622), R(0.28641835638740326), R(-0.14363067611388122), R(0.6527055666199434), R(-1.1941286011047825), R(0.652593350648919), R(-13.243531989155093), R(-0.36501086007171574), R(0.7582310252016056), R(0.7316232670515166), R(-1.5954628647524605), R(0.35153696327060174), R(2.6170102652947174), R(0.36027646994868484), R(0.0005389554065661523), R(-1.7838324423018865), R(9.090003278917562), R(-2.527621882609646), R(1.6894880012383058), R(0.6389103345732718), R(-1.2149697938494988), R(1.0965763271888187), R(2.278325937190021), R(2.7576901352242023), R(-0.6428757613195415), R(4.672560369199309), R(-15.804208011568626), R(-1.0721412381189241), R(0.2905926548015072), R(11.321667545102073), R(-2.1470255340182725), R(0.36257423072010886), R(1.4989678340429338), R(1.0279574147266621), R(0.8674908760022356), R(-1.3147916961028328), R(0.3312290809836857), R(-8.466239504999978), R(0.2953071413779118), R(-0.3721453878046125), R(-0.2840753472892673), R(0.5401310600300308), R(-1.3567708197440371), R(0.1004253407390887), R(-0.42270570717537137), R(0.2702742545649116), R(-5.236131027277282), R(-1.3484589454726637), R(-0.6898586188555474), R(0.9046665869215785), R(0.7417841450083771), R(0.6443915171275952)),
+STAGE_ROW(R(-2.1409755891644444), R(-3.4708293680589053), R(-0.012844175709539876), R(0.0960656836759303), R(-0.01636840606098753), R(0.33326240613246905), R(-3.8796703302111966), R(1.3241157574453206), R(0.42013155930358176), R(-1.0071900732838024), R(-0.5514606277865768), R(0.2023770183450383), R(0.7024626362295096), R(-0.6158809876411083), R(-4.750701170491722), R(-0.446101111857804), R(-0.33455088454368953), R(1.2565988950704792), R(-1.6973397227939517), R(-0.8084087423535633), R(-0.9223048939094128), R(0.4227239089277454), R(0.3716594017555167), R(1.8657574244032313), R(0.3039176253273853), R(-1.1565859726314682), R(2.0268480802874285), R(0.7929341508735424), R(1.381430094129846), R(0.2384462622417109), R(1.8890271526476075), R(1.4716198565136913), R(1.517964764505595), R(-2.8324627281781294), R(-5.070427657310111), R(-1.003243226580573), R(-0.6105994311601607), R(-4.738662645132539), R(0.29732706454775926), R(-0.01473852673948505), R(-1.2476226857107817), R(0.2634444597281275), R(0.3200247935692713), R(-0.0907201032822128), R(0.6924746182836676), R(-6.125477998082498), R(1.4806285620943802), R(0.9129654199098859), R(0.17454597856607454), R(-2.6302350821400102), R(2.961361169490754), R(0.19122878126920492), R(1.207707163952716), R(0.12333662577245291), R(-4.067292939734483), R(-0.6736050243971216), R(-0.5344691545743273), R(0.4520401897819272), R(1.1948642366208855), R(-0.7286202047128978)),
+STAGE_ROW(R(10.668233463715161), R(8.847200748235485), R(-0.4960671461565724), R(0.4620918126252905), R(5.801676224533143), R(8.929313735738818), R(-3.743836306026125), R(-0.296548165151698), R(-0.38440398361359174), R(-1.9734663014452347), R(-4.3314186186983346), R(-2.429392535279224), R(3.1704495090558256), R(-1.670710889059897), R(-22.451774048174254), R(-1.5867057214852642), R(3.7655026452070843), R(-7.395638404680062), R(-15.198150689990117), R(1.2614488767642553), R(-3.6754991918502347), R(5.945059515221157), R(4.818942896204464), R(-0.1493724729273465), R(-38.520732524674024), R(0.7123695302926868), R(10.169755168078506), R(-0.944045201898183), R(1.8667921683806445), R(1.0103640362150847), R(0.49976901095837695), R(6.418949685609616), R(-0.7982838937174173), R(2.802655265362363), R(-21.34155424751307), R(-0.7570073374841823), R(1.4863033212640235), R(13.09798013105584), R(-2.0241507198561957), R(4.8050789073543285), R(-4.8363030751756995), R(1.620935751403104), R(0.750581988693452), R(-0.5760872347329492), R(2.4657677337786152), R(6.284988676363821), R(1.8503585137781495), R(2.6882118831307835), R(1.2473295180271047), R(-4.784456588931472), R(9.533078829532935), R(2.5052923850660527), R(0.5028931218099084), R(-1.118519360580971), R(-16.255485947325983), R(3.6547570336722623), R(1.987506443117588), R(-1.7894178195502235), R(-1.4987258419952636), R(0.5854780939598113)),
+STAGE_ROW(R(-19.07420042922987), R(14.859951658349079), R(-1.8190993485541054), R(-1.9453488517647561), R(-0.18887967942890782), R(0.21452827869127025), R(4.910143207134105), R(-1.8384104505147487), R(-6.581864417619745), R(-0.23826507925587673), R(-6.402260452464705), R(-20.722764255218326), R(0.9065189776514355), R(-0.5685283119582207), R(-78.39019720570784), R(-0.22279844719224273), R(-15.73983494329693), R(11.028906959465269), R(-52.7855748551588), R(8.198374002371233), R(-1.9862420700242032), R(-2.4376790782604787), R(-1.0283955534911902), R(-0.37451716843778127), R(6.983111919162027), R(0.5002220607985302), R(-2.1295840649849462), R(0.09270723345196438), R(3.3393111730166463), R(0.6897078394005538), R(14.107328093249146), R(-5.0016531682146566), R(-1.6253515651578287), R(-1.4548525142852446), R(-7.127318476344923), R(-1.8923901341295521), R(0.6957460643312349), R(-5.250240580825129), R(-36.536665873586884), R(3.0438380011446826), R(6.484529316064723), R(1.4470239921792092), R(-1.7948800206885813), R(-0.5283241860646718), R(0.6579422291106739), R(5.613420364450033), R(1.176811225578006), R(-0.872708687247738), R(1.52502433689229), R(0.7318986474676966), R(-2.5083121005470184), R(0.1831626630701228), R(1.1826195827721693), R(-1.4606451174948414), R(-4.095573278279295), R(0.9624223735688642), R(1.2318753090730978), R(-0.21534410989896682), R(13.568552526272178), R(4.660811800920901))
+},
+{
+STAGE_ROW(R(0.15769056411611954), R(-3.8490799194220924), R(-0.6782676545145303), R(1.9588627077080099), R(0.41225101427853034), R(0.666479379491655), R(-0.2394548915710731), R(0.8600882471986722), R(0.9545587678057674), R(0.8298887910237682), R(0.2796796937749706), R(4.665662827742089), R(-1.0251818024866934), R(0.27731519921465736), R(0.6232491541690699), R(0.730424582280508), R(0.6535989930228171), R(-0.27927586517687386), R(-4.525629021200403), R(0.09334581364407515), R(-2.4494197030016633), R(-0.38238044410695166), R(-4.631510710293454), R(-1.1522806818358438), R(1.4890662628726272), R(-6.684801525806129), R(0.6198161712809543), R(32.98406069814536), R(1.7717536198800699), R(2.18743584426644), R(-1.4685536721806183), R(1.6324846418149954), R(-13.44110788553054), R(0.5113332406962096), R(1.2409092738174825), R(0.33886941773992507), R(0.46479494876817706), R(0.18938749587497916), R(0.4053503495822918), R(-3.51545433449078), R(-0.20504990705362655), R(-3.7042529936692437), R(-0.44962446976027476), R(-1.1357677895399045), R(0.3479235155334739), R(1.7232658416258209), R(-1.9122852935140076), R(-1.631954415063114), R(0.9591652151672272), R(0.014795702379571053), R(0.6678337456792827), R(1.3738373850021026), R(-0.23684869502782988), R(0.2983266035024485), R(1.8093758643116222), R(0.6401759516342785), R(4.335693631113124), R(-2.526425143694324), R(0.3934806726988369), R(-2.1237283145491848)),
+STAGE_ROW(R(6.315130397146789), R(-11.486816626870521), R(-1.10677556365124), R(-18.905177426509564), R(-0.22938248399141192), R(-3.694917092185291), R(-0.51617854870508), R(-8.644672622553585), R(-16.220600055046162), R(2.040318246074395), R(0.15747804743958216), R(-28.727911482423277), R(0.04018409241036881), R(0.9727455793946468), R(13.75899530574373), R(-0.6935369875366915), R(5.848181238131676), R(-0.6595375286918378), R(1.4097964172398048), R(-4.801871694848636), R(0.27006864785375906), R(-1.3753333474207585), R(-2.580624418460782), R(-26.550652482568996), R(-2.570071544977138), R(-2.3898159332463838), R(1.3352457854071884), R(1.6647195550796678), R(2.7732746971863977), R(-1.756966757099741), R(-1.1938388858976894), R(1.3663416855369581), R(-1.5768276223905926), R(-1.0319766789433975), R(0.23527217856449026), R(-0.2550185694973912), R(2.7689735752828173), R(-0.6846326428184146), R(1.1454997971726693), R(0.33235586902192077), R(0.9789783406976037), R(0.28770467527023474), R(-0.9973948500831241), R(-2.5033799975004536), R(-0.18845912385511523), R(0.041965188485000283), R(-0.13871032904285066), R(1.383334076018393), R(-0.32092329906567496), R(-0.15253927648871116), R(-0.08591922747871307), R(0.5068062468109964), R(0.42699663746496236), R(-0.03146699527765321), R(0.7416077134310302), R(-0.3697172793542693), R(11.305257325704078), R(-0.6417382254065275), R(-0.17930476599823064), R(-0.11142690975986877)),
+STAGE_ROW(R(-1.3438587740945316), R(-8.562143427589806), R(-0.29764215596214294), R(2.0139149780326764), R(2.1214135975293633), R(-2.82705570322074), R(-0.1444108593361664), R(-3.1356749480295587), R(0.8409619182880337), R(0.9884516816276774), R(-0.7709091645922413), R(-5.442202272693272), R(-0.4772631201483205), R(-4.242211613007695), R(-2.195821620751719), R(-2.0457769863926583), R(-5.747170649817446), R(-0.2720217605363626), R(1.6592735310233622), R(1.8165535719452561), R(3.5706766204624816), R(-8.302327156009536), R(-9.362132534158498), R(-2.9076502043406167), R(-10.647150790525199), R(-1.0373410533495009), R(-9.531783918991175), R(7.705350267621827), R(2.6680314317071567), R(7.039471573197548), R(0.473691183143324), R(-0.08442318407107542), R(-12.477898736002583), R(-0.02166002372510265), R(0.3184338325542211), R(-0.25896388036268975), R(2.7961144714989494), R(1.1950380305300898), R(-2.866631648134361), R(2.9321579407937928), R(1.4067848693371348), R(9.795623786745404), R(-0.8164561441957344), R(-1.2410695271799566), R(-0.02073603701802521), R(0.517269559775758), R(1.7337967510074748), R(3.0537977744932085), R(-2.7429121362296605), R(1.7288258635068627), R(-1.4141481811996788), R(-7.719625530939687), R(-0.577434797344255), R(0.12691907131359073), R(0.5784292744407248), R(0.21120328296746563), R(7.064436533057267), R(1.9499821893913662), R(-0.8191818456292638), R(0.710071968156435)),
+STAGE_ROW(R(0.8865275061509676), R(-5.245398200133199), R(-0.18803233815083087), R(-1.2126618515909118), R(0.7185090348967325), R(-0.7570089055409966), R(-0.18117705444578566), R(-3.4366583028899473), R(-2.8809664602584033), R(-0.044138526354463116), R(0.5717937736202959), R(13.237721206117566), R(1.3422409935617117), R(2.217575672073305), R(-1.8654670984648147), R(0.25148889148476583), R(9.312769195904988), R(-0.135017969510376), R(-0.1559224351752789), R(-0.6953479739919403), R(4.411142329557594), R(0.6301870457131049), R(1.9763523111291568), R(-2.4244377691100074), R(2.9861836089938167), R(5.714488889990709), R(0.8134428129474685), R(-18.07353234121631), R(0.3023785703332627), R(7.100875782562327), R(-0.061710304701277086), R(0.6857157954432427), R(-1.1104083044865203), R(0.885417511223703), R(0.2627076240686756), R(1.6607841311219982), R(2.069965574272651), R(0.6430862819492935), R(4.599667325158356), R(0.5911172057116802), R(0.012486788957985015), R(0.5615112513094538), R(1.0156949276303868), R(-2.6042021715897055), R(0.9543507214169136), R(-0.09959602924884273), R(9.924860033035555), R(-4.877599994626314), R(0.96650843130462), R(-0.06654361864303275), R(0.8367295041149039), R(1.8279983832090647), R(-1.5484574207784454), R(-0.597515233788557), R(0.1671320023574665), R(-0.7650937345854103), R(4.7026471485238215), R(-0.6849369120877911), R(0.363575311440674), R(-1.4208726168349706)),
+STAGE_ROW(R(-4.197849998406039), R(5.9146804254994985), R(1.6137988799448162), R(-3.152219442943461), R(-0.7014465528424033), R(3.268277432588961), R(-0.5062254573845941), R(0.874266874280559), R(12.283121659809307), R(0.48977903574160486), R(-1.2209927421670677), R(1.3631603283098568), R(2.015787639685905), R(-1.7454069520461908), R(4.218928325399217), R(1.5842321139880888), R(-0.5433096621150778), R(-2.139948860108827), R(-2.488304148454332), R(4.992344737722853), R(-0.6306339734695652), R(5.798602999976668), R(0.7824842244880525), R(-0.5140712887648942), R(-0.5076356441028134), R(-0.16118124646192616), R(-0.7389562509391229), R(0.7851725335232099), R(0.062324580567416916), R(0.3398175613359747), R(-0.6589097674405822), R(-0.3395396547046366), R(0.24037005803033012), R(0.21212912569690937), R(0.7100154375157252), R(-0.046660028150446266), R(4.600912247641308), R(-0.2307566565514387), R(6.97263926780304), R(0.4735516885056211), R(-0.13803717040526842), R(0.8353338818573909), R(0.6034630855518323), R(-1.7191746595017334), R(-0.4229557414964709), R(-0.16906675135719207), R(-0.7385948442021427), R(0.798986993169035), R(0.22822993097126054), R(0.43283126554264745), R(-0.6977165826779305), R(0.013867157348273176), R(0.24377752178324608), R(0.43265060435984487), R(0.705478277859296), R(-0.07235173518081334), R(4.007793112644647), R(-0.1852901163707807), R(-1.1153519670860306), R(0.5635236251466544)),
+STAGE_ROW(R(-0.7197847535183723), R(2.001392676998449), R(1.67807619219906), R(-0.04653352847570744), R(1.6051343103554367), R(-1.0528010395233383), R(0.36286206332184123), R(3.4534186238312437), R(-1.4868171051444394), R(2.1757854706260993), R(-1.1839718119799036), R(13.558609123071962), R(1.4898937490523954), R(-1.6478149226969485), R(-2.6918801326625417), R(-0.7491701292195608), R(2.021963434983246), R(0.9835409200821983), R(-1.3813792702265557), R(1.523213397476788), R(0.2591537586619299), R(-0.06056522903873831), R(-0.4143449656268346), R(-1.0349820462334318), R(1.0976663127263568), R(-0.45320921509441636), R(0.626277463076878), R(-0.27421518955745205), R(-0.019348230639579307), R(1.123262989322485), R(-0.8566845357242464), R(0.42231201811765806), R(-1.5240593333508525), R(-1.1382917866149327), R(0.08940906625052729), R(-0.5034678437124821), R(1.3519818007904782), R(0.5902156567357268), R(-1.038210778797068), R(-0.007747891365951537), R(-0.13930056283471365), R(0.5871950753941286), R(1.08544623746092), R(-0.36541531845157343), R(1.1149982669642862), R(-1.5171134461505973), R(7.340620800789996), R(-2.556265690628416), R(-1.6362453409608138), R(-0.3597643448086623), R(-0.9402064640316904), R(-3.3765179815835147), R(-2.0242691893503086), R(-0.7982338491109945), R(-2.479646496540064), R(-0.11938384791749068), R(2.873881393437924), R(3.717249460338544), R(-1.7208224232372344), R(2.0109404047639745)),
+STAGE_ROW(R(1.6914318812442997), R(-1.5118881256550305), R(-1.0420776774940164), R(0.06393651328358516), R(1.4808710843627944), R(1.4194797893430986), R(-2.2616268578626406), R(13.96536839714416), R(5.272333855611427), R(1.109513183652546), R(0.07382131653258693), R(51.00173545839328), R(5.662804678262821), R(1.3735832500360183), R(-10.070455420140568), R(0.14238247276515756), R(2.424560385494471), R(1.9025293920206987), R(-2.953815978718435), R(-1.3190277371915005), R(0.6578825950282063), R(1.299877358335567), R(-0.6510010168272669), R(0.5990395852785834), R(-0.10532812885187744), R(0.9204350472357163), R(-0.46867984677623487), R(1.9156001304351264), R(0.02017895305726948), R(0.9291720485691153), R(-0.4725844129690348), R(-1.3297133015031906), R(-0.32559123016450103), R(1.3134544273068243), R(-0.41996103266514023), R(0.31926289439971833), R(1.584218558496651), R(-0.06955725030810422), R(0.1216627238502009), R(0.4571300791786138), R(0.43667921930399906), R(0.9737214673548575), R(-0.3042216290580469), R(-1.042862619742634), R(-0.4576392020713766), R(0.7420660319621893), R(-0.4552453475622455), R(-0.2500078752769447), R(0.49134068205281345), R(0.24793103318741647), R(-0.26387729484631706), R(-0.128723912128298), R(0.2605765364542964), R(0.928427194397409), R(-0.543866050291625), R(0.5174077213838414), R(7.756931837134745), R(-0.40556197432636887), R(-0.27506112495373), R(0.5218031544242022)),
+STAGE_ROW(R(0.9005167254285825), R(-3.851156291387531), R(-0.4822853276675819), R(-10.610281014329816), R(0.7023875215417519), R(2.045464347512014), R(-1.1535876934261415), R(-2.2813845483038415), R(1.3019680170022259), R(3.186233230720828), R(-0.30415223123396695), R(0.9108209113912147), R(0.17956345247100924), R(-1.3964209299196721), R(2.017334268116352), R(0.33397621876485845), R(7.921311397060933), R(1.7084136293165617), R(-0.32958569281593597), R(0.35799897464429353), R(0.2652203810537971), R(4.645676768789757), R(0.029754202546397365), R(-1.7517226963677108), R(0.8705689527673734), R(-1.819049474347787), R(1.617374189754856), R(0.7289232248378376), R(0.46639084782557616), R(2.0970714420688763), R(0.38896998070727085), R(0.8695596729590249), R(-2.6567657161356273), R(0.9867258434771823), R(-0.7201644181928523), R(-0.587596301115419), R(0.24078843028328673), R(0.6434676442070788), R(-0.3797430233246568), R(-1.3408377632856556), R(0.42654092420155426), R(-1.4199042332925118), R(0.8769783385862794), R(-2.673144152862017), R(-0.160536715524294), R(0.8075908735252122), R(-1.0313188023364734), R(-4.560661581612051), R(-0.056842262908909584), R(0.6436665853880427), R(0.05885097135743264), R(4.880604666295491), R(1.1761577537845884), R(-0.23991461669974384), R(-1.267462644622884), R(-0.5251473679039916), R(7.880922095122583), R(0.8660141582698908), R(-0.2054842454057892), R(-1.17355229658561)),
+STAGE_ROW(R(-0.5093045642185826), R(0.8890227503318825), R(0.4327209010584876), R(0.5706761671262341), R(-1.8683345619099203), R(-1.3653842128562328), R(0.404568372943922), R(2.4110788356313), R(3.221269391471083), R(0.8451505534127831), R(-0.5653332907060393), R(7.712152434497346), R(0.41624682369277344), R(1.252570665841968), R(-0.3171995249418742), R(2.0965690426116685), R(6.67375394078617), R(1.2963605482948821), R(-2.2797875622380257), R(-1.567809891148227), R(-0.6061494593615915), R(4.327739303491492), R(2.6481449843598037), R(-1.7759781232088616), R(-1.6211274836082277), R(4.466667599292196), R(-0.8965317583927374), R(-2.8045680326389184), R(0.9265255197980823), R(-0.6056959305060595), R(-2.823497459098731), R(1.1955364021488954), R(3.481481941287569), R(2.9959528792921875), R(-0.001957555670015066), R(0.9739993836653448), R(4.112071650399199), R(0.6512346987236486), R(-1.3598131005992569), R(-2.9579778626003375), R(0.7861858799431745), R(1.273937738321095), R(-1.0118320203126905), R(-1.4951915085006005), R(-0.8879597601982159), R(-0.1454688513456462), R(-1.8141939572004429), R(1.774118919705099), R(6.683070713508359), R(0.7199219577912133), R(-1.006741129116963), R(-0.32700740382032595), R(0.7125071443773446), R(1.0609628632083794), R(-0.6080572435201681), R(0.7310762358971025), R(6.016645044001949), R(3.3501698561296633), R(-2.0488836557189716), R(1.7565471409148383)),
+STAGE_ROW(R(-0.8496393342477153), R(1.001700934850623), R(-0.4020377239051868), R(2.5458441641937726), R(-0.15382861125130892), R(0.7087136818906109), R(0.5923880985218108), R(-1.1304534871122083), R(0.147264259718036), R(-0.5181293557083669), R(-0.0981409051164876), R(-2.5309323950036635), R(-0.5876286551077173), R(0.8979235646647286), R(0.875540165583934), R(-0.5287245876127068), R(1.4318532516464157), R(0.914191720689559), R(0.09231761261786334), R(0.4407937143727935), R(0.8246602696768056), R(8.737445315415647), R(4.341743182321893), R(-0.6808339489978807), R(-1.205004228470467), R(4.143853846170851), R(-0.3650877773517981), R(-0.8914488984887952), R(1.0347212546018496), R(-2.8575956006150713), R(0.5995438968541599), R(-0.19054234976181822), R(2.8795980726982995), R(4.860611310639966), R(0.9591953686134489), R(-1.8039399299510348), R(2.333849654019431), R(0.44023314770636396), R(22.92805320911238), R(0.02953564463118404), R(-1.2150510620719694), R(0.20785150587209095), R(0.1456244308620261), R(-0.6464895584200278), R(-0.15421091943469012), R(0.01098594229942031), R(1.8669124302641757), R(-0.09325802481480294), R(-1.3311869591037213), R(-0.04546941890079808), R(0.27641309234714717), R(-3.318475669297718), R(-1.6326122713248319), R(0.2644831767015337), R(0.045952630374734835), R(-1.077498701685935), R(-0.09507096737591494), R(-1.871269582081171), R(0.48242331300668084), R(-0.6681213195240128)),
+STAGE_ROW(R(-2.2615418915991454), R(-5.6739742905644635), R(-0.21947483341100052), R(1.5225582104761326), R(0.46281621876507606), R(-2.076431305766821), R(0.3013997233075908), R(3.3947461071243366), R(-0.6071549725743739), R(-0.5173347629221003), R(-0.14214600563108767), R(3.8922368955268567), R(-0.7970154408381609), R(5.256103010848765), R(5.246267716404159), R(-1.1516826836915692), R(3.792002547623274), R(-2.788599300787054), R(0.571443587900003), R(0.8865740371983426), R(0.28390962528222363), R(1.7085379736429163), R(-1.6696963081303495), R(-0.32797573817483966), R(0.7514360101999359), R(1.303182209698299), R(-0.029724321641007734), R(0.18178480646715797), R(0.07179278069523191), R(0.9946830143004712), R(-0.5827307024413072), R(1.18251116784044), R(-1.6405545107157162), R(0.5994086036850973), R(1.385603576216161), R(-0.07741426538405889), R(0.3803142185828348), R(0.4762211438255345), R(-4.760088231723151), R(1.5526054088352805), R(-1.0085945795639113), R(-7.067009175470845), R(-2.353298763955369), R(-1.0102678427702594), R(0.08107086795967157), R(-3.882714239718284), R(-27.744852022488548), R(-1.5727809638416037), R(-3.2972800443827266), R(-2.8285895618688723), R(0.4409444151546661), R(3.194932387522076), R(-1.5963620698222016), R(-0.727912994066271), R(4.368741090330555), R(0.6556833751113934), R(6.608472058058727), R(-1.0515714778298826), R(0.329939017973435), R(-0.11888427513526702)),
+STAGE_ROW(R(0.1574561579983123), R(-1.3947564757668434), R(-0.15442772759157802), R(7.830722907346061), R(-1.526781606390949), R(-2.833030022175777), R(0.32764258298061133), R(0.07158652748070743), R(7.918146103408781), R(0.13965136983235568), R(0.24631359138340309), R(22.89648885672084), R(0.7819846383090983), R(-0.096412843721701), R(1.1057123480632207), R(-0.6001895518437335), R(8.66532309107859), R(-0.08098310360927154), R(-2.9328174518996675), R(-0.061525085309869665), R(0.43303161017782266), R(2.2862598125108007), R(-0.8011706763874161), R(-1.4798466841973648), R(-0.5058704772798092), R(-0.49548596386393523), R(0.2687251934262139), R(1.375516100063006), R(0.8556467267059886), R(1.0222100124256617), R(0.09901059879534263), R(0.6946137902992654), R(0.52103014580645), R(-0.36994815498464295), R(-0.14249886897629088), R(-1.2112674068309668), R(3.7076760154070785), R(0.2805387407467886), R(-1.059533963004484), R(0.6238185602757079), R(-0.45666108368741803), R(-1.1660544157812944), R(-0.892526926450397), R(-0.4918174232585056), R(-1.7816970183471557), R(-1.8915471859609494), R(-3.9457732411717323), R(0.6194313293254393), R(-0.5829487406543464), R(0.40252448444655486), R(0.17035336916497945), R(-8.733262194081147), R(1.4040488453882847), R(-0.9102234767553264), R(-0.8738481657836317), R(-0.6907518379995325), R(6.491536693548494), R(2.4289221543448036), R(-1.6057515172155645), R(1.9023770600185146)),
+STAGE_ROW(R(-1.0233768274603552), R(-2.628977963339034), R(0.17227976021985245), R(-6.047437616196364), R(0.4616041505734467), R(-1.0090845205576686), R(-1.167904611712164), R(11.31480842710577), R(-6.975681128513089), R(1.8048140635171828), R(0.2873078080212633), R(2.7254850420341312), R(0.5839737817124498), R(-0.5078995576829481), R(0.8761133064456202), R(-1.763997392177148), R(10.49626020856145), R(-0.6948657956606439), R(0.678559701618793), R(0.255387002694854), R(2.672107632263183), R(-11.11724497622362), R(-2.793708165252746), R(-1.6301504408299046), R(0.1089882181838208), R(-12.047593465225225), R(3.9691703225343273), R(16.31046331301036), R(0.3760365342209975), R(1.3525858025352673), R(0.3519959072285423), R(1.741106251081612), R(-5.9544946783562285), R(-4.106264605983001), R(0.44985841496606405), R(-1.9203203580609731), R(0.6163099885287721), R(1.395683167172486), R(-6.003203855302683), R(2.3699506087563416), R(-0.3819277670216035), R(0.8813677626683404), R(-0.027699924130071787), R(-3.6802058798777506), R(-0.8048119998288437), R(0.30713693951552307), R(-4.106239219904313), R(1.238228982111945), R(4.147298425796859), R(-0.41848953898102903), R(0.272254503204583), R(-8.754612645402453), R(0.14016250500503896), R(-0.8824877197138657), R(-0.6640054848313152), R(-0.49199575601244194), R(11.101630471445565), R(2.699467194285179), R(-1.7109722618126786), R(2.7680136260638157)),
+STAGE_ROW(R(1.465609398931319), R(1.3996663880743374), R(0.34967345359733953), R(-1.9369617450075747), R(0.5198965703453098), R(1.5428918599254569), R(-0.39219196071708806), R(0.41730480949196996), R(8.098866015096817), R(0.7190805054998749), R(-1.7653848178786438), R(-3.3914611645034674), R(0.06839261220830216), R(0.4844812145547394), R(-1.837634420349791), R(-0.18637709677984324), R(4.392423499022535), R(2.206560983816224), R(-0.7702468005293778), R(-1.0883460862681766), R(7.1874822608891105), R(1.0199011365735302), R(-0.5686270912664582), R(-2.390780524329177), R(-0.4208673374867377), R(-17.12509920656869), R(-1.185920668314594), R(21.081573096249066), R(2.731766577412618), R(-4.662655299242209), R(0.4399285814705171), R(1.0549633277666175), R(14.788320011320566), R(3.155765968886638), R(-0.9504055428335815), R(2.832665792193089), R(0.49125250680920646), R(0.1445110297320749), R(17.913670668524475), R(1.3703373016962959), R(0.7592619047857632), R(10.114090040883612), R(1.2545300334796732), R(-1.5301561235116925), R(2.877735772240503), R(2.4595714353065117), R(3.278293149530778), R(7.531011840753987), R(-3.4432013144340092), R(1.248506001664181), R(-1.3591640426148914), R(10.181239380929675), R(1.3638100865950804), R(1.366367833311331), R(3.566515650329885), R(-1.557791264626831), R(4.055664702147235), R(-4.582889503192443), R(0.7335058752718766), R(-2.0273497500860476)),
+STAGE_ROW(R(-0.8074668212393301), R(1.2494971938156907), R(-0.18707934310268645), R(2.331398585978737), R(0.6486777511484875), R(-0.37304764727716305), R(-0.2155686224005495), R(0.16973735008638868), R(0.7148530505537531), R(-0.27166281602160997), R(0.45296987268416894), R(-1.9702453879344464), R(-0.44945394468137073), R(1.002667951906053), R(0.0687619366110338), R(-0.06149083392885072), R(2.302104321429729), R(0.8954496055107526), R(0.3103119391171917), R(0.687079304715296), R(-3.9004356231408583), R(-1.6240346344891246), R(-0.8781080606556366), R(-0.6672353118422126), R(2.142468501629955), R(-2.4318945527263547), R(0.9205750530068713), R(0.349449839671248), R(0.734107684105058), R(-1.0726095052709952), R(1.0438396364273714), R(-0.9101549440811597), R(-2.503724066028239), R(0.5105217195724863), R(0.24249579660280837), R(-1.0964066944046305), R(1.791825008056774), R(0.3657242405813574), R(2.033216100545436), R(-0.10258064749707826), R(-0.9079044763279202), R(0.7780411952101826), R(0.07542901235911499), R(-0.4970816081049431), R(0.8975678600177655), R(-0.9000773249518255), R(-0.01118417946522763), R(-0.1227601563633485), R(1.378003883884522), R(0.08524044620712634), R(0.5341788864162484), R(-3.569524151155791), R(-0.1028294350630512), R(0.6059183537548423), R(-0.13502007229206375), R(-0.41862920139026377), R(2.6022909278429784), R(0.020405991885203267), R(0.2528824716177665), R(0.5324172365797915)),
+STAGE_ROW(R(-0.4260007143637222), R(0.24205830263367528), R(-0.6406802811464893), R(2.20734379824472), R(0.7185015938228521), R(1.1248323942723153), R(0.6816633117576893), R(-1.4119942729185508), R(0.08983995463832999), R(-1.0086954371344825), R(-0.3869450962819421), R(-1.2588511950239323), R(-0.1773512673782978), R(1.2443195361334642), R(0.9431512418854525), R(-0.5924175414252383), R(2.8247181207960055), R(1.3576750380978087), R(-0.012558937096402423), R(0.8380067315336603), R(-0.22038098966881794), R(-0.7218317375885455), R(-1.4592013539497666), R(-0.9664572545209199), R(1.139222219428076), R(1.3559446167426403), R(0.5596115278778891), R(-0.678549388902631), R(0.06107130736807172), R(0.18319081226927778), R(-0.1839392192180739), R(0.3274701708631296), R(-0.9658859309244407), R(0.10855058353853132), R(1.0873508027090344), R(-1.2498264941055084), R(2.0237854538045), R(1.2925774863820942), R(-0.5714405641359074), R(0.7332288108783696), R(-0.508325307239493), R(-0.8333154775233811), R(-0.6377522935311869), R(-0.3369066880613283), R(1.060892559832407), R(0.3374765635387157), R(1.558966601770726), R(-1.7732606020270976), R(-1.7840916143318024), R(-1.022841237825301), R(-0.08652887061687639), R(-2.7583032492682475), R(-0.5199270474662115), R(0.24991890604491346), R(-0.3038443470860854), R(-0.7971446431271721), R(2.9898213841724894), R(3.1124427473944825), R(-0.6128322859749578), R(1.9606367620529217)),
+STAGE_ROW(R(-1.1953074422855188), R(0.23156913682782496), R(-0.5296680280089449), R(0.6668279722999679), R(0.28140208834548364), R(0.7251146191518617), R(-0.43667735332437435), R(2.973209901409136), R(-0.9906416883072231), R(0.6536825203023149), R(-0.20746089721285277), R(4.177174553626799), R(-0.15965097263563727), R(-0.1978538149743588), R(-0.007777838771573), R(0.2185516875171094), R(2.70345916923955), R(-1.5926302822131748), R(-0.6643061806417268), R(1.4652860981260538), R(0.005337852287812251), R(-0.14695490323711588), R(-1.6055391678090367), R(-7.163013876096939), R(0.19440569875709848), R(0.5482399472721922), R(-0.6059208706698106), R(-1.4162776953912308), R(2.0460325944901814), R(1.2314637692699693), R(-0.09754447432852748), R(0.112098935772256), R(-0.3504180907528666), R(-0.6619032121366842), R(-0.14501602191596213), R(-0.6345411599065699), R(4.642257767026036), R(0.3463898951214947), R(-1.4054187521102681), R(0.4237087246561879), R(0.23093861993663914), R(0.7234812053876497), R(-0.4405985750456278), R(-1.7984801598487747), R(0.36059348963722243), R(0.36492544070169125), R(-0.4706798766484689), R(-2.4433563459865257), R(2.427275943657492), R(0.8290807488011993), R(-0.33152176527136945), R(-1.9621153035947994), R(0.8583588924814815), R(0.16661482634079344), R(-0.5357818642794064), R(-0.8243146724999328), R(7.2040330829032815), R(0.06346220294268443), R(-1.1577507104450584), R(1.040954427465301)),
+STAGE_ROW(R(-1.092658879981005), R(-4.2762833049753075), R(-0.34417637597587564), R(-1.7204223501277198), R(-1.1533077941728738), R(-0.982660502006486), R(1.4348366930888774), R(5.211075867444067), R(-5.867051663015688), R(0.8749443492221618), R(-0.5002495005750934), R(-27.71433179563861), R(-3.906183576478381), R(-0.42040704393543943), R(2.7313587585774886), R(0.37440216759756517), R(3.5222119149958235), R(-0.9659947233107143), R(4.169459285077416), R(0.9814105993944452), R(-0.5331295772133722), R(-2.386979867906224), R(-0.6807557248432079), R(-1.4861562928135368), R(-0.9299734524440763), R(-0.3802774485222203), R(0.5792755604248528), R(-1.505706415563665), R(0.7658943905225702), R(-0.645313347053371), R(-0.41357520106446344), R(0.09075458031437378), R(4.834117273764156), R(-0.8366811351174765), R(0.13101473470956954), R(0.40313258692792664), R(2.5344795855708444), R(0.38210928069798494), R(-0.017189816123214515), R(0.6097278566201666), R(-0.8400188496920149), R(-0.6053248694558319), R(-0.4964046118765087), R(-0.44258979705913887), R(-0.33426120784312696), R(-0.651388957478593), R(0.7180411322543464), R(0.8473137122709524), R(0.3512434251568801), R(-0.4397101778258476), R(-0.05816317164431875), R(0.18951713741225037), R(-0.6882002698840334), R(-0.7663759091694993), R(-0.5869308960672075), R(0.06639369104353221), R(3.9597650606308896), R(0.21671382820649066), R(0.32060108445768015), R(0.7985474673158891)),
+STAGE_ROW(R(0.10746782376037829), R(-0.3384389866446729), R(-2.153263883307894), R(-67.73893467404157), R(2.3171088807433304), R(0.4158143196610029), R(1.4011939842429761), R(1.7141427445165658), R(4.711697330154781), R(1.4491653525060368), R(0.14078196317968333), R(7.87520428665938), R(0.6532651559457769), R(1.0693486293722994), R(3.8169223136182673), R(6.470838049516011), R(38.31441624863354), R(-0.9533156468562475), R(9.705791849862187), R(2.0957146231492305), R(0.7821219465566446), R(-1.7280173636859222), R(-0.8289895993769482), R(-0.9604387597051602), R(0.5045152525877535), R(0.17437681760221505), R(-1.1763419895004674), R(0.678117743060406), R(3.1726805327885086), R(0.3333692846840546), R(0.16254886945584718), R(2.8480466202421897), R(-0.7456815006607711), R(0.10597331769773193), R(0.9597593873886263), R(-0.23061818997256853), R(-4.256548851821764), R(1.1597536742762007), R(-2.853237585229823), R(-0.786159560220652), R(0.6671840427775714), R(2.391109718813406), R(0.15603356107375832), R(-7.001722297743983), R(1.242230294218921), R(0.8979726297261011), R(1.8543531188757612), R(2.4729125608490805), R(2.610137189824666), R(0.07258039903536906), R(-0.33256331323718447), R(6.90653020924423), R(-1.4784278091013427), R(1.287817497600143), R(2.047781786792314), R(0.016808215971438695), R(49.99063517400075), R(1.7278657464307798), R(-4.292724839465546), R(-0.12205987884675988)),
+STAGE_ROW(R(1.126829060320138), R(21.969038040109265), R(0.7331595081189581), R(14.950715263792498), R(-0.7761879701049371), R(-6.313526363355091), R(0.37878146430615284), R(0.44776909750870425), R(3.2554207999737628), R(-7.296862000363935), R(2.2801526354475983), R(12.949703438639114), R(-3.8900483483777206), R(0.8415583552163581), R(-18.37954526132517), R(-0.20606569308343411), R(5.809761066696418), R(2.5446132278489406), R(-10.454337691837788), R(-0.09222436237315891), R(0.3368973619920433), R(-8.239325998004883), R(-0.68536097021874), R(-1.7058463286784105), R(-2.8593031481524664), R(8.765196764245982), R(-5.614423749406433), R(3.022370352798491), R(0.7377674996368893), R(1.6923112120302028), R(1.5481453224832145), R(1.3760011316651686), R(-0.9756299570263398), R(-1.407513078973143), R(-1.9015132909801313), R(1.2337812721329138), R(3.0957951738654326), R(0.4075519165703878), R(1.280042669773206), R(-3.016583758381336), R(0.13390395980098857), R(-7.701302892340086), R(0.4265145576668703), R(-1.5803440553901247), R(-0.6504348637055268), R(-1.0665686417818698), R(2.3914650182254067), R(-0.31115798000103656), R(3.9033964752939654), R(0.4393039840707817), R(-0.04894065296807065), R(17.427855620932725), R(-1.6017931968582948), R(-0.062291552691687256), R(-0.3917163996355466), R(0.2110124875536492), R(9.964113525950527), R(0.4758540471702718), R(0.0918132760761988), R(-1.0125648075214997))
+}
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(-0.3807849035925038), R(-0.38693310446685036), R(0.6073469585423253), R(0.2296861583208266), R(-0.5160778601644582), R(-0.43505896407918465), R(-0.7699756380430203), R(-0.4883655882953545), R(-0.2331599205719636), R(-0.7887310305456996), R(0.5000529708183077), R(-2.114889729054474), R(0.6978879242464178), R(-0.6020697264355291), R(-0.34065584293202633), R(0.49315450080555406), R(0.0005873653332318804), R(-0.19852517916774232), R(0.6988236256938418), R(-0.40083322058123866), R(-0.4348183751086469), R(-0.971706604955569), R(0.5915410697976284), R(0.19202003957316885), R(-0.7083325902756821), R(-0.5783623836672415), R(-0.43628749288836177), R(-0.5973334209492015), R(-0.06755524500103624), R(-0.5909636242024939), R(0.5080480486807983), R(-0.02238672007196153), R(0.5556990061142133), R(-0.6400476246468488), R(-0.13243564676660569), R(0.44712690356131074), R(-0.0006901162143713712), R(-0.21059951423995882), R(0.6626873628609372), R(-0.2091575452396135), R(-0.41743686497870514), R(-0.18990180708299806), R(0.5860555670948767), R(0.13659828271483992), R(-0.515270489986058), R(-0.26230800049206143), R(-1.0744291518134002), R(-0.14877076026095534), R(-0.15395741035634777), R(-0.29071378995497643), R(0.4363437746681511), R(-0.15663993195572704), R(0.3659815152587855), R(-0.3663558531481453), R(-0.18674823147229064), R(0.36680606589501413), R(0.002938623675211935), R(-0.44812778212971016), R(0.5460822586586112), R(-0.406431592799729));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output_bias[STAGE_NETWORKS] =
+{R(-4.862741389856661), R(-3.0489944687603314), R(-2.7214028333241393)};
+#define STAGE_DEPTHS {3, 3, 3}
+
+
+/*
+ * A stage: networks evaluated in step. Its tables, which come before this, define its sizes, STAGE_..., and the names
+ * of its tables and functions: STAGE(networks) computes it.
+ */
+#if STAGE_SIDE_BY_SIDE
+/*
+ * A stage on vectors of 16 numbers: its networks side by side. Lane l of part m is neuron STAGE_SHARE m +
+ * l / STAGE_NETWORKS of network l % STAGE_NETWORKS, and lanes left over are zeros. Sums are added up in the order of
+ * the other form of a stage, to the same bits.
+ */
+
+/* In each lane what its network has of neuron q of a part. */
+SAILNET_INLINE sailnet_lanes STAGE(neuron)(sailnet_lanes part, int32_t q)
+{
+    const sailnet_mask network = {
+        0 % STAGE_NETWORKS,  1 % STAGE_NETWORKS,  2 % STAGE_NETWORKS,  3 % STAGE_NETWORKS,
+        4 % STAGE_NETWORKS,  5 % STAGE_NETWORKS,  6 % STAGE_NETWORKS,  7 % STAGE_NETWORKS,
+        8 % STAGE_NETWORKS,  9 % STAGE_NETWORKS,  10 % STAGE_NETWORKS, 11 % STAGE_NETWORKS,
+        12 % STAGE_NETWORKS, 13 % STAGE_NETWORKS, 14 % STAGE_NETWORKS, 15 % STAGE_NETWORKS,
+    };
+    return _mm512_maskz_permutexvar_ps(0xFFFF, (__m512i)(network + q * STAGE_NETWORKS), part);
+}
+
+SAILNET_INLINE void STAGE(begin)(int32_t layer, sailnet_lanes sums[2][STAGE_PARTS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[0][m] = sailnet_at(STAGE(biases)[layer][m]);
+        sums[1][m] = nothing;
+    }
+}
+
+/* Two sums for each neuron: in one, an addition would wait for the one before it. */
+SAILNET_INLINE void STAGE(add)(sailnet_lanes a, const sailnet_real weights[STAGE_PARTS][STAGE_PART],
+                                      sailnet_lanes sums[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[m] += a * sailnet_at(weights[m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(activate)(sailnet_lanes sums[2][STAGE_PARTS], sailnet_lanes neurons[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        neurons[m] = sailnet_sigmoid(sums[0][m] + sums[1][m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    sailnet_lanes sums[2][STAGE_PARTS];
+    sailnet_lanes neurons[STAGE_PARTS];
+    STAGE(begin)(0, sums);
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_lanes clamped =
+            sailnet_lanes_clamped(nothing + input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        STAGE(add)(clamped - STAGE(lower)[i], STAGE(first)[i], sums[i % 2]);
+    }
+    STAGE(activate)(sums, neurons);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(begin)(layer, sums);
+        SAILNET_UNROLLED
+        for (int32_t i = 0; i < STAGE_ROWS; i++) {
+            STAGE(add)(STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE),
+                              STAGE(hidden)[layer - 1][i], sums[i % 2]);
+        }
+        STAGE(activate)(sums, neurons);
+    }
+    sailnet_16_bytes products[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_ROWS; i++) {
+        const sailnet_lanes neuron = STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE);
+        const void *const weights = STAGE(output)[i];
+        sailnet_16_bytes first;
+        (void)memcpy(&first, &neuron, sizeof first);
+        products[i % 4] += first * *(const sailnet_16_bytes *)weights;
+    }
+    const sailnet_16_bytes sum = (products[0] + products[2]) + (products[1] + products[3]);
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = sum[k] + STAGE(output_bias)[k];
+    }
+}
+#else
+/*
+ * A stage: STAGE_NETWORKS network(s) with the same STAGE_INPUTS inputs, layer by layer. STAGE_DEPTH
+ * hidden layers of at most STAGE_ROWS neurons; a shallower network uses the first ones.
+ */
+
+/* Physical input, clamped to the widened range it had in training, less the lower end of that range. */
+SAILNET_INLINE void STAGE(shifted)(const sailnet_real input[STAGE_INPUTS],
+                                          sailnet_real shifted[STAGE_EVEN_INPUTS])
+{
+    shifted[STAGE_EVEN_INPUTS - 1] = R(0.0);
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_real clamped =
+            sailnet_clamped(input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        shifted[i] = clamped - STAGE(lower)[i];
+    }
+}
+
+#define STAGE_VECTORS (STAGE_WIDTH / SAILNET_LANES)
+/* Sums of one network that registers hold, twice; and of how many networks they hold as many. */
+#if STAGE_VECTORS % 6 == 0
+#define STAGE_BLOCK 6
+#elif STAGE_VECTORS % 5 == 0
+#define STAGE_BLOCK 5
+#elif STAGE_VECTORS % 4 == 0
+#define STAGE_BLOCK 4
+#elif STAGE_VECTORS % 3 == 0
+#define STAGE_BLOCK 3
+#elif STAGE_VECTORS % 2 == 0
+#define STAGE_BLOCK 2
+#else
+#define STAGE_BLOCK 1
+#endif
+#if 2 * STAGE_BLOCK * STAGE_NETWORKS < SAILNET_REGISTERS
+#define STAGE_TOGETHER STAGE_NETWORKS
+#else
+#define STAGE_TOGETHER 1
+#endif
+
+/*
+ * activations becomes the sigmoids of biases + weights a, for each network: a[k] are the inputs of network k, an even
+ * number, and a[0] of all if `each` is 0.
+ */
+SAILNET_INLINE void STAGE(layer)(const sailnet_real *a, int32_t each, int32_t inputs,
+                                        const sailnet_real biases[STAGE_NETWORKS][STAGE_WIDTH],
+                                        const sailnet_real weights[][STAGE_NETWORKS][STAGE_WIDTH],
+                                        sailnet_real activations[STAGE_NETWORKS][STAGE_WIDTH])
+{
+    SAILNET_ROLLED
+    for (int32_t network = 0; network < STAGE_NETWORKS; network += STAGE_TOGETHER) {
+        SAILNET_ROLLED
+        for (int32_t block = 0; block < STAGE_WIDTH; block += STAGE_BLOCK * SAILNET_LANES) {
+            /* Two sums for each neuron: in one, an addition would wait for the one before it. */
+            sailnet_lanes even[STAGE_TOGETHER][STAGE_BLOCK];
+            sailnet_lanes odd[STAGE_TOGETHER][STAGE_BLOCK];
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const int32_t k = network + n;
+                    const int32_t j = block + m * SAILNET_LANES;
+                    even[n][m] = sailnet_at(&biases[k][j]) + a[k * each] * sailnet_at(&weights[0][k][j]);
+                    odd[n][m] = a[k * each + 1] * sailnet_at(&weights[1][k][j]);
+                }
+            }
+            SAILNET_ROLLED
+            for (int32_t i = 2; i < inputs; i += 2) {
+                SAILNET_UNROLLED
+                for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                    SAILNET_UNROLLED
+                    for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                        const int32_t k = network + n;
+                        const int32_t j = block + m * SAILNET_LANES;
+                        even[n][m] += a[k * each + i] * sailnet_at(&weights[i][k][j]);
+                        odd[n][m] += a[k * each + i + 1] * sailnet_at(&weights[i + 1][k][j]);
+                    }
+                }
+            }
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const sailnet_lanes sigmoids = sailnet_sigmoid(even[n][m] + odd[n][m]);
+                    (void)memcpy(&activations[network + n][block + m * SAILNET_LANES], &sigmoids, sizeof sigmoids);
+                }
+            }
+        }
+    }
+}
+
+/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
+SAILNET_INLINE sailnet_real STAGE(product)(const sailnet_real *a, const sailnet_real *b, int32_t count)
+{
+#ifdef SAILNET_VECTORS
+    sailnet_16_bytes sums = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
+    }
+#else
+    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
+            sums[lane] += a[j + lane] * b[j + lane];
+        }
+    }
+#endif
+#ifdef SAILNET_FLOAT64
+    return sums[0] + sums[1];
+#else
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+#endif
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    static const int32_t depth[STAGE_NETWORKS] = STAGE_DEPTHS;
+    SAILNET_ALIGNED sailnet_real layers[STAGE_DEPTH][STAGE_NETWORKS][STAGE_WIDTH];
+    sailnet_real shifted[STAGE_EVEN_INPUTS];
+    STAGE(shifted)(input, shifted);
+    STAGE(layer)(shifted, 0, STAGE_EVEN_INPUTS, STAGE(biases)[0], STAGE(first), layers[0]);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(layer)(layers[layer - 1][0], STAGE_WIDTH, STAGE_ROWS, STAGE(biases)[layer],
+                            STAGE(hidden)[layer - 1], layers[layer]);
+    }
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = STAGE(product)(layers[depth[k] - 1][k], STAGE(output)[k], STAGE_ROWS) +
+                    STAGE(output_bias)[k];
+    }
+}
+#endif
+#undef STAGE
+#undef STAGE_NETWORKS
+#undef STAGE_INPUTS
+#undef STAGE_EVEN_INPUTS
+#undef STAGE_DEPTH
+#undef STAGE_DEPTHS
+#undef STAGE_ROWS
+#undef STAGE_WIDTH
+#undef STAGE_SIDE_BY_SIDE
+#undef STAGE_SHARE
+#undef STAGE_PARTS
+#undef STAGE_PART
+#undef STAGE_OUTPUTS
+#undef STAGE_OUTPUT
+#undef STAGE_ROW
+#undef STAGE_OUTPUT_ROW
+#undef STAGE_VECTORS
+#undef STAGE_BLOCK
+#undef STAGE_TOGETHER
+
+SAILNET_PART void sailnet_direction(const sailnet_state *state, sailnet_real beta, double direction[SAILNET_STATES])
+{
+    const sailnet_real known = sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real now[3] = {state->r, state->u, state->v};
+    sailnet_real output[3];
+    const sailnet_real s = sailnet_approach(now, known, input, factors);
+    sailnet_plan_networks(input, output);
+    for (int32_t i = 0; i < 3; i++) {
+        direction[i] = (double)output[i];
+    }
+    /* The networks give the costates of position by the scale of the approach; nothing is divided by it. */
+    const sailnet_real scale = s / (s + SAILNET_ARRIVAL_SCALE);
+    for (int32_t i = SAILNET_STATES / 2; i < SAILNET_STATES; i++) {
+        direction[i] *= (double)scale;
+    }
+}
+
 /* ================================ Steering ================================ */
 
 /* Runge and Kutta's method of fourth order: where in the step its stages are, and what they weigh. */
@@ -1149,14 +2873,14 @@ typedef struct {
 } sailnet_change;
 
 /* One such step of Eq. (1), under a constant force. */
-SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
+SAILNET_PART void sailnet_predict(const sailnet_estimate *estimate, sailnet_change *change)
 {
-    const sailnet_state *const before = &memory->state;
-    sailnet_cosine_sine(memory->attitude, &change->cosine, &change->sine);
+    const sailnet_state *const before = &estimate->state;
+    sailnet_cosine_sine(estimate->attitude, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real push = memory->beta * cosine;
-    const sailnet_real across = SAILNET_FORCE_ACROSS + memory->tangential;
+    const sailnet_real push = estimate->beta * cosine;
+    const sailnet_real across = SAILNET_FORCE_ACROSS + estimate->tangential;
     change->normal = (SAILNET_FORCE_SQUARE * cosine + SAILNET_FORCE_LINEAR) * cosine;
     const sailnet_real radial = push * (change->normal + across * sine * sine) - R(1.0);
     const sailnet_real transverse =
@@ -1164,14 +2888,14 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     sailnet_state rate = {R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
-        const sailnet_real step = sailnet_stages[i][0] * memory->held;
+        const sailnet_real step = sailnet_stages[i][0] * estimate->held;
         const sailnet_real per_r = R(1.0) / (before->r + step * rate.r);
         const sailnet_real u = before->u + step * rate.u;
         const sailnet_real v = before->v + step * rate.v;
         rate.r = u;
         rate.u = (radial * per_r + v * v) * per_r;
         rate.v = (transverse * per_r - u * v) * per_r;
-        const sailnet_real share = sailnet_stages[i][1] * memory->held;
+        const sailnet_real share = sailnet_stages[i][1] * estimate->held;
         change->by.r += share * rate.r;
         change->by.u += share * rate.u;
         change->by.v += share * rate.v;
@@ -1179,111 +2903,209 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
 }
 
 /* The weight of a period in the mean of all at first, later of those not forgotten after a time. */
-SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_estimate *estimate, sailnet_real time)
 {
-    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-    const sailnet_real recent = memory->held * (R(1.0) / time);
+    const sailnet_real all = R(1.0) / ((sailnet_real)estimate->samples + R(1.0));
+    const sailnet_real recent = estimate->held * (R(1.0) / time);
     return recent > all ? recent : all;
 }
 
 /*
  * What one more period tells, by how much further the velocity changed than predicted: beta along the normal, the
- * tangential force across it, and how far such surprises differ. Changes are rounded finer than states. What is not
+ * tangential force across it, and how far such innovations differ. Changes are rounded finer than states. What is not
  * finite counts for nothing, what is large for the bound.
  */
-SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
+SAILNET_PART void sailnet_learn(sailnet_estimate *estimate, const sailnet_state *now, const sailnet_change *change)
 {
-    const sailnet_real held = memory->held;
-    const sailnet_state *const before = &memory->state;
+    const sailnet_real held = estimate->held;
+    const sailnet_state *const before = &estimate->state;
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
+    const sailnet_real turned = estimate->slewing * estimate->slewing * SAILNET_SLEW_RATE;
     /* Not held, or turned, or not seen before: that says nothing. */
-    int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
+    int32_t telling = ((held > R(0.0)) && (estimate->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
     telling &= (change->normal >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
-    const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
-    const sailnet_real surprise_v = (now->v - before->v) - change->by.v;
+    const sailnet_real innovation_u = (now->u - before->u) - change->by.u;
+    const sailnet_real innovation_v = (now->v - before->v) - change->by.v;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
     const sailnet_real per = distance * distance / (held * change->normal);
-    const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
-    const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
+    const sailnet_real along = (innovation_u * cosine + innovation_v * sine) * per;
+    const sailnet_real across = (innovation_v * cosine - innovation_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
-        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+        const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
-        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
+        estimate->beta += sailnet_weight(estimate, SAILNET_MEMORY) * counted;
         /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
-        memory->tangential -= R(2.0) * weight * sine * cosine * aside;
-        memory->variance += weight * (relative * relative - memory->variance);
-        memory->slow += weight * (relative * memory->surprise - memory->slow);
-        memory->surprise = relative;
+        estimate->tangential -= R(2.0) * weight * sine * cosine * aside;
+        if (estimate->samples > 0u) {
+            estimate->variance += weight * (relative * relative - estimate->variance);
+            estimate->autocovariance += weight * (relative * estimate->innovation - estimate->autocovariance);
+            estimate->innovation = relative;
+        }
+        /* The first says by how much the vehicle differs from the mission's, not how it varies. */
+        if (estimate->samples < UINT32_MAX) {
+            estimate->samples++;
+        }
     }
 }
 
 /* The share of beta that is not planned with. */
-SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
+SAILNET_PART sailnet_real sailnet_reserve(const sailnet_estimate *estimate, const sailnet_real *time_of_flight,
+                                          sailnet_real hold)
 {
-    const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
+    const sailnet_real tau = sailnet_limited(time_of_flight, SAILNET_OF_TIME_TO_GO);
     /* What white noise leaves in a mean of few products. */
-    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
-    const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
-    const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
-    const sailnet_real rest = memory->variance - slow;
+    const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
+    const sailnet_real chance = estimate->variance * weight * sailnet_per_root(&weight);
+    const sailnet_real slow = sailnet_clamped(estimate->autocovariance - chance, R(0.0), R(1.0));
+    const sailnet_real rest = estimate->variance - slow;
     /* Of its variance the mean of the periods left keeps so much. */
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
     const sailnet_real reserve =
         SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
-    const sailnet_real bounded = sailnet_clamped(reserve, SAILNET_LEAST_RESERVE, SAILNET_LARGEST_RESERVE);
+    const sailnet_real bounded = sailnet_clamped(reserve, R(0.0), SAILNET_LARGEST_RESERVE);
     return bounded * sailnet_clamped(tau * (R(1.0) / SAILNET_LET_GO), R(0.0), R(1.0));
 }
 
 /*
- * How late the sail is: by how much its time to go did not fall as time passed, less what of that is forgotten. And how
- * long it still waits.
+ * The tracker, see sailnet_tracker.h: what it is of this mission, a plan by the networks, and the command.
  */
-SAILNET_INLINE void sailnet_time_passes(sailnet_memory *memory, const sailnet_command *command)
+static const sailnet_problem sailnet_transfer = {
+    0.16892, /* beta */
+    1.524, /* target radius */
+    1.0, /* square */
+    0.0, /* linear */
+    0.0, /* across */
+    0.5000000000000001, /* bound cosine */
+    0.8660254037844386, /* bound sine */
+    -0.6495190528383292, /* edge radial */
+    -0.625, /* edge lateral */
+};
+
+/* Extremals that are computed in a guidance period at most. What has not converged then goes on in the next one. */
+#define SAILNET_EXTREMALS_PER_PERIOD 8
+
+/* The transfer of a vehicle of `beta`, as it was learnt: light pushes it along its surface by more than the mission's, or
+   less. */
+SAILNET_INLINE sailnet_problem sailnet_own_problem(const sailnet_memory *memory, double beta)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    memory->wait = sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT);
-    /* What came of something else says nothing. */
-    const sailnet_real behind =
-        held > R(0.0) ? (command->time_of_flight - memory->time_of_flight) + held : R(0.0);
-    const sailnet_real late = (memory->late - held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late) + behind;
-    memory->late = sailnet_limited(&late, SAILNET_OF_PERIOD);
+    sailnet_problem own = sailnet_transfer;
+    own.beta = beta;
+    sailnet_push_aside(&own, (double)sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL));
+    return own;
 }
 
-/*
- * The sign of the command. Where both are almost equally fast the sail keeps its side until that has cost more than a
- * reversal is worth. The other loses time at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian. A sail that
- * is late has turned over in vain: after every other reversal it waits, for on both sides alike it would circle.
- */
-SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
+/* The networks know the mission's optics alone: beta of such a sail that is as fast. */
+SAILNET_INLINE sailnet_real sailnet_for_networks(const sailnet_memory *memory, sailnet_real beta)
 {
-    const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
-    const sailnet_real facing = ratio * change->cosine;
-    const sailnet_real share = (SAILNET_FORCE_SQUARE - SAILNET_FORCE_ACROSS) * change->cosine + SAILNET_FORCE_LINEAR;
-    const sailnet_real regret = memory->regret + R(2.0) * memory->held * memory->stake * facing * (ratio * share) *
-                                                     sailnet_size(change->sine);
-    memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
-    memory->stake = -sailnet_size(command->lambda_v);
-    sailnet_time_passes(memory, command);
-    const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);
-    if ((command->cone_angle * memory->cone_angle < R(0.0)) && (step > SAILNET_REVERSAL)) {
-        if ((memory->regret < SAILNET_PATIENCE) || (memory->wait > R(0.0))) {
-            command->cone_angle = -command->cone_angle;
-            memory->stake = -memory->stake;
-        } else {
-            memory->wait = R(0.0);
-            if ((memory->late > SAILNET_LATE_TOLERATED) && (memory->waited <= R(0.0))) {
-                memory->wait = sailnet_clamped(SAILNET_WAIT * memory->late, R(0.0), SAILNET_LARGEST_WAIT);
-            }
-            memory->waited = memory->wait;
-            memory->regret = R(0.0);
+    const sailnet_real tangential = sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL);
+    const sailnet_real lost = tangential > R(0.0) ? SAILNET_TANGENTIAL_LOSS * tangential : R(0.0);
+    const sailnet_real asked = beta * (R(1.0) - lost);
+    return sailnet_limited(&asked, SAILNET_OF_BETA);
+}
+
+/* Whether the state is within the arrival tolerance of the target: 0, or SAILNET_THERE. */
+SAILNET_INLINE uint32_t sailnet_there(const sailnet_state *state)
+{
+    const sailnet_real known[3] = {state->r, state->u, state->v};
+    const int32_t components = 3;
+    uint32_t there = SAILNET_THERE;
+    for (int32_t i = 0; i < components; i++) {
+        const sailnet_real *const limit = sailnet_limits[SAILNET_OF_STATE + 3 * i + 2];
+        if (!((known[i] >= limit[0]) && (known[i] <= limit[1]))) {
+            there = 0u;
         }
     }
+    return there;
+}
+
+/* A state as the tracker has it. */
+SAILNET_PART void sailnet_to_tracker(const sailnet_state *state, double numbers[SAILNET_STATES])
+{
+    numbers[0] = (double)state->r;
+    numbers[1] = (double)state->u;
+    numbers[2] = (double)state->v;
+}
+
+sailnet_status sailnet_propose_plan(const sailnet_state *state, sailnet_real beta, sailnet_arrival *arrival)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+#if SAILNET_PLANS
+    sailnet_command command;
+    if ((arrival != NULL) && ((sailnet_law(state, beta, &command) & ~SAILNET_THERE) != (uint32_t)SAILNET_INVALID_INPUT)) {
+        sailnet_direction(state, command.beta, arrival->direction);
+        arrival->time_to_go = (double)command.time_of_flight;
+        arrival->beta = (double)command.beta;
+        status = SAILNET_OK;
+    }
+#else
+    (void)state;
+    (void)beta;
+    (void)arrival;
+#endif
+    return status;
+}
+
+/* Whether all numbers of what a plan commands are numbers, and no larger than SAILNET_OF_PLAN has it. */
+SAILNET_PART int32_t sailnet_are_numbers(const sailnet_planned *planned)
+{
+    double numbers[sizeof(sailnet_planned) / sizeof(double)];
+    const double largest = (double)sailnet_limits[SAILNET_OF_PLAN][1];
+    int32_t are = 1;
+    (void)memcpy(numbers, planned, sizeof numbers);
+    for (uint32_t i = 0u; i < (sizeof numbers / sizeof numbers[0]); i++) {
+        if (!((numbers[i] >= -largest) && (numbers[i] <= largest))) {
+            are = 0;
+        }
+    }
+    return are;
+}
+
+/* The same as a number of the command: the clamp tells an analyser that it is one. */
+SAILNET_PART sailnet_real sailnet_of_plan(double number)
+{
+    const sailnet_real value = (sailnet_real)number;
+    return sailnet_limited(&value, SAILNET_OF_PLAN);
+}
+
+/* The command by the plan; 0 if there is none that passes through the state: then the networks' is to be flown. */
+SAILNET_PART int32_t sailnet_tracks(sailnet_memory *memory, const sailnet_state *known, sailnet_real beta,
+                                    sailnet_real estimated, sailnet_real hold, sailnet_command *command)
+{
+    sailnet_tracker *const tracker = &memory->tracker;
+    sailnet_planned planned;
+    double state[SAILNET_STATES];
+    sailnet_to_tracker(known, state);
+    sailnet_time_passes(tracker, (double)memory->estimate.held);
+    const sailnet_problem own = sailnet_own_problem(memory, (double)beta);
+    sailnet_arrival arrival;
+    if ((sailnet_needs_proposal(tracker) != 0) &&
+        (sailnet_propose_plan(known, sailnet_for_networks(memory, beta), &arrival) == SAILNET_OK)) {
+        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go);
+    }
+    int32_t flown = sailnet_follow(&own, tracker, state, (double)estimated, (double)hold,
+                                   SAILNET_EXTREMALS_PER_PERIOD, &planned);
+    /* The memory may have held any bits. */
+    if ((flown != 0) && (sailnet_are_numbers(&planned) == 0)) {
+        flown = 0;
+    }
+    if (flown != 0) {
+        const double unit = (double)beta / (sailnet_transfer.target_radius * sailnet_transfer.target_radius);
+        const sailnet_real along = sailnet_of_plan(planned.attitude.cosine);
+        const sailnet_real beside = sailnet_of_plan(planned.attitude.sine);
+        const sailnet_real size = sailnet_angle(&along, &beside);
+        command->hold = R(0.0);
+        command->beta = beta;
+        command->time_of_flight = sailnet_of_plan(planned.time_to_go);
+        command->lambda_v = sailnet_of_plan(unit * planned.costates[SAILNET_STATES - SAILNET_ACROSS]);
+        const sailnet_real angle = planned.attitude.across[0] < 0.0 ? -size : size;
+        command->cone_angle = sailnet_limited(&angle, SAILNET_OF_CONE_ANGLE);
+    }
+    return flown;
 }
 
 /* How the flight goes on with a command: the status, and how long to hold it at most. */
@@ -1297,11 +3119,11 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
     if ((inside != 0) && (tau <= longest)) {
         *hold = sailnet_limited(&longest, SAILNET_OF_PERIOD);
         status = SAILNET_ARRIVED;
-    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) &&
+    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->estimate.periods > 0u) &&
                (tau >= memory->time_of_flight)) {
         *hold = R(0.0);
         status = SAILNET_ARRIVED;
-    } else if (memory->unseen > R(0.0)) {
+    } else if (memory->estimate.unseen > R(0.0)) {
         status = SAILNET_RECKONED;
     } else if ((SAILNET_READS_BETA != 0) && (inside != 0) && (plan < SAILNET_BETA_MIN)) {
         status = SAILNET_AT_LIMIT;
@@ -1315,16 +3137,16 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
  * For how long to hold the last command: on the straight line of one predicted step, until the target is nearest. By
  * then the time of flight is below what the networks know it to.
  */
-SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
+SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_estimate *estimate)
 {
     sailnet_change change;
-    sailnet_predict(memory, &change);
-    const sailnet_state *const from = &memory->state;
+    sailnet_predict(estimate, &change);
+    const sailnet_state *const from = &estimate->state;
     const sailnet_state *const by = &change.by;
     const sailnet_real forward =
         (SAILNET_TARGET_R - from->r) * by->r + (SAILNET_TARGET_U - from->u) * by->u + (SAILNET_TARGET_V - from->v) * by->v;
     const sailnet_real share = forward / (by->r * by->r + by->u * by->u + by->v * by->v);
-    return memory->held * sailnet_clamped(share, R(0.0), R(1.0));
+    return estimate->held * sailnet_clamped(share, R(0.0), R(1.0));
 }
 
 void sailnet_start(sailnet_memory *memory)
@@ -1332,48 +3154,49 @@ void sailnet_start(sailnet_memory *memory)
     if (memory != NULL) {
         /* Of a real, too, bits that are all 0 are 0. */
         (void)memset(memory, 0, sizeof *memory);
-        memory->beta = SAILNET_BETA;
+        memory->estimate.beta = SAILNET_BETA;
     }
 }
 
 /* The command by which a cone angle comes true. */
-SAILNET_PART sailnet_real sailnet_told(const sailnet_memory *memory, sailnet_real cone_angle)
+SAILNET_PART sailnet_real sailnet_told(const sailnet_estimate *estimate, sailnet_real cone_angle)
 {
-    const sailnet_real told = cone_angle - memory->offset;
+    const sailnet_real told = cone_angle - estimate->offset;
     return sailnet_limited(&told, SAILNET_OF_CONE_ANGLE);
 }
 
 void sailnet_measured(sailnet_memory *memory, sailnet_real cone_angle)
 {
     if ((memory != NULL) && (sailnet_is_finite(cone_angle) != 0)) {
-        const sailnet_real turn = cone_angle - memory->measured;
-        const sailnet_real askew = cone_angle - sailnet_told(memory, memory->cone_angle);
+        sailnet_estimate *const estimate = &memory->estimate;
+        const sailnet_real turn = cone_angle - estimate->measured;
+        const sailnet_real askew = cone_angle - sailnet_told(estimate, estimate->cone_angle);
         /* Farther off it lags. */
         if (askew * askew <= SAILNET_LARGEST_OFFSET * SAILNET_LARGEST_OFFSET) {
-            memory->offset += sailnet_weight(memory, SAILNET_SURPRISE_MEMORY) * (askew - memory->offset);
+            estimate->offset += sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY) * (askew - estimate->offset);
         }
-        memory->measured = cone_angle;
-        memory->attitude = cone_angle;
+        estimate->measured = cone_angle;
+        estimate->attitude = cone_angle;
         /* A mean tells the force if the sail hardly turned. */
-        memory->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : memory->held;
+        estimate->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : estimate->held;
     }
 }
 
 /* The state to steer by: the one shown, or where the sail must be; null if neither is known. */
-SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
+SAILNET_PART const sailnet_state *sailnet_known(sailnet_estimate *estimate, const sailnet_state *shown,
                                                 sailnet_change *change)
 {
     const sailnet_state *known = NULL;
     if ((shown != NULL) && (sailnet_is_state(shown) != 0)) {
-        sailnet_learn(memory, shown, change);
-        memory->unseen = R(0.0);
+        sailnet_learn(estimate, shown, change);
+        estimate->unseen = R(0.0);
         known = shown;
     } else {
-        memory->unseen += memory->held;
-        change->by.r += memory->state.r;
-        change->by.u += memory->state.u;
-        change->by.v += memory->state.v;
-        if ((memory->held > R(0.0)) && (memory->unseen <= SAILNET_LONGEST_RECKONING) &&
+        estimate->unseen += estimate->held;
+        change->by.r += estimate->state.r;
+        change->by.u += estimate->state.u;
+        change->by.v += estimate->state.v;
+        if ((estimate->held > R(0.0)) && (estimate->unseen <= SAILNET_LONGEST_RECKONING) &&
             (sailnet_is_state(&change->by) != 0)) {
             known = &change->by;
         }
@@ -1388,60 +3211,150 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         (void)sailnet_law(NULL, SAILNET_BETA, command);
         return SAILNET_INVALID_INPUT;
     }
+    sailnet_estimate *const estimate = &memory->estimate;
     sailnet_change change;
     const sailnet_state *known = NULL;
     sailnet_real hold = R(0.0);
     /* The memory may have held any bits. */
-    memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);
-    memory->attitude = sailnet_limited(&memory->attitude, SAILNET_OF_ATTITUDE);
-    memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);
+    estimate->cone_angle = sailnet_limited(&estimate->cone_angle, SAILNET_OF_CONE_ANGLE);
+    estimate->attitude = sailnet_limited(&estimate->attitude, SAILNET_OF_ATTITUDE);
+    estimate->offset = sailnet_limited(&estimate->offset, SAILNET_OF_OFFSET);
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
-        sailnet_predict(memory, &change);
-        known = sailnet_known(memory, state, &change);
+        sailnet_predict(estimate, &change);
+        known = sailnet_known(estimate, state, &change);
     }
-    memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
-    memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
-    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
-    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
-    const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
-    sailnet_real share = R(1.0) - lost;
+    estimate->beta = sailnet_limited(&estimate->beta, SAILNET_OF_BETA);
+    estimate->tangential = sailnet_limited(&estimate->tangential, SAILNET_OF_TANGENTIAL);
+    estimate->variance = sailnet_limited(&estimate->variance, SAILNET_OF_SHARE);
+    estimate->autocovariance = sailnet_limited(&estimate->autocovariance, SAILNET_OF_SHARE);
+    sailnet_real own = estimate->beta;
 #if SAILNET_AGES
     if (known != NULL) {
-        share *= sailnet_aged(memory, known);
+        own *= sailnet_aged(estimate, memory->time_of_flight, known);
     }
 #endif
-    const sailnet_real plan = memory->beta * share * (R(1.0) - sailnet_reserve(memory, hold));
-    const uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
-    command->beta = memory->beta;
+    const sailnet_real plan = own * (R(1.0) - sailnet_reserve(estimate, &memory->time_of_flight, hold));
+    const sailnet_real beta = sailnet_limited(&plan, SAILNET_OF_BETA);
+    const sailnet_real estimated = sailnet_limited(&own, SAILNET_OF_BETA);
+    uint32_t seen = 0u;
+    if ((known == NULL) || (sailnet_tracks(memory, known, beta, estimated, hold, command) == 0)) {
+        seen = sailnet_law(known, sailnet_for_networks(memory, beta), command);
+        memory->source = (uint32_t)SAILNET_FROM_NETWORKS;
+    } else {
+        seen = sailnet_there(known);
+        memory->source = (uint32_t)SAILNET_FROM_PLAN;
+    }
+    command->beta = estimate->beta;
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (known == NULL) {
         /* What was learnt stays, but the next state is not what came of the last command. */
-        memory->held = R(0.0);
+        estimate->held = R(0.0);
+        memory->source = (uint32_t)SAILNET_FROM_NOTHING;
     } else {
-        sailnet_keep_side(memory, &change, command);
         status = sailnet_ends(memory, seen, plan, command, &hold);
-        if (memory->periods > 0u) {
-            const sailnet_real left = memory->slewing - memory->held;
-            const sailnet_real turn = sailnet_size(command->cone_angle - memory->cone_angle);
-            memory->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
+        const sailnet_real turn = sailnet_size(command->cone_angle - estimate->cone_angle);
+        if (estimate->periods > 0u) {
+            const sailnet_real left = estimate->slewing - estimate->held;
+            estimate->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
         }
-        memory->state = *known;
-        memory->cone_angle = command->cone_angle;
-        command->cone_angle = sailnet_told(memory, command->cone_angle);
-        memory->attitude = command->cone_angle + memory->offset;
-        memory->held = hold;
+        estimate->state = *known;
+        estimate->cone_angle = command->cone_angle;
+        command->cone_angle = sailnet_told(estimate, command->cone_angle);
+        estimate->attitude = command->cone_angle + estimate->offset;
+        estimate->held = hold;
         if ((status == SAILNET_ARRIVED) && (hold > R(0.0))) {
-            hold = sailnet_until_nearest(memory);
-            memory->held = hold;
+            hold = sailnet_until_nearest(estimate);
+            estimate->held = hold;
         }
         memory->time_of_flight = command->time_of_flight;
-        if (memory->periods < UINT32_MAX) {
-            memory->periods++;
+        if (estimate->periods < UINT32_MAX) {
+            estimate->periods++;
         }
     }
     command->hold = hold;
     return status;
+}
+
+/* What is saved over a reboot, and the report of the plan. */
+
+/* A checksum of all that is before it: CRC-32 of IEEE 802.3, bit by bit. */
+SAILNET_PART uint32_t sailnet_checksum(const sailnet_memory *memory)
+{
+    const unsigned char *const bytes = (const unsigned char *)memory;
+    uint32_t remainder = UINT32_MAX;
+    for (uint32_t i = 0u; i < (uint32_t)offsetof(sailnet_memory, checksum); i++) {
+        remainder ^= bytes[i];
+        for (int32_t bit = 0; bit < 8; bit++) {
+            remainder = (remainder >> 1) ^ (((remainder & 1u) != 0u) ? 0xEDB88320u : 0u);
+        }
+    }
+    return ~remainder;
+}
+
+void sailnet_seal(sailnet_memory *memory)
+{
+    if (memory != NULL) {
+        memory->version = (uint32_t)SAILNET_API_VERSION;
+        memory->checksum = sailnet_checksum(memory);
+    }
+}
+
+sailnet_status sailnet_restore(sailnet_memory *memory)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if (memory != NULL) {
+        if ((memory->version == (uint32_t)SAILNET_API_VERSION) && (memory->checksum == sailnet_checksum(memory))) {
+            status = SAILNET_OK;
+        } else {
+            sailnet_start(memory);
+        }
+    }
+    return status;
+}
+
+/* Whether a text is the digest of this mission. */
+SAILNET_PART int32_t sailnet_is_mission(const char *digest)
+{
+    static const char own[] = SAILNET_MISSION_DIGEST;
+    int32_t same = 1;
+    for (uint32_t i = 0u; (same != 0) && (i < sizeof own); i++) {
+        same = digest[i] == own[i] ? 1 : 0;
+    }
+    return same;
+}
+
+sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_digest, const sailnet_state *state,
+                                   const sailnet_arrival *plan)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if ((memory != NULL) && (mission_digest != NULL) && (state != NULL) && (plan != NULL) &&
+        (sailnet_is_mission(mission_digest) != 0) && (sailnet_is_state(state) != 0) &&
+        (plan->beta >= (double)SAILNET_BETA_MIN) && (plan->beta <= (double)SAILNET_BETA_MAX)) {
+        double numbers[SAILNET_STATES];
+        const sailnet_problem own = sailnet_own_problem(memory, plan->beta);
+        sailnet_to_tracker(state, numbers);
+        if (sailnet_take_plan(&own, &memory->tracker, numbers, plan->direction, plan->time_to_go) !=
+            0) {
+            status = SAILNET_OK;
+        }
+    }
+    return status;
+}
+
+void sailnet_report_plan(const sailnet_memory *memory, sailnet_plan_report *report)
+{
+    if ((memory != NULL) && (report != NULL)) {
+        const sailnet_tracker *const tracker = &memory->tracker;
+        (void)memset(report, 0, sizeof *report);
+        (void)memcpy(report->direction, tracker->plan.direction, sizeof report->direction);
+        report->time_to_go = tracker->plan.time_to_go;
+        report->beta = tracker->plan.beta;
+        report->residual = tracker->plan.residual;
+        report->extremals = tracker->computed;
+        report->planned = tracker->planned;
+        report->source = memory->source;
+    }
 }

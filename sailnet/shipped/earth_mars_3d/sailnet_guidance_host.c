@@ -4,11 +4,16 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mars_3d: do not edit.
  * mission   550e1acede9aa65548c523411f19c5bdd5671f591902b153147d2da5d980e258
- * networks  ea3ded4bd6b1e6ab31d1d5171b49f3044eb28991d68fc25236f42b344f0be4e8
+ * networks  a894da997d726446a27df5bede9cce106810b34002505220ed31ade0c0ac0274
  * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (tau)
  * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (alpha_pre)
  * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (lambda_v)
  * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (lambda_w)
+ * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (arrival_lambda_r)
+ * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (arrival_lambda_latitude)
+ * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (arrival_lambda_u)
+ * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (arrival_lambda_v)
+ * data set  fe299c128be5d07126d6591a3cbe564b534cb4774e6c9ecfdc0a485407fd9bb8 (arrival_lambda_w)
  *
  * Vectors are those of gcc and clang (vector_size), as wide as the processor's registers. With other compilers, or
  * with -DSAILNET_PLAIN, the same text computes on single numbers, to the same bits but for contraction: that is what
@@ -16,6 +21,7 @@
  */
 #include "sailnet_guidance.h"
 
+#include <stddef.h>
 #include <string.h>
 #if defined(__SSE2__) && !defined(SAILNET_PLAIN)
 #include <immintrin.h>
@@ -105,11 +111,11 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
     return (value - value) == R(0.0);
 }
 
-/* pi, rounded down: a clock angle is in (-pi, pi] in either precision, and its mirror image too. */
+/* pi, rounded down: an angle is in (-pi, pi] in either precision, and its mirror image too. */
 #ifdef SAILNET_FLOAT64
-#define SAILNET_LARGEST_CLOCK_ANGLE 3.1415926535897927
+#define SAILNET_LARGEST_ANGLE 3.1415926535897927
 #else
-#define SAILNET_LARGEST_CLOCK_ANGLE 3.1415925f
+#define SAILNET_LARGEST_ANGLE 3.1415925f
 #endif
 
 /*
@@ -124,10 +130,11 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 #define SAILNET_OF_TIME_TO_GO 6
 #define SAILNET_OF_SHARE 7
 #define SAILNET_OF_TANGENTIAL 8
-#define SAILNET_OF_CLOCK_ANGLE 9
+#define SAILNET_OF_ANGLE 9
+#define SAILNET_OF_PLAN 10
 /* Three of each of r, u, v, latitude and w, and then one of each input. */
-#define SAILNET_OF_STATE 10
-#define SAILNET_OF_INPUTS 25
+#define SAILNET_OF_STATE 11
+#define SAILNET_OF_INPUTS 26
 static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_BETA_MIN, SAILNET_BETA_MAX},
     {-SAILNET_PHI_MAX, SAILNET_PHI_MAX},
@@ -138,7 +145,8 @@ static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_ARRIVAL_THRESHOLD, R(1e9)},
     {R(-1.0), R(1.0)},
     {-SAILNET_LARGEST_TANGENTIAL, SAILNET_LARGEST_TANGENTIAL},
-    {-SAILNET_LARGEST_CLOCK_ANGLE, SAILNET_LARGEST_CLOCK_ANGLE},
+    {-SAILNET_LARGEST_ANGLE, SAILNET_LARGEST_ANGLE},
+    {R(-1e18), R(1e18)},
     SAILNET_STATE_LIMITS,
     SAILNET_INPUT_LIMITS,
 };
@@ -463,25 +471,15 @@ SAILNET_INLINE sailnet_real sailnet_arctan_rest(sailnet_real z)
 #endif
 }
 
-/* The direction of a clock angle, along and northward: from its half, as beyond a right angle the series are not exact. */
-SAILNET_PART void sailnet_across(sailnet_real clock_angle, sailnet_real *along, sailnet_real *northward)
-{
-    sailnet_real cosine;
-    sailnet_real sine;
-    sailnet_cosine_sine(R(0.5) * clock_angle, &cosine, &sine);
-    *along = (cosine - sine) * (cosine + sine);
-    *northward = R(2.0) * sine * cosine;
-}
-
 /*
- * The angle of (along, northward) from the transverse direction to the north: of the smaller by the larger component,
- * turned back by pi/4 where that is steep, and then in each octant. Of two zeros it is 0. They come by their addresses,
- * as what is clamped does.
+ * The angle of a direction, from the first axis to the second: of the smaller by the larger component, turned back by
+ * pi/4 where that is steep, and then in each octant. Of two zeros it is 0. They come by their addresses, as what is
+ * clamped does.
  */
-SAILNET_PART sailnet_real sailnet_clock_angle(const sailnet_real *along, const sailnet_real *northward)
+SAILNET_PART sailnet_real sailnet_angle(const sailnet_real *first, const sailnet_real *second)
 {
-    const sailnet_real x = sailnet_size(*along);
-    const sailnet_real y = sailnet_size(*northward);
+    const sailnet_real x = sailnet_size(*first);
+    const sailnet_real y = sailnet_size(*second);
     const sailnet_real larger = x > y ? x : y;
     const sailnet_real smaller = x > y ? y : x;
     const sailnet_real steep = smaller > R(0.41421356237309505) * larger ? R(1.0) : R(0.0);
@@ -489,9 +487,9 @@ SAILNET_PART sailnet_real sailnet_clock_angle(const sailnet_real *along, const s
     const sailnet_real t = whole > R(0.0) ? (smaller - steep * larger) / whole : R(0.0);
     sailnet_real angle = steep * R(0.7853981633974483) + (t + t * (t * t) * sailnet_arctan_rest(t * t));
     angle = y > x ? R(1.5707963267948966) - angle : angle;
-    angle = *along < R(0.0) ? R(3.141592653589793) - angle : angle;
-    angle = *northward < R(0.0) ? -angle : angle;
-    return sailnet_limited(&angle, SAILNET_OF_CLOCK_ANGLE);
+    angle = *first < R(0.0) ? R(3.141592653589793) - angle : angle;
+    angle = *second < R(0.0) ? -angle : angle;
+    return sailnet_limited(&angle, SAILNET_OF_ANGLE);
 }
 
 /* ================================ The networks ================================ */
@@ -946,11 +944,13 @@ SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
 #undef STAGE_BLOCK
 #undef STAGE_TOGETHER
 
-/*
- * Each network reads all eight, those first that are known first; the first gives log2(tau / s), the last two outputs, of
- * which each has a factor that changes its sign in a mirror. beta must be in its range.
- */
-SAILNET_INLINE void sailnet_networks(const sailnet_real state[5], sailnet_real beta, sailnet_real output[5])
+/* Inputs of a network, those first that are known first; and in space what its outputs are multiplied by. */
+#define SAILNET_APPROACH_INPUTS 8
+#define SAILNET_APPROACH_STATES 5
+
+/* The inputs, and in space the two factors, which change their signs in a mirror; beta must be in its range. Returns s. */
+SAILNET_INLINE sailnet_real sailnet_approach(const sailnet_real state[SAILNET_APPROACH_STATES], sailnet_real beta,
+                                             sailnet_real input[SAILNET_APPROACH_INPUTS], sailnet_real factors[2])
 {
     /* Deviations in units of the sail's acceleration at the target, beta / r_f^2: they are times. */
     const sailnet_real per_acceleration = SAILNET_TARGET_R2 / beta;
@@ -970,6 +970,8 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[5], sailnet_real b
     const sailnet_real per_s2 = per_s * per_s;
     /* s4 tells the bound; the clamp tells it to an analyser of intervals. */
     const sailnet_real s = sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6));
+    input[0] = beta;
+    input[1] = s;
     /* What is off the plane comes as products, so that a mirror changes nothing but the two factors. */
     const sailnet_real lateral = missing[3] * per_s2;
     const sailnet_real northward = missing[4] * per_s;
@@ -977,11 +979,26 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[5], sailnet_real b
     const sailnet_real per_rho = sailnet_per_root(&rho2);
     const sailnet_real y_z = lateral * per_rho;
     const sailnet_real y_w = northward * per_rho;
-    const sailnet_real input[8] = {beta, s, northward * y_w, R(2.0) * lateral * y_w, lateral * y_z,
-                                   missing[2] * per_s, missing[1] * per_s, missing[0] * per_s2};
-    sailnet_approach_networks(input, output);
+    input[2] = northward * y_w;
+    input[3] = R(2.0) * lateral * y_w;
+    input[4] = lateral * y_z;
     /* Neither factor is above 1, but for rounding: the clamp tells so to an analyser. */
-    output[3] = output[3] * sailnet_clamped(y_z, R(-1.0), R(1.0)) + output[4] * sailnet_clamped(y_w, R(-1.0), R(1.0));
+    factors[0] = sailnet_clamped(y_z, R(-1.0), R(1.0));
+    factors[1] = sailnet_clamped(y_w, R(-1.0), R(1.0));
+    input[SAILNET_APPROACH_INPUTS - 3] = missing[2] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 2] = missing[1] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 1] = missing[0] * per_s2;
+    return s;
+}
+
+/* The first network gives log2(tau / s), the last two outputs, of which each has a factor. */
+SAILNET_INLINE void sailnet_networks(const sailnet_real state[5], sailnet_real beta, sailnet_real output[5])
+{
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real s = sailnet_approach(state, beta, input, factors);
+    sailnet_approach_networks(input, output);
+    output[3] = output[3] * factors[0] + output[4] * factors[1];
     /* Bounded, so that no weights make the product overflow. */
     const sailnet_real octaves = sailnet_clamped(output[0], R(-60.0), R(60.0));
     output[0] = s * sailnet_first_lane(sailnet_exp2(sailnet_all_lanes(octaves)));
@@ -1236,7 +1253,7 @@ sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, s
     /* Not -lambda: a negative zero would turn it by pi. */
     const sailnet_real along = R(0.0) - command->lambda_v;
     const sailnet_real northward = R(0.0) - command->lambda_w;
-    command->clock_angle = sailnet_clock_angle(&along, &northward);
+    command->clock_angle = sailnet_angle(&along, &northward);
 
     if (!sailnet_in_domain(input, known)) {
         return SAILNET_OUTSIDE_DOMAIN;
@@ -1256,6 +1273,2059 @@ SAILNET_INLINE uint32_t sailnet_law(const sailnet_state *state, sailnet_real bet
         seen += (sailnet_at_target(now) != 0) ? SAILNET_THERE : 0u;
     }
     return seen;
+}
+
+/* ================================ The tracker ================================ */
+
+#define SAILNET_TRACKER_API static
+
+/*
+ * Extremals of minimum time, backward from the target orbit: Eqs. (14)-(19), with delta = 0.
+ *
+ * An extremal that arrives is a direction of the arrival costates, constant along the whole flight, and the time to go.
+ * Freestanding C99 without libm; it compiles where it lies, with -DSAILNET_IN_SPACE=1 in three dimensions.
+ */
+#ifndef SAILNET_EXTREMAL_H
+#define SAILNET_EXTREMAL_H
+
+
+
+/* The flight file holds all of this in one translation unit, where functions are static. */
+#ifndef SAILNET_TRACKER_API
+#define SAILNET_TRACKER_API
+#endif
+
+/*
+ * The state and costates `tau` before arrival, of the extremal that arrives with costates along `direction`.
+ *
+ * tolerance: local error of a step, in AU and AU/TU, of costates relative to their size.
+ * Returns the steps it took; 0 if it did not get there: too many steps, or numbers that are not finite.
+ */
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end);
+
+/* An end of an extremal `lapse` [TU] later; the rest is as for sailnet_extremal. */
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end);
+
+/* The optimal attitude of costates. */
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude);
+
+/* The product of costates and the force of an attitude, per beta / r^2: of the optimal one it is least. */
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude);
+
+/* The same for a sail that light pushes along its surface by so much more, per beta / r^2: as is learnt of a vehicle. */
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential);
+
+/* value^(-1/2) of a positive number, to a few units of rounding. */
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value);
+
+/* A square root; of 0 or less 0. */
+SAILNET_TRACKER_API double sailnet_root(double value);
+
+static inline double sailnet_absolute(double value)
+{
+    return value < 0.0 ? -value : value;
+}
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+#define UNKNOWNS (2 * SAILNET_STATES)
+/* Where lambda_u and lambda_v are among the unknowns. */
+#define LAMBDA_U (STATES + STATES - (SAILNET_IN_SPACE ? 3 : 2))
+#define LAMBDA_V (LAMBDA_U + 1)
+
+/* Stages of Dormand and Prince's method of fifth order; the seventh is the first of the next step. */
+#define STAGES 7
+static const double stage_weights[STAGES - 1][STAGES - 1] = {
+    {0.2, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.075, 0.225, 0.0, 0.0, 0.0, 0.0},
+    {0.9777777777777777, -3.7333333333333334, 3.5555555555555554, 0.0, 0.0, 0.0},
+    {2.9525986892242035, -11.595793324188385, 9.822892851699436, -0.2908093278463649, 0.0, 0.0},
+    {2.8462752525252526, -10.757575757575758, 8.906422717743473, 0.2784090909090909, -0.2735313036020583, 0.0},
+    {0.09114583333333333, 0.0, 0.44923629829290207, 0.6510416666666666, -0.322376179245283, 0.13095238095238096}};
+static const double error_weights[STAGES] = {0.0012326388888888888,  0.0, -0.0042527702905061394, 0.03697916666666667,
+                                             -0.05086379716981132, 0.0419047619047619, -0.025};
+
+/* First and shortest step [TU]; a step is at most so much of the time in which the primer, the costates that the
+   attitude depends on, would vanish: where it nearly does the attitude turns fast. */
+#define FIRST_STEP 0.05
+#define SHORTEST_STEP 1e-7
+#define OF_PRIMER 0.3
+/* By how much steps change at most. */
+#define SHRINK 0.1
+#define GROW 4.0
+/* Halvings of the interval in which an event lies. */
+#define HALVINGS 20
+
+/* An extremal on its way: between two events the law is smooth. */
+typedef struct {
+    const sailnet_problem *problem;
+    double at_bound[2]; /* the force at the bound on the cone angle, radial and lateral */
+    int32_t bound;      /* whether the cone angle is there */
+    double side;        /* in the plane the sign that it has there */
+} sailnet_arc;
+
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x5FE6EB50C7B537A9) - (bits >> 1);
+    (void)memcpy(&root, &bits, sizeof root);
+    /* The bits err by 3.5 %: a step of fourth order and one of third leave rounding. */
+    const double off = 1.0 - value * (root * root);
+    root += root * off * ((0.5 + 0.375 * off) + 0.3125 * (off * off));
+    const double rest = 1.0 - value * (root * root);
+    return root + root * (rest * (0.5 + 0.375 * rest));
+}
+
+SAILNET_TRACKER_API double sailnet_root(double value)
+{
+    return value > 0.0 ? value * sailnet_reciprocal_root(value) : 0.0;
+}
+
+/* The force of a cone angle across the Sun line: radial, lateral. */
+static void force_at(const sailnet_problem *problem, double cosine, double sine, double force[2])
+{
+    const double normal = problem->square * cosine + problem->linear;
+    force[0] = cosine * (normal * cosine + problem->across * sine * sine);
+    force[1] = cosine * sine * (normal - problem->across * cosine);
+}
+
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude)
+{
+    double force[2];
+    double along = 0.0;
+    force_at(problem, attitude->cosine, attitude->sine, force);
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        along += costate[STATES - SAILNET_ACROSS + i] * attitude->across[i];
+    }
+    return costate[STATES - SAILNET_ACROSS - 1] * force[0] + along * force[1];
+}
+
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential)
+{
+    const double c = problem->bound_cosine;
+    const double s = sailnet_absolute(problem->bound_sine);
+    problem->across += tangential;
+    problem->edge_radial += tangential * s * (2.0 * c * c - s * s);
+    problem->edge_lateral += tangential * c * (2.0 * s * s - c * c);
+}
+
+/*
+ * The cone angle inside the bound that makes lambda_u f_r - lateral f_t least: of an ideal sail in closed form, and from
+ * there by Newton's steps, which of an ideal sail are none.
+ */
+static void inside_the_bound(const sailnet_problem *problem, double lambda_u, double lateral, double *cosine,
+                             double *sine)
+{
+    const double x = -3.0 * lambda_u;
+    const double y = 2.8284271247461903 * lateral;
+    const double size = sailnet_root(x * x + y * y);
+    /* The tangent is (size - x) / (sqrt(2) y), or y / (sqrt(2) (size + x)): the larger of both numbers is exact. */
+    const double above = x > 0.0 ? y : size - x;
+    const double below = 1.4142135623730951 * (x > 0.0 ? size + x : y);
+    const double square2 = above * above + below * below;
+    const double whole = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
+    double c = whole > 0.0 ? below * whole : 1.0;
+    double s = above * whole;
+    const double linear = problem->linear;
+    const double across = problem->across;
+    if ((linear != 0.0) || (across != 0.0)) {
+        const double square = problem->square;
+        for (int32_t i = 0; i < 5; i++) {
+            const double c2 = c * c - s * s;
+            const double s2 = 2.0 * c * s;
+            /* Derivatives of the force by the cone angle, the first and the second. */
+            const double normal = square * c + linear;
+            const double f_r1 = -s * (3.0 * square * c * c + 2.0 * linear * c) + across * s * (2.0 * c * c - s * s);
+            const double f_t1 = c2 * (normal - across * c) - c * s * s * (square - across);
+            const double f_r2 = square * (6.0 * c * s * s - 3.0 * c * c * c) - 2.0 * linear * c2 +
+                                across * c * (2.0 * c * c - 7.0 * s * s);
+            const double f_t2 = -2.0 * s2 * (normal - across * c) - (square - across) * s * (c2 + 2.0 * c * c - s * s);
+            const double slope = lambda_u * f_r1 - lateral * f_t1;
+            const double bend = lambda_u * f_r2 - lateral * f_t2;
+            const double step = bend > 0.0 ? -slope / bend : 0.0;
+            /* A turn by arctan(step). */
+            const double turned = c - s * step;
+            const double rest = s + c * step;
+            const double per = sailnet_reciprocal_root(turned * turned + rest * rest);
+            c = turned * per;
+            s = rest * per;
+            /* What is left is its square. */
+            if (!(sailnet_absolute(step) > 1e-6)) {
+                break;
+            }
+        }
+    }
+    *cosine = c;
+    *sine = s;
+}
+
+/* Size of the costate across the Sun line. */
+static double lateral_of(const double *unknown)
+{
+    return sailnet_root(unknown[LAMBDA_V] * unknown[LAMBDA_V] + unknown[LAMBDA_V + 1] * unknown[LAMBDA_V + 1]);
+}
+
+/* Positive where the optimum is inside the bound. */
+static double inner(const sailnet_problem *problem, const double *unknown)
+{
+    return unknown[LAMBDA_U] * problem->edge_radial - lateral_of(unknown) * problem->edge_lateral;
+}
+
+/* The force by the law of the present arc: radial, along, and in space northward. */
+static void force_of(const sailnet_arc *arc, const double *unknown, double *force)
+{
+    const sailnet_problem *const problem = arc->problem;
+    double in_plane[2] = {arc->at_bound[0], arc->at_bound[1]};
+    const double lateral = lateral_of(unknown);
+    if (arc->bound == 0) {
+        double cosine;
+        double sine;
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &cosine, &sine);
+        force_at(problem, cosine, sine, in_plane);
+    }
+    force[0] = in_plane[0];
+    const double per = lateral > 0.0 ? in_plane[1] / lateral : 0.0;
+    force[1] = -per * unknown[LAMBDA_V];
+    force[2] = -per * unknown[LAMBDA_V + 1];
+}
+
+/* Eq. (15): rates of the unknowns by the time to go, which are those by time with another sign. */
+static void rates(const sailnet_arc *arc, const double *unknown, double *rate)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double per_r = 1.0 / unknown[0];
+    const double push = problem->beta * per_r * per_r;
+    double force[3] = {0.0, 0.0, 0.0};
+    force_of(arc, unknown, force);
+    const double t = unknown[1];
+    const double u = unknown[2];
+    const double v = unknown[3];
+    const double w = unknown[4];
+    const double l_r = unknown[5];
+    const double l_t = unknown[6];
+    const double l_u = unknown[7];
+    const double l_v = unknown[8];
+    const double l_w = unknown[9];
+    const double square = 1.0 + t * t;
+    const double turn = v * t;
+    const double work = push * (l_u * force[0] + l_v * force[1] + l_w * force[2]);
+    rate[0] = -u;
+    rate[1] = -square * w * per_r;
+    rate[2] = -((v * v + w * w) * per_r - per_r * per_r + push * force[0]);
+    rate[3] = (u * v - w * turn) * per_r - push * force[1];
+    rate[4] = (u * w + v * turn) * per_r - push * force[2];
+    rate[5] = -per_r * (per_r * (l_t * square * w + l_u * (v * v + w * w) - l_v * (u * v - w * turn) -
+                                 l_w * (u * w + v * turn) - 2.0 * l_u * per_r) +
+                        2.0 * work);
+    rate[6] = per_r * (2.0 * l_t * t * w + v * (l_v * w - l_w * v));
+    rate[7] = l_r - (l_v * v + l_w * w) * per_r;
+    rate[8] = per_r * (2.0 * l_u * v - l_v * (u - w * t) - 2.0 * l_w * turn);
+    rate[9] = per_r * (l_t * square + 2.0 * l_u * w + l_v * turn - l_w * u);
+}
+
+/* One step from `unknown`, whose rates are the first of the stages; returned is the estimate of its error. */
+static double step_by(const sailnet_arc *arc, const double *unknown, double step, double stage[STAGES][UNKNOWNS],
+                      double *reached)
+{
+    for (int32_t i = 0; i < (STAGES - 1); i++) {
+        (void)memcpy(reached, unknown, UNKNOWNS * sizeof reached[0]);
+        for (int32_t j = 0; j <= i; j++) {
+            const double share = step * stage_weights[i][j];
+            for (int32_t n = 0; n < UNKNOWNS; n++) {
+                reached[n] += share * stage[j][n];
+            }
+        }
+        rates(arc, reached, stage[i + 1]);
+    }
+    double size = 0.0;
+    for (int32_t n = STATES; n < UNKNOWNS; n++) {
+        size += sailnet_absolute(unknown[n]);
+    }
+    double error = 0.0;
+    for (int32_t n = 0; n < UNKNOWNS; n++) {
+        double sum = 0.0;
+        for (int32_t j = 0; j < STAGES; j++) {
+            sum += error_weights[j] * stage[j][n];
+        }
+        const double own = sailnet_absolute(step * sum);
+        /* Relative to the size of all costates; what is not a number stays none. */
+        const double counted = n < STATES ? own : own / size;
+        error = counted <= error ? error : counted;
+    }
+    return error;
+}
+
+/*
+ * The two functions that end an arc where they become negative: of the bound, and in the plane of the side there. In
+ * space the thrust turns about the Sun line without a jump.
+ */
+static double guard(const sailnet_arc *arc, const double *unknown, int32_t which)
+{
+    const double inside = inner(arc->problem, unknown);
+    double value = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        value = arc->bound != 0 ? -arc->side * unknown[LAMBDA_V] : 1.0;
+    }
+    return value;
+}
+
+/* Its slope: every guard is linear in the costates, but for the size of what is across the Sun line. */
+static double guard_slope(const sailnet_arc *arc, const double *unknown, const double *rate, int32_t which)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double lateral = lateral_of(unknown);
+    const double change = (unknown[LAMBDA_V] * rate[LAMBDA_V] + unknown[LAMBDA_V + 1] * rate[LAMBDA_V + 1]) /
+                          (lateral > 0.0 ? lateral : 1.0);
+    const double inside = rate[LAMBDA_U] * problem->edge_radial - change * problem->edge_lateral;
+    double slope = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        slope = arc->bound != 0 ? -arc->side * rate[LAMBDA_V] : 0.0;
+    }
+    return slope;
+}
+
+/* The share of a step after which a guard is negative: by the cubic of its values and slopes at both ends. */
+static double share_until(double g0, double slope0, double g1, double slope1)
+{
+    double low = 0.0;
+    double high = 1.0;
+    for (int32_t i = 0; i < HALVINGS; i++) {
+        const double x = 0.5 * (low + high);
+        const double q = 1.0 - x;
+        const double value =
+            q * q * ((1.0 + 2.0 * x) * g0 + x * slope0) + x * x * ((3.0 - 2.0 * x) * g1 - q * slope1);
+        if (value < 0.0) {
+            high = x;
+        } else {
+            low = x;
+        }
+    }
+    return high;
+}
+
+/* Which arc begins at `unknown`. */
+static void begin_arc(sailnet_arc *arc, const double *unknown)
+{
+    arc->bound = inner(arc->problem, unknown) > 0.0 ? 0 : 1;
+    arc->side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/* Which guard a step ends with, and when; -1 if it ends none. */
+static int32_t event_in(const sailnet_arc *arc, const double *before, const double *after,
+                        double stage[STAGES][UNKNOWNS], double *step)
+{
+    int32_t which = -1;
+    const double whole = *step;
+    for (int32_t i = 0; i < (SAILNET_IN_SPACE ? 1 : 2); i++) {
+        const double g1 = guard(arc, after, i);
+        if (g1 < 0.0) {
+            /* Where the arc has just begun rounding may have left it a little below 0. */
+            const double g0 = guard(arc, before, i);
+            const double slope0 = guard_slope(arc, before, stage[0], i) * whole;
+            const double slope1 = guard_slope(arc, after, stage[STAGES - 1], i) * whole;
+            const double at = whole * share_until(g0 > 0.0 ? g0 : 0.0, slope0, g1, slope1);
+            if ((which < 0) || (sailnet_absolute(at) < sailnet_absolute(*step))) {
+                *step = at;
+                which = i;
+            }
+        }
+    }
+    return which;
+}
+
+/* The fifth root of a positive number, to 3.4 %: of its bits, which are nearly its logarithm, and of which the upper half
+   is divided by 5. */
+static double about_fifth_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x3325CFAACD9E8600) + (bits >> 32) * UINT64_C(0x33333333);
+    (void)memcpy(&root, &bits, sizeof root);
+    return root;
+}
+
+/* What the next step is multiplied by. */
+static double factor_of(double tolerance, double error)
+{
+    double factor = SHRINK;
+    if (error <= 1e-6 * tolerance) {
+        factor = GROW;
+    } else if (error == error) {
+        factor = 0.9 * about_fifth_root(tolerance / error);
+    } else {
+        /* It is not a number: much shorter. */
+    }
+    factor = factor > SHRINK ? factor : SHRINK;
+    return factor < GROW ? factor : GROW;
+}
+
+/* A step, or the longest that the primer leaves. */
+static double limited_step(const double *unknown, const double *rate, double step)
+{
+    double primer = 0.0;
+    double change = 0.0;
+    double limited = step;
+    /* Where the thrust turns about the Sun line, it is what is across that line. */
+    const int32_t first = unknown[LAMBDA_U] > 0.0 ? LAMBDA_V : LAMBDA_U;
+    for (int32_t n = first; n < UNKNOWNS; n++) {
+        primer += unknown[n] * unknown[n];
+        change += rate[n] * rate[n];
+    }
+    if (!(step * step * change <= OF_PRIMER * OF_PRIMER * primer)) {
+        const double longest = OF_PRIMER * sailnet_root(primer / change);
+        limited = longest > SHORTEST_STEP ? longest : SHORTEST_STEP;
+    }
+    return limited < step ? limited : step;
+}
+
+/* The first trial of `step` from `unknown` that ends an arc, or none: as in event_in; and to the event itself. */
+static int32_t end_at_event(const sailnet_arc *arc, const double *unknown, double stage[STAGES][UNKNOWNS],
+                            double *reached, double left, double *step)
+{
+    const int32_t which = event_in(arc, unknown, reached, stage, step);
+    if (which >= 0) {
+        (void)step_by(arc, unknown, *step, stage, reached);
+        /* By one step of Newton's method. */
+        const double slope = guard_slope(arc, reached, stage[STAGES - 1], which);
+        const double more = slope != 0.0 ? -guard(arc, reached, which) / slope : 0.0;
+        if ((sailnet_absolute(more) < 0.1 * sailnet_absolute(*step)) && (sailnet_absolute(*step + more) < left)) {
+            *step += more;
+            (void)step_by(arc, unknown, *step, stage, reached);
+        }
+    }
+    return which;
+}
+
+/*
+ * An end of an extremal, `span` [TU] farther from arrival; nearer, if that is negative. Its rates are computed.
+ * Returns the steps it took; 0 if it did not get there.
+ */
+static int32_t fly(const sailnet_problem *problem, double span, double tolerance, sailnet_end *end)
+{
+    sailnet_arc arc = {problem, {0.0, 0.0}, 0, 1.0};
+    double *const unknown = end->value;
+    double stage[STAGES][UNKNOWNS];
+    double reached[UNKNOWNS];
+    const double sign = span < 0.0 ? -1.0 : 1.0;
+    double left = sailnet_absolute(span);
+    double wanted = FIRST_STEP;
+    int32_t steps = 0;
+    force_at(problem, problem->bound_cosine, problem->bound_sine, arc.at_bound);
+    begin_arc(&arc, unknown);
+    rates(&arc, unknown, stage[0]);
+    while ((left > 0.0) && (steps < SAILNET_MOST_STEPS)) {
+        const double longest = limited_step(unknown, stage[0], wanted);
+        double step = sign * (longest < left ? longest : left);
+        const double error = step_by(&arc, unknown, step, stage, reached);
+        steps++;
+        wanted = sign * step * factor_of(tolerance, error);
+        if (error <= tolerance) {
+            const int32_t which = end_at_event(&arc, unknown, stage, reached, left, &step);
+            (void)memcpy(unknown, reached, sizeof reached);
+            left = sign * step < left ? left - sign * step : 0.0;
+            if (which == 0) {
+                arc.bound = 1 - arc.bound;
+                arc.side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+            } else if (which > 0) {
+                arc.side = -arc.side;
+            } else {
+                /* The same arc goes on. */
+            }
+            if (which >= 0) {
+                wanted = FIRST_STEP;
+                rates(&arc, unknown, stage[0]);
+            } else {
+                (void)memcpy(stage[0], stage[STAGES - 1], sizeof stage[0]);
+            }
+        }
+    }
+    (void)memcpy(end->rate, stage[0], sizeof end->rate);
+    return left > 0.0 ? 0 : steps;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end)
+{
+    (void)memset(end->value, 0, sizeof end->value);
+    end->value[0] = problem->target_radius;
+    end->value[STATES - 1 - SAILNET_IN_SPACE] = sailnet_reciprocal_root(problem->target_radius);
+    (void)memcpy(&end->value[STATES], direction, (size_t)STATES * sizeof direction[0]);
+    return fly(problem, tau > 0.0 ? tau : 0.0, tolerance, end);
+}
+
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end)
+{
+    return fly(problem, -lapse, tolerance, end);
+}
+
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude)
+{
+    double unknown[UNKNOWNS] = {0.0};
+    (void)memcpy(&unknown[STATES], costate, (size_t)STATES * sizeof costate[0]);
+    const double lateral = lateral_of(unknown);
+    if (inner(problem, unknown) > 0.0) {
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &attitude->cosine, &attitude->sine);
+    } else {
+        attitude->cosine = problem->bound_cosine;
+        attitude->sine = problem->bound_sine;
+    }
+    const double per = lateral > 0.0 ? 1.0 / lateral : 0.0;
+    attitude->across[0] = lateral > 0.0 ? -per * unknown[LAMBDA_V] : 1.0;
+    attitude->across[1] = -per * unknown[LAMBDA_V + 1];
+}
+
+/*
+ * Newton's method that keeps a plan at the state of the sail.
+ */
+#ifndef SAILNET_PLAN_H
+#define SAILNET_PLAN_H
+
+
+
+/* The largest residual of a plan that counts as solved [AU, AU/TU], by the time to go [TU]: towards arrival an error of
+   the state takes a time that grows as its root. */
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go);
+
+/* Whether a plan passes through the state that it was last corrected for. */
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan);
+
+/* A budget is never larger, whatever is asked for. */
+#define SAILNET_MOST_EXTREMALS 64
+
+/* The problem of the vehicle that a plan is for; of `problem` the rest is used. */
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan);
+
+/*
+ * Correct a plan by damped Newton steps until its extremal of `problem` passes through `state`. The plan is replaced by a
+ * trial only if that has a smaller residual. What is not converged goes on in the next call.
+ *
+ * most: extremals that may be computed, at least 1; so many more than the components of a state are one step with new
+ *     derivatives.
+ * Returns how many extremals were computed: from 1 to `most`.
+ */
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan);
+
+/*
+ * Correct a plan, with its vehicle moved towards that of `problem`: beta by at most the share `largest` of it, and the
+ * force along the surface by at most as much. Where no extremal is found for that, the plan is corrected for its vehicle as
+ * it was: beyond the edge of what the sail can reach the last plan that exists is better than another revolution.
+ *
+ * The rest is as for sailnet_correct_plan.
+ */
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan);
+
+/* Whether a plan is for the vehicle of `problem`. */
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem);
+
+/* Bring the end of a plan to the present, and with it its residual: by how much it misses the state. */
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan);
+
+/* The attitude of a plan, `ahead` [TU] later than the state that `end` is of, and its costates there, scaled to H = 0. */
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude);
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+/* What is unknown of a plan: all components of the direction but one, and the time to go. */
+#define TIME (STATES - 1)
+
+/* Longest step of Newton's method: of the direction, per its largest component, and of the time to go [TU]. */
+#define LARGEST_TURN 0.2
+#define LARGEST_SHIFT 0.1
+/* By how much the direction is changed to differentiate by it. */
+#define DIFFERENCE 1e-5
+/* A shorter step is given up: derivatives are renewed, or there is no way. */
+#define SHORTEST_SHARE 1e-3
+/* Of the residual: derivatives that leave more of it are renewed. */
+#define STALE 0.5
+/* Of the goal: a residual in which integration errors are a part. */
+#define FLOOR 0.1
+/* A component that was the largest is replaced when it is less than so much of the one that is. */
+#define STILL_LARGE 0.4
+#define LEAST_TIME 1e-4
+/* The goal far from arrival [AU, AU/TU], and its smallest share. */
+#define LARGEST_GOAL 4e-6
+#define SMALLEST_SHARE 1e-4
+/* Of the goal: the local error of extremals. */
+#define TOLERANCE 0.03
+/* A residual of what cannot be flown. */
+#define NOWHERE 1e9
+
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go)
+{
+    const double square = time_to_go * time_to_go;
+    const double share = square < 1.0 ? square : 1.0;
+    return LARGEST_GOAL * (share > SMALLEST_SHARE ? share : SMALLEST_SHARE);
+}
+
+/* A plan that is tried. */
+typedef struct {
+    double direction[STATES];
+    double time_to_go;
+    double error[STATES];
+    double residual;
+    sailnet_end end;
+} trial;
+
+static void compare(const double state[STATES], trial *tried)
+{
+    double worst = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        tried->error[n] = state[n] - tried->end.value[n];
+        /* What is not a number leads nowhere. */
+        const double size = sailnet_absolute(tried->error[n]);
+        const double counted = size < NOWHERE ? size : NOWHERE;
+        worst = counted > worst ? counted : worst;
+    }
+    tried->residual = worst;
+}
+
+static void fly_back(const sailnet_problem *problem, const double state[STATES], trial *tried)
+{
+    const double tolerance = TOLERANCE * sailnet_plan_goal(tried->time_to_go);
+    const int32_t steps = sailnet_extremal(problem, tried->direction, tried->time_to_go, tolerance, &tried->end);
+    compare(state, tried);
+    tried->residual = steps > 0 ? tried->residual : NOWHERE;
+}
+
+/* Another direction: its components, per the largest, plus a share of a step. */
+static void turn_direction(const double from[STATES], int32_t largest, const double step[STATES], double share,
+                           double to[STATES])
+{
+    const double per = 1.0 / sailnet_absolute(from[largest]);
+    double square = 0.0;
+    int32_t k = 0;
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] = from[n] * per;
+        if (n != largest) {
+            to[n] += share * step[k];
+            k++;
+        }
+        square += to[n] * to[n];
+    }
+    const double scale = sailnet_reciprocal_root(square);
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] *= scale;
+    }
+}
+
+/* By which component the others are divided: the largest, or still the one that was. */
+static void choose_largest(sailnet_plan *plan)
+{
+    int32_t largest = 0;
+    for (int32_t n = 1; n < STATES; n++) {
+        if (sailnet_absolute(plan->direction[n]) > sailnet_absolute(plan->direction[largest])) {
+            largest = n;
+        }
+    }
+    const int32_t known = ((plan->largest >= 0) && (plan->largest < STATES)) ? plan->largest : largest;
+    const double size = sailnet_absolute(plan->direction[known]);
+    if ((known != plan->largest) || !(size >= STILL_LARGE * sailnet_absolute(plan->direction[largest]))) {
+        plan->largest = largest;
+        plan->differentiated = 0;
+    }
+}
+
+/* The derivatives by differences. */
+static void differentiate(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, const trial *at)
+{
+    trial near = *at;
+    plan->differentiated = 1;
+    for (int32_t k = 0; k < TIME; k++) {
+        double step[STATES] = {0.0};
+        step[k] = DIFFERENCE;
+        turn_direction(at->direction, plan->largest, step, 1.0, near.direction);
+        fly_back(problem, state, &near);
+        if (near.residual >= NOWHERE) {
+            plan->differentiated = 0;
+        }
+        for (int32_t n = 0; n < STATES; n++) {
+            plan->jacobian[n][k] = (near.end.value[n] - at->end.value[n]) / DIFFERENCE;
+        }
+    }
+}
+
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan)
+{
+    sailnet_problem own = *problem;
+    own.beta = plan->beta;
+    sailnet_push_aside(&own, plan->across - problem->across);
+    return own;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem)
+{
+    return ((plan->beta == problem->beta) && (plan->across == problem->across)) ? 1 : 0;
+}
+
+/* The derivative by what differs of another vehicle, `change`; of a plan that cannot be flown by that it is none. */
+static void differentiate_by_one(const sailnet_problem *other, const double state[STATES], double change,
+                                 sailnet_plan *plan, double derivative[STATES])
+{
+    trial near;
+    (void)memset(&near, 0, sizeof near);
+    (void)memcpy(near.direction, plan->direction, sizeof near.direction);
+    near.time_to_go = plan->time_to_go;
+    fly_back(other, state, &near);
+    if (near.residual >= NOWHERE) {
+        plan->differentiated = 1;
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        derivative[n] = (near.end.value[n] - plan->end.value[n]) / change;
+    }
+}
+
+/* Both derivatives by the vehicle: two extremals. */
+static void differentiate_by_vehicle(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    sailnet_problem stronger = own;
+    sailnet_problem aside = own;
+    const double change = DIFFERENCE * plan->beta;
+    stronger.beta += change;
+    sailnet_push_aside(&aside, DIFFERENCE);
+    plan->differentiated = 2;
+    differentiate_by_one(&stronger, state, change, plan, plan->per_beta);
+    differentiate_by_one(&aside, state, DIFFERENCE, plan, plan->per_across);
+}
+
+/* Newton's step: solve jacobian step = error by elimination with pivots; 0 if there is no solution. */
+static int32_t solve(const sailnet_plan *plan, const double error[STATES], double step[STATES])
+{
+    double m[STATES][STATES + 1];
+    int32_t solved = 1;
+    for (int32_t i = 0; i < STATES; i++) {
+        (void)memcpy(m[i], plan->jacobian[i], sizeof plan->jacobian[i]);
+        m[i][STATES] = error[i];
+    }
+    for (int32_t c = 0; c < STATES; c++) {
+        int32_t pivot = c;
+        for (int32_t i = c + 1; i < STATES; i++) {
+            pivot = sailnet_absolute(m[i][c]) > sailnet_absolute(m[pivot][c]) ? i : pivot;
+        }
+        solved = sailnet_absolute(m[pivot][c]) > 0.0 ? solved : 0;
+        for (int32_t j = 0; j <= STATES; j++) {
+            const double other = m[c][j];
+            m[c][j] = m[pivot][j];
+            m[pivot][j] = other;
+        }
+        for (int32_t i = 0; i < STATES; i++) {
+            const double factor = i != c ? m[i][c] / m[c][c] : 0.0;
+            for (int32_t j = c; j <= STATES; j++) {
+                m[i][j] -= factor * m[c][j];
+            }
+        }
+    }
+    for (int32_t i = 0; i < STATES; i++) {
+        step[i] = m[i][STATES] / m[i][i];
+        solved = step[i] == step[i] ? solved : 0;
+    }
+    return solved;
+}
+
+/* The share of a step of Newton's method that is within bounds. */
+static double share_within(const double step[STATES])
+{
+    double square = 0.0;
+    for (int32_t k = 0; k < TIME; k++) {
+        square += step[k] * step[k];
+    }
+    const double turned = square > 0.0 ? square * sailnet_reciprocal_root(square) : 0.0;
+    const double by_turn = turned > LARGEST_TURN ? LARGEST_TURN / turned : 1.0;
+    const double shift = sailnet_absolute(step[TIME]);
+    const double by_shift = shift > LARGEST_SHIFT ? LARGEST_SHIFT / shift : 1.0;
+    return by_turn < by_shift ? by_turn : by_shift;
+}
+
+/* Broyden's update: derivatives that say of the last step what it did, and of the change of the vehicle, by beta and by
+   the force along the surface, which what was before has in it as predicted. */
+static void mend(sailnet_plan *plan, const trial *before, const trial *after, const double step[STATES], double share,
+                 const double change[2])
+{
+    double moved[STATES];
+    double square = change[0] * change[0] + change[1] * change[1];
+    for (int32_t k = 0; k < STATES; k++) {
+        moved[k] = k < TIME ? share * step[k] : after->time_to_go - before->time_to_go;
+        square += moved[k] * moved[k];
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        double innovation = after->end.value[n] - before->end.value[n];
+        for (int32_t k = 0; k < STATES; k++) {
+            innovation -= plan->jacobian[n][k] * moved[k];
+        }
+        for (int32_t k = 0; k < STATES; k++) {
+            plan->jacobian[n][k] += innovation * moved[k] / square;
+        }
+        plan->per_beta[n] += innovation * change[0] / square;
+        plan->per_across[n] += innovation * change[1] / square;
+    }
+}
+
+/* The next trial, and what comes of it. */
+static void try_step(const sailnet_problem *problem, const double state[STATES], const sailnet_plan *plan,
+                     const trial *from, const double step[STATES], double share, trial *tried)
+{
+    const double later = from->time_to_go + share * step[TIME];
+    tried->time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
+    turn_direction(from->direction, plan->largest, step, share, tried->direction);
+    fly_back(problem, state, tried);
+}
+
+/* Take one damped step; 0 if it came no nearer. */
+static int32_t advance(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, trial *best,
+                       const double step[STATES], double share)
+{
+    static const double unchanged[2] = {0.0, 0.0};
+    trial tried;
+    try_step(problem, state, plan, best, step, share, &tried);
+    const int32_t nearer = tried.residual < best->residual ? 1 : 0;
+    if (nearer != 0) {
+        mend(plan, best, &tried, step, share, unchanged);
+        *best = tried;
+    }
+    return nearer;
+}
+
+static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
+{
+    for (int32_t n = 0; n < STATES; n++) {
+        plan->jacobian[n][TIME] = end->rate[n];
+    }
+}
+
+/* The first trial: a whole step from where the plan is predicted to be now, or the plan as it is. Returned are the
+   extremals that were computed. */
+static int32_t begin(const sailnet_problem *problem, const double state[STATES], int32_t most, sailnet_plan *plan,
+                     trial *best)
+{
+    const double change[2] = {problem->beta - plan->beta, problem->across - plan->across};
+    const double floor = FLOOR * sailnet_plan_goal(plan->time_to_go);
+    int32_t count = 0;
+    (void)memcpy(best->direction, plan->direction, sizeof best->direction);
+    best->time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
+    choose_largest(plan);
+    if ((plan->differentiated != 0) && (most > 1)) {
+        trial tried;
+        double step[STATES];
+        sailnet_bring_up(problem, state, plan);
+        best->end = plan->end;
+        for (int32_t n = 0; n < STATES; n++) {
+            best->end.value[n] += plan->per_beta[n] * change[0] + plan->per_across[n] * change[1];
+        }
+        compare(state, best);
+        differentiate_by_time(plan, &best->end);
+        if (solve(plan, best->error, step) != 0) {
+            const double share = share_within(step);
+            try_step(problem, state, plan, best, step, share, &tried);
+            count = 1;
+            if (tried.residual <= floor) {
+                *best = tried;
+            } else if (tried.residual < best->residual) {
+                const int32_t stale = tried.residual > STALE * best->residual ? 1 : 0;
+                mend(plan, best, &tried, step, share, change);
+                plan->differentiated = stale != 0 ? 0 : plan->differentiated;
+                *best = tried;
+            } else {
+                plan->differentiated = 0;
+                fly_back(problem, state, best);
+                count = 2;
+            }
+        }
+    }
+    if (count == 0) {
+        fly_back(problem, state, best);
+        count = 1;
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    trial now;
+    int32_t steps = 1;
+    if (plan->age > 0.0) {
+        const double tolerance = TOLERANCE * sailnet_plan_goal(plan->time_to_go);
+        steps = sailnet_move_end(&own, plan->age, tolerance, &plan->end);
+        plan->age = 0.0;
+    }
+    now.end = plan->end;
+    compare(state, &now);
+    plan->residual = steps > 0 ? now.residual : NOWHERE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan)
+{
+    trial best;
+    double step[STATES] = {0.0};
+    const double goal = sailnet_plan_goal(plan->time_to_go);
+    double damped = 1.0;
+    int32_t fresh = 0;
+    int32_t going = 1;
+    const int32_t limit = most < SAILNET_MOST_EXTREMALS ? most : SAILNET_MOST_EXTREMALS;
+    int32_t count = begin(problem, state, limit, plan, &best);
+    while ((going != 0) && (count < limit) && ((best.residual > goal) || (plan->differentiated == 0)) &&
+           (best.residual < NOWHERE)) {
+        choose_largest(plan);
+        const int32_t renewed = plan->differentiated == 0 ? TIME : 0;
+        going = count < (limit - renewed) ? 1 : 0;
+        if ((going != 0) && (renewed != 0)) {
+            differentiate(problem, state, plan, &best);
+            count += TIME;
+            fresh = 1;
+        }
+        differentiate_by_time(plan, &best.end);
+        if ((going != 0) && (plan->differentiated != 0)) {
+            going = solve(plan, best.error, step);
+            plan->differentiated = going != 0 ? plan->differentiated : 0;
+        }
+        going = plan->differentiated != 0 ? going : 0;
+        if (going != 0) {
+            const double before = best.residual;
+            const double share = damped * share_within(step);
+            count++;
+            if (advance(problem, state, plan, &best, step, share) != 0) {
+                plan->differentiated = ((best.residual > STALE * before) && (fresh == 0)) ? 0 : plan->differentiated;
+                fresh = 0;
+                damped = damped < 0.5 ? 2.0 * damped : 1.0;
+            } else if (fresh == 0) {
+                plan->differentiated = 0;
+            } else {
+                damped *= 0.25;
+                going = damped > SHORTEST_SHARE ? 1 : 0;
+            }
+        }
+    }
+    (void)memcpy(plan->direction, best.direction, sizeof best.direction);
+    plan->time_to_go = best.time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = best.residual;
+    plan->end = best.end;
+    plan->age = 0.0;
+    plan->differentiated = best.residual < NOWHERE ? plan->differentiated : 0;
+    /* It is no more than the limit: the comparison shows that to an analyser. */
+    return count < limit ? count : limit;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan)
+{
+    return plan->residual <= sailnet_plan_goal(plan->time_to_go) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan)
+{
+    const double stronger = problem->beta - plan->beta;
+    const double aside = problem->across - plan->across;
+    const double by_beta = sailnet_absolute(stronger) / plan->beta;
+    const double by_aside = sailnet_absolute(aside);
+    const double by = by_beta > by_aside ? by_beta : by_aside;
+    int32_t count = 0;
+    int32_t moves = by > 0.0 ? most - 2 : 0;
+    if (moves > 0) {
+        sailnet_problem next = *problem;
+        if (by > largest) {
+            const double share = largest / by;
+            next.beta = plan->beta + share * stronger;
+            sailnet_push_aside(&next, (share - 1.0) * aside);
+        }
+        if ((plan->differentiated == 1) && (moves > 3)) {
+            sailnet_bring_up(problem, state, plan);
+            differentiate_by_vehicle(problem, state, plan);
+            count = 2;
+        }
+        sailnet_plan moved = *plan;
+        count += sailnet_correct_plan(&next, state, moves - count, &moved);
+        if (sailnet_plan_is_solved(&moved) != 0) {
+            *plan = moved;
+        } else {
+            moves = 0;
+        }
+    }
+    if (moves <= 0) {
+        const sailnet_problem own = sailnet_problem_of(problem, plan);
+        count += sailnet_correct_plan(&own, state, most - count, plan);
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude)
+{
+    double product = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = end->value[STATES + n] - ahead * end->rate[STATES + n];
+        /* Rates are by the time to go. */
+        product += end->value[STATES + n] * end->rate[n];
+    }
+    sailnet_optimal_attitude(problem, costates, attitude);
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = product != 0.0 ? costates[n] / product : 0.0;
+    }
+}
+
+/*
+ * The tracker: the plan that is flown, when it is corrected, and when a plan of the networks replaces it.
+ */
+#ifndef SAILNET_TRACKER_H
+#define SAILNET_TRACKER_H
+
+
+
+/* The guidance period of `held` [TU] is over. */
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
+
+/* Whether the networks are to be evaluated, for sailnet_propose. */
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker);
+
+/*
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time to go
+ * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ */
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[SAILNET_STATES], double time_to_go);
+
+/* Fly by a plan from elsewhere, of the same numbers, if it converges to pass through the state; 0 if it does not. */
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[SAILNET_STATES],
+                                              const double direction[SAILNET_STATES], double time_to_go);
+
+/*
+ * Correct the plan, and the candidate, with at most `most` extremals in all; the command is the attitude in the middle
+ * of the next `hold` [TU].
+ *
+ * problem: of the vehicle to plan for.
+ * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
+ *     flown only while its beta moves.
+ * Returns 1; 0 if there is no plan that passes through the state.
+ */
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[SAILNET_STATES], double estimated, double hold,
+                                           int32_t most, sailnet_planned *planned);
+
+#endif
+
+#include <string.h>
+
+/* A plan is corrected after so much of its time to go, and at the latest after so long [TU]; in every guidance period while
+   it is not solved for the vehicle. While another attitude than its own is flown it stays, since it measures the time lost
+   by that. */
+#define CORRECT_AFTER 0.007
+#define CORRECT_AT_LATEST 0.1
+/* By how much a plan's vehicle moves in a correction, as a share of its force: at most, and at least. A step that fails
+   makes the next one shorter. */
+#define LARGEST_STRIDE 0.01
+#define SMALLEST_STRIDE 1e-4
+#define SHORTER 0.25
+#define LONGER 2.0
+/* The networks are evaluated for a plan once in so long [TU]. */
+#define SEARCH_EVERY 0.1
+/* A faster plan saves at least so much of the time to go: what networks err by. */
+#define FASTER 0.01
+/* A plan that was not solved for the vehicle for so long [TU] has failed: its family of extremals has ended, and any other
+   is better. */
+#define FAILED_AFTER 0.2
+/* Extremals that a candidate may take until it is given up. */
+#define CANDIDATE_EXTREMALS 80
+/* A plan that misses the state by more [AU, AU/TU] is not flown. */
+#define USABLE 1e-3
+#define UNSOLVED 1e9
+/* Hysteresis: an attitude is kept until that has lost so much of the time to go, and not while the plan misses the state by
+   more [AU, AU/TU]. A plan that misses by more and is not solved spends the thrust margin. */
+#define OF_TIME_TO_GO 1.6e-2
+#define STILL_NEAR 4e-4
+/* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
+   the side of the thrust. */
+#define TURN_COSINE 0.939
+#define LATE 1.0
+
+#define STATES SAILNET_STATES
+
+/* A time that has passed [TU]; of what is none, as long as counts. */
+static double passed(double before, double held)
+{
+    const double now = before + held;
+    return ((now >= 0.0) && (now < 1.0)) ? now : 1.0;
+}
+
+static void grow_older(sailnet_plan *plan, double held)
+{
+    plan->time_to_go -= held;
+    plan->age = passed(plan->age, held);
+}
+
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held)
+{
+    grow_older(&tracker->plan, held);
+    grow_older(&tracker->candidate, held);
+    tracker->since = passed(tracker->since, held);
+    tracker->searched = passed(tracker->searched, held);
+}
+
+/* Whether there is no plan, or none that will be flown on. */
+static int32_t has_failed(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER)) ? 1 : 0;
+}
+
+/* Whether a plan of so long a time to go is better than the one that is flown. */
+static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
+{
+    return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker)
+{
+    const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
+    return tracker->searching <= 0 ? due : 0;
+}
+
+/* A plan that is not corrected yet. */
+static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
+                       sailnet_plan *plan)
+{
+    (void)memset(plan, 0, sizeof *plan);
+    (void)memcpy(plan->direction, direction, sizeof plan->direction);
+    plan->largest = -1;
+    plan->time_to_go = time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = UNSOLVED;
+}
+
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[STATES], double time_to_go)
+{
+    tracker->searched = 0.0;
+    if (is_better(tracker, time_to_go) != 0) {
+        begin_plan(problem, direction, time_to_go, &tracker->candidate);
+        tracker->searching = CANDIDATE_EXTREMALS;
+    }
+}
+
+/* Fly by a plan that is solved. */
+static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
+{
+    tracker->plan = *plan;
+    tracker->since = 0.0;
+    tracker->stride = LARGEST_STRIDE;
+    tracker->planned = 1;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[STATES], const double direction[STATES],
+                                              double time_to_go)
+{
+    sailnet_plan plan;
+    begin_plan(problem, direction, time_to_go, &plan);
+    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
+    const int32_t solved = sailnet_plan_is_solved(&plan);
+    if (solved != 0) {
+        adopt(tracker, &plan);
+        tracker->searching = 0;
+    }
+    return solved;
+}
+
+/* Correct the candidate, and fly it if it is better. */
+static void advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                              int32_t most)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, &tracker->candidate);
+    const int32_t computed = sailnet_correct_plan(&own, state, most, &tracker->candidate);
+    tracker->computed += computed;
+    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
+    tracker->searching = left - computed;
+    if (sailnet_plan_is_solved(&tracker->candidate) != 0) {
+        tracker->searching = 0;
+        if (is_better(tracker, tracker->candidate.time_to_go) != 0) {
+            adopt(tracker, &tracker->candidate);
+        }
+    } else if (!(tracker->candidate.residual < UNSOLVED)) {
+        /* It leads nowhere. */
+        tracker->searching = 0;
+    } else {
+        /* It goes on in the next period. */
+    }
+}
+
+/* Keep the attitude while another hardly gains: noise would else turn the sail far again and again. */
+static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                          double hold, sailnet_planned *planned)
+{
+    const sailnet_attitude *const before = &tracker->flown;
+    sailnet_attitude *const attitude = &planned->attitude;
+    double alike = 0.0;
+    double size2 = 0.0;
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        alike += attitude->across[i] * before->across[i];
+        size2 += before->across[i] * before->across[i];
+    }
+    const double turn_cosine = attitude->cosine * before->cosine + attitude->sine * before->sine * alike;
+    /* Nothing else than unit vectors are directions. */
+    const double square = before->cosine * before->cosine + before->sine * before->sine;
+    const int32_t known = ((sailnet_absolute(size2 - 1.0) < 1e-6) && (sailnet_absolute(square - 1.0) < 1e-6)) ? 1 : 0;
+    double regret = 0.0;
+    if ((known != 0) && (turn_cosine < TURN_COSINE) && ((alike < 0.0) || (planned->time_to_go < LATE))) {
+        const double per_r = 1.0 / state[0];
+        const double loss = sailnet_work(problem, planned->costates, before) -
+                            sailnet_work(problem, planned->costates, attitude);
+        regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
+    }
+    const double share = OF_TIME_TO_GO * planned->time_to_go;
+    const int32_t near = tracker->plan.residual < STILL_NEAR ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (near != 0)) ? 1 : 0;
+    tracker->regret = keep != 0 ? regret : 0.0;
+    if (keep != 0) {
+        *attitude = *before;
+    }
+    tracker->flown = *attitude;
+}
+
+/* The next step of the plan's beta, by whether the last one found a plan. */
+static void keep_stride(sailnet_tracker *tracker, int32_t moved)
+{
+    const double next = (moved != 0 ? LONGER : SHORTER) * tracker->stride;
+    tracker->stride = next > SMALLEST_STRIDE ? next : SMALLEST_STRIDE;
+    tracker->stride = tracker->stride < LARGEST_STRIDE ? tracker->stride : LARGEST_STRIDE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[STATES], double estimated, double hold, int32_t most,
+                                           sailnet_planned *planned)
+{
+    sailnet_plan *const plan = &tracker->plan;
+    tracker->computed = 0;
+    if (tracker->planned != 0) {
+        sailnet_bring_up(problem, state, plan);
+    }
+    /* A plan that is not solved, or has failed, leaves the budget to the candidate. */
+    const int32_t first = ((tracker->planned == 1) && (has_failed(tracker) == 0)) ? 1 : 0;
+    if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
+        const sailnet_problem before = sailnet_problem_of(problem, plan);
+        int32_t corrected = 1;
+        if ((tracker->planned > 1) && (plan->residual > STILL_NEAR)) {
+            /* What no plan for less leads through, one for all that the vehicle has may. */
+            sailnet_problem all = *problem;
+            all.beta = estimated;
+            tracker->computed = sailnet_track(&all, state, LARGEST_STRIDE, most, plan);
+        } else if (tracker->planned > 1) {
+            tracker->computed = sailnet_correct_plan(&before, state, most, plan);
+        } else if (!(tracker->regret > 0.0) &&
+                   (!(tracker->since < CORRECT_AFTER * plan->time_to_go) || !(tracker->since < CORRECT_AT_LATEST))) {
+            const int32_t there = sailnet_is_for(plan, problem);
+            tracker->computed = sailnet_track(problem, state, tracker->stride, most, plan);
+            keep_stride(tracker, ((there != 0) || (sailnet_is_for(plan, &before) == 0)) ? 1 : 0);
+        } else {
+            corrected = 0;
+        }
+        if (corrected != 0) {
+            tracker->planned = 2 - sailnet_plan_is_solved(plan);
+            if ((tracker->planned == 1) && (plan->beta <= estimated)) {
+                /* On its way to another vehicle it goes on at once. */
+                const int32_t under_way = sailnet_is_for(plan, &before) + sailnet_is_for(plan, problem);
+                tracker->since = under_way == 0 ? CORRECT_AT_LATEST : 0.0;
+            }
+        }
+    }
+    if ((tracker->searching > 0) && (tracker->computed < (most - 1))) {
+        advance_candidate(problem, tracker, state, most - tracker->computed);
+    }
+    /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
+    const double stronger = (1.0 + LARGEST_STRIDE) * estimated;
+    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= LARGEST_STRIDE)) ? 1 : 0;
+    const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
+    if (flown != 0) {
+        const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
+        planned->time_to_go = plan->time_to_go;
+        sailnet_planned_attitude(problem, &plan->end, 0.5 * (hold < left ? hold : left), planned->costates,
+                                 &planned->attitude);
+        keep_attitude(problem, tracker, state, hold, planned);
+    } else {
+        (void)memset(&tracker->flown, 0, sizeof tracker->flown);
+        tracker->regret = 0.0;
+    }
+    return flown;
+}
+
+/* The direction of the arrival costates by the networks, of any size, from a state that is finite. */
+
+/* The time scale of the approach below which costates of position are scaled down [TU]. */
+#define SAILNET_ARRIVAL_SCALE R(1.0)
+/* Stage "plan": arrival_lambda_r [20, 20, 20], arrival_lambda_u [20, 20, 20], arrival_lambda_v [20, 20, 20], arrival_lambda_latitude [20, 20, 20]. */
+#define STAGE(name) sailnet_plan_##name
+#define STAGE_NETWORKS 4
+#define STAGE_INPUTS 8
+#define STAGE_EVEN_INPUTS 8
+#define STAGE_DEPTH 3
+#define STAGE_ROWS 20
+#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)
+#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == 16
+#define STAGE_SIDE_BY_SIDE 1
+#define STAGE_SHARE 4
+#define STAGE_PARTS 5
+#define STAGE_PART SAILNET_LANES
+#define STAGE_OUTPUTS STAGE_ROWS
+#define STAGE_OUTPUT SAILNET_PER_16_BYTES
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19, n3_0, n3_1, n3_2, n3_3, n3_4, n3_5, n3_6, n3_7, n3_8, n3_9, n3_10, n3_11, n3_12, n3_13, n3_14, n3_15, n3_16, n3_17, n3_18, n3_19) {{(n0_0), (n1_0), (n2_0), (n3_0), (n0_1), (n1_1), (n2_1), (n3_1), (n0_2), (n1_2), (n2_2), (n3_2), (n0_3), (n1_3), (n2_3), (n3_3)}, {(n0_4), (n1_4), (n2_4), (n3_4), (n0_5), (n1_5), (n2_5), (n3_5), (n0_6), (n1_6), (n2_6), (n3_6), (n0_7), (n1_7), (n2_7), (n3_7)}, {(n0_8), (n1_8), (n2_8), (n3_8), (n0_9), (n1_9), (n2_9), (n3_9), (n0_10), (n1_10), (n2_10), (n3_10), (n0_11), (n1_11), (n2_11), (n3_11)}, {(n0_12), (n1_12), (n2_12), (n3_12), (n0_13), (n1_13), (n2_13), (n3_13), (n0_14), (n1_14), (n2_14), (n3_14), (n0_15), (n1_15), (n2_15), (n3_15)}, {(n0_16), (n1_16), (n2_16), (n3_16), (n0_17), (n1_17), (n2_17), (n3_17), (n0_18), (n1_18), (n2_18), (n3_18), (n0_19), (n1_19), (n2_19), (n3_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19, n3_0, n3_1, n3_2, n3_3, n3_4, n3_5, n3_6, n3_7, n3_8, n3_9, n3_10, n3_11, n3_12, n3_13, n3_14, n3_15, n3_16, n3_17, n3_18, n3_19) {{(n0_0), (n1_0), (n2_0), (n3_0)}, {(n0_1), (n1_1), (n2_1), (n3_1)}, {(n0_2), (n1_2), (n2_2), (n3_2)}, {(n0_3), (n1_3), (n2_3), (n3_3)}, {(n0_4), (n1_4), (n2_4), (n3_4)}, {(n0_5), (n1_5), (n2_5), (n3_5)}, {(n0_6), (n1_6), (n2_6), (n3_6)}, {(n0_7), (n1_7), (n2_7), (n3_7)}, {(n0_8), (n1_8), (n2_8), (n3_8)}, {(n0_9), (n1_9), (n2_9), (n3_9)}, {(n0_10), (n1_10), (n2_10), (n3_10)}, {(n0_11), (n1_11), (n2_11), (n3_11)}, {(n0_12), (n1_12), (n2_12), (n3_12)}, {(n0_13), (n1_13), (n2_13), (n3_13)}, {(n0_14), (n1_14), (n2_14), (n3_14)}, {(n0_15), (n1_15), (n2_15), (n3_15)}, {(n0_16), (n1_16), (n2_16), (n3_16)}, {(n0_17), (n1_17), (n2_17), (n3_17)}, {(n0_18), (n1_18), (n2_18), (n3_18)}, {(n0_19), (n1_19), (n2_19), (n3_19)}}
+#else
+#define STAGE_SIDE_BY_SIDE 0
+#define STAGE_PARTS STAGE_NETWORKS
+#define STAGE_PART STAGE_WIDTH
+#define STAGE_OUTPUTS STAGE_NETWORKS
+#define STAGE_OUTPUT STAGE_WIDTH
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19, n3_0, n3_1, n3_2, n3_3, n3_4, n3_5, n3_6, n3_7, n3_8, n3_9, n3_10, n3_11, n3_12, n3_13, n3_14, n3_15, n3_16, n3_17, n3_18, n3_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}, {(n3_0), (n3_1), (n3_2), (n3_3), (n3_4), (n3_5), (n3_6), (n3_7), (n3_8), (n3_9), (n3_10), (n3_11), (n3_12), (n3_13), (n3_14), (n3_15), (n3_16), (n3_17), (n3_18), (n3_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19, n3_0, n3_1, n3_2, n3_3, n3_4, n3_5, n3_6, n3_7, n3_8, n3_9, n3_10, n3_11, n3_12, n3_13, n3_14, n3_15, n3_16, n3_17, n3_18, n3_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}, {(n3_0), (n3_1), (n3_2), (n3_3), (n3_4), (n3_5), (n3_6), (n3_7), (n3_8), (n3_9), (n3_10), (n3_11), (n3_12), (n3_13), (n3_14), (n3_15), (n3_16), (n3_17), (n3_18), (n3_19)}}
+#endif
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_lower[STAGE_INPUTS] =
+{R(0.135136), R(0.000711089355488617), R(6.0490261937594455e-15), R(-0.647883733268405), R(1.1324279443339238e-14), R(-0.9691983957960795), R(-0.999918693867287), R(-0.49999998073624685)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_min[STAGE_INPUTS] =
+{R(8.326672684688674e-17), R(-27.327654872445116), R(-0.8427619009768028), R(-2.8806891387040214), R(-0.9990697502468233), R(-4.876644322176139), R(-4.9996652288935), R(-2.4999998661074336)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_max[STAGE_INPUTS] =
+{R(0.3378399999999999), R(40.9932600320564), R(1.2641428514652193), R(2.70132437488502), R(1.4986046253702634), R(4.891970493774009), R(4.999701108672033), R(2.4999998473205336)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(2.214511344353564), R(-54.198801299914386), R(-2.516312335839645), R(-1.6689061453359963), R(1.7036411813424892), R(3.40400630369231), R(0.17129697722099682), R(86.81597984124953), R(66.5605420071187), R(-2.4097011937953012), R(-4.140825335700747), R(3.8229449714061476), R(0.5452528162602238), R(-1.434047876523096), R(6.245157499231147), R(-1.9571758455730983), R(-1.0761513741515432), R(2.0817915232500965), R(-24.807951728315544), R(6.277877525576398), R(3.651424374043669), R(6.654764729641724), R(-0.710452015700632), R(0.43107897187455946), R(29.232605682889893), R(-64.97376392698983), R(-6.85701044174772), R(1.6217099547950273), R(11.669118237012004), R(-1.6698367390890652), R(0.3919916620913224), R(-1.910324873718294), R(0.4892202131684209), R(-1.5633434875329195), R(0.8774154624366303), R(-1.0001612632968409), R(-6.79719102114974), R(11.5811438726812), R(27.541298948146153), R(-0.12009578466921074), R(19.329781504046657), R(-36.043557021060366), R(-46.114082125079136), R(11.156178349065287), R(-14.897900551848743), R(5.932336268219398), R(0.2974569729000533), R(88.43470555728217), R(18.428470222093114), R(2.9595748778527033), R(-8.266487897503945), R(11.650964346911815), R(-16.077856258146966), R(-1.840325344854452), R(1.418282851635756), R(84.08865331224138), R(-1.0332978779775774), R(-13.191176447632929), R(-143.48786980094224), R(-1.025384838015769), R(-3.471239778548682), R(1.1939960658694453), R(-1.3574962103249373), R(-1.8182689770229505), R(3.4128166663474415), R(1.2236900232335013), R(-0.64029455592829), R(-0.16663317218277943), R(13.624176172918975), R(-0.9292441732105532), R(-0.2981687802528949), R(-0.04117930665798208), R(7.988897090511552), R(-2.1595359107932057), R(-0.868279292641005), R(1.176090223396557), R(-0.42068952396293796), R(-6.759220507785848), R(0.4683942423706678), R(0.4438063226160871)),
+STAGE_ROW(R(0.025143287928194695), R(0.47674110289329225), R(-0.5763686441166912), R(-1.1085685640984277), R(3.96643469088388), R(1.5040240426148261), R(-1.4852190356696484), R(-0.9463133214048393), R(2.2482663233882896), R(-0.43208126863183294), R(-1.1624163007112231), R(-0.7420037370120643), R(1.4828689748414174), R(0.30236190479139374), R(-0.8001010310497686), R(0.09031720863190239), R(0.9066039707774064), R(-1.0153589240951106), R(-2.9895297171243054), R(-0.9672296641680248), R(0.20546918035986853), R(-2.2780594908200027), R(-0.2146223964484868), R(0.25842978540509864), R(0.8373879351103711), R(1.7074430632987057), R(0.371666699776534), R(0.5311173098378509), R(-2.402732496924979), R(-1.3525449719931983), R(0.039073246537366484), R(-0.20478097333247833), R(-2.200293189073746), R(1.0239704067866573), R(0.5439788878738846), R(-2.230589972352565), R(1.0278274392857076), R(0.6561922922587383), R(1.7251383693059712), R(-2.1320811869946663), R(1.444359678676134), R(1.654746039783338), R(-0.9183643940361528), R(-0.2266402355804005), R(-1.7384946919292885), R(0.5314821182261389), R(-0.706138305376809), R(-1.0921298069514203), R(-0.6468716506399635), R(0.4519369996613318), R(0.30279136091734876), R(0.16920409786681617), R(1.135572541915841), R(-0.571900524431043), R(0.6132714051429163), R(1.2058180920530501), R(1.2182250356343929), R(-1.5792198324532205), R(1.3933557838284854), R(3.511519474242208), R(-0.8598517337858752), R(0.37536857187376604), R(0.8005208486690756), R(-0.14821480335610632), R(-0.09760673975416805), R(-3.139592114518631), R(0.019088462745705317), R(-0.900601468753696), R(2.0419041529391273), R(-0.378688117849023), R(2.845506965421286), R(-0.36707785219142147), R(1.267922599471719), R(-1.7468137969650346), R(-1.0364020275082366), R(-0.21526276118918725), R(1.0160884120327573), R(-0.8842478717101804), R(0.5378853904049524), R(-1.1762823548670456)),
+STAGE_ROW(R(4.073549134359627), R(-42.06628797379234), R(-8.205974600631713), R(-0.7441129034360657), R(9.824626675033393), R(5.685559131949865), R(4.953579657051801), R(-0.6377596665985943), R(-2.556507691658866), R(-0.33095081091747386), R(-2.7471082609003252), R(-3.0426157392904423), R(5.979087417580878), R(-1.1859259905632011), R(-0.46386988293367837), R(10.797177982964032), R(-1.1205297968536043), R(-12.541974479874177), R(-1.6135165110129641), R(10.198931735968507), R(-3.194060822053833), R(-1.0682572719454357), R(-3.393588305533197), R(-1.4449282836262074), R(-2.1244733104972022), R(-8.229901045993927), R(-0.581729427750494), R(-4.1357381055414635), R(-0.9458405671606943), R(-1.0720213292937844), R(1.9516350433408993), R(0.9438377910389072), R(6.4520310111991295), R(0.4874175979721641), R(0.12405511815744469), R(0.5618149474380778), R(3.8952535587169237), R(21.14689482315764), R(-1.8416506671600914), R(0.13638077164546994), R(-2.2131024636472745), R(16.162899072264914), R(5.505207312411494), R(-2.397896548978521), R(1.7835989624532333), R(-1.1064674105435341), R(-5.489643802024318), R(7.1884261669627625), R(2.4796566556770565), R(-2.3908214550267206), R(4.219570005795028), R(1.651258907047293), R(25.579304411114673), R(-1.7211472606745797), R(3.2519501451893964), R(19.953180829223005), R(0.18152826461834906), R(-0.5467841147509452), R(-62.61952233085022), R(10.994371073649678), R(-7.542174978295012), R(6.359124557021574), R(13.77015070969202), R(-2.106430020112687), R(7.574339143410196), R(1.8592872448870532), R(-12.753080991099322), R(2.5692580914018253), R(-4.633084075755117), R(-7.1829037710668215), R(-1.2826314137616777), R(13.740419493922298), R(-6.199171159953857), R(-2.148654066558884), R(-8.335238306555711), R(-5.223836152753007), R(1.2276915370562682), R(4.587384251707551), R(-1.59912711322823), R(14.091440759873345)),
+STAGE_ROW(R(-3.0492715221026163), R(-14.813616062154427), R(-1.40864245639946), R(0.4485849816432944), R(3.197466203261129), R(5.445303974133824), R(2.9352777285379954), R(1.4844217200687995), R(1.7707248270766829), R(1.2370154264570565), R(1.9816940526693667), R(1.6198607621448153), R(6.902188669970759), R(4.0881866759052725), R(0.6223626617152097), R(1.7811565241431833), R(-3.7758715988839042), R(-7.494204091965807), R(-7.066657920516342), R(3.262000779977495), R(0.577448678702332), R(-4.33041539786984), R(-2.267128834788147), R(-0.4789179739852244), R(-1.3025977974313838), R(-6.290370280042113), R(0.7367259237295066), R(0.8623301811574077), R(4.186191278785396), R(-0.8332350025319253), R(2.6029398817868716), R(-0.0721430730509177), R(4.858683987845157), R(-0.2752437228791608), R(-0.9611287336082271), R(1.285933008152968), R(-2.3444789793795726), R(-20.37750554387511), R(0.3191875610791455), R(3.4832443006684404), R(-1.300595882959098), R(4.903096342804371), R(2.0306838344576845), R(0.5917788592071805), R(3.9602276263745035), R(0.726366757833193), R(-1.4168210715990253), R(-2.1583278381912763), R(4.662776759331299), R(-0.6407364377855097), R(1.16636879645679), R(0.7560628493390813), R(-3.5309938783634047), R(-0.11445952515035264), R(2.7903695059479636), R(7.095482311689645), R(-0.2208897107086475), R(-0.2953659617073694), R(-10.984237075166085), R(10.927569306177437), R(-1.772269543546903), R(0.6532418647642602), R(-1.9039492181041429), R(-0.5135744394417966), R(4.2364708366959825), R(-18.135857813329835), R(-1.0781412550433302), R(0.3832769598809427), R(-0.49131280009409295), R(-0.3462433713837526), R(1.4959398532881854), R(2.316714246835925), R(-4.291826940819181), R(4.860931134117176), R(0.7259233189950738), R(1.8935327720552244), R(1.1671475730015284), R(-2.7416150477030534), R(-6.975745591130662), R(3.0771894850448827)),
+STAGE_ROW(R(4.042953915972431), R(42.99945964041861), R(-17.298168674366334), R(-0.1693804800694926), R(0.8724855363635389), R(12.634069855843228), R(-0.08544656436626669), R(33.6083355205982), R(-2.4445527400745974), R(-4.897961245032755), R(-9.108296248691522), R(1.9310098991839355), R(14.009972629854978), R(-4.162285826287284), R(-0.9581819095132448), R(-24.80836092063279), R(-11.657641636243744), R(2.1271490466406293), R(-1.8978647244281428), R(8.058655021325514), R(-3.8032009789965855), R(-5.418421915339198), R(-1.9821621048951583), R(3.8057984457063836), R(-20.872763540007178), R(28.06499715912926), R(-2.901968190615615), R(-6.305978867207274), R(4.454562653079183), R(-2.282900736230543), R(-0.7904805222497766), R(1.1991845698266423), R(-11.286495199428453), R(0.4367903322005038), R(0.8070489305508313), R(-1.7584146051791216), R(-26.36941634966798), R(-91.20664033451862), R(-7.99473212618251), R(-0.04158479084468859), R(-9.48829882942017), R(20.808381266267723), R(7.072451189624645), R(0.664662875311946), R(10.65619175153519), R(7.488024625774607), R(-1.4622944824025377), R(-0.11542514482969041), R(9.47917960922648), R(-0.7217047017987126), R(2.094297591572007), R(0.2937664493336936), R(27.5674317063729), R(1.099803987989434), R(8.318936813427776), R(19.72673040658393), R(2.0689541920675585), R(2.7745979808871306), R(-162.85495712494694), R(-3.4254929658030067), R(-18.146430547756307), R(13.77320866390253), R(-78.2530739943065), R(7.9506055192983185), R(8.60068514594441), R(11.631987851834715), R(-5.084208305783607), R(0.005121778058799368), R(-8.095386885016387), R(-1.5759977626758197), R(-3.44131053322889), R(-10.839698865072426), R(1.1421492028036562), R(-15.689235476864411), R(4.415081835039654), R(16.234471027537797), R(-0.7575851987146913), R(12.536608989125407), R(2.607721533715551), R(1.7763829537299716)),
+STAGE_ROW(R(-2.1741393697794034), R(2.507436453809856), R(-3.2993041847664424), R(-1.53768386604257), R(-2.3276960250032213), R(-6.21098500245695), R(-1.7047376950015243), R(-1.1314972626667372), R(-1.0409883309348764), R(3.7508439762004078), R(0.4414115296406236), R(2.4614349943987928), R(-1.5567102466436191), R(-6.3863026871099144), R(0.06922653751878), R(-4.192466631449591), R(3.2901213790807633), R(0.034969853490000403), R(8.754226395821675), R(1.0013976919114063), R(-1.626048090246671), R(2.3808296154056974), R(2.8572959698909646), R(-2.7645195669395943), R(-0.999013543628332), R(2.053497225476596), R(3.169565180771836), R(-0.7369210216172732), R(10.893254892721053), R(-2.2105389751341824), R(-0.9111781870255116), R(2.5800929521554608), R(-10.891776733298947), R(0.7996004941531817), R(-0.8459665363989876), R(0.9186467849966499), R(-0.41653133765260075), R(-1.2586539685773548), R(-2.0389987602033726), R(-3.6901575247325864), R(-2.147563554500508), R(-3.508764673038851), R(5.7147804250752525), R(2.5687179043797093), R(3.7778706254019903), R(-1.9179903434902983), R(-0.10169049391137855), R(0.07206975188217454), R(3.4643683105014254), R(3.0970185682614026), R(-4.820442199125805), R(1.0359442107979413), R(-3.729775253338256), R(-2.7366734297985684), R(-2.2261266106731936), R(3.4440746030563183), R(-1.2795723901833183), R(0.35454051101821643), R(47.27344684855985), R(-2.957089979568924), R(-0.3231442980749037), R(1.9820314177966913), R(0.23971555108368786), R(-1.9453225796087439), R(1.060552660656044), R(1.8227291704454398), R(2.854741663859055), R(-2.718223878062742), R(-4.964632558849684), R(3.1871299595373808), R(-4.170494901699383), R(-0.4026663029095513), R(-0.7263119836583376), R(-3.5832074212930376), R(-1.59678871692875), R(3.300360765607599), R(0.6193902980859611), R(0.07652858838551867), R(4.954095780532913), R(-5.778503883391161)),
+STAGE_ROW(R(-4.152400285255955), R(-11.379038236819394), R(-7.369889914815978), R(-0.867539900651954), R(-6.583927227297234), R(-7.911093843223361), R(-1.68281869769804), R(-1.446307293867065), R(-3.6852698226489102), R(0.9354499309179442), R(2.190537584496115), R(4.115588809030425), R(-21.17246439641979), R(6.574764719217956), R(2.443887653693064), R(5.198553194848176), R(-3.362115166970681), R(-3.3789468417463318), R(-3.008107731927174), R(0.11638088698101494), R(3.3653179443761565), R(4.836786087586234), R(-1.1976563564085638), R(-2.8084224112271756), R(1.3838785421587192), R(-6.929587448283529), R(-0.19300934710090448), R(-0.5742508340801257), R(2.530514867790974), R(3.995744189136173), R(2.084929874831864), R(1.3832267529867845), R(-6.872140278444212), R(5.501359281095914), R(-3.2027906146128786), R(2.0276492523684615), R(-1.991851349047451), R(2.7608774529079865), R(3.0184984279629195), R(0.18620043516295418), R(-1.8211334397114871), R(-3.8649471287472026), R(-4.900089597429288), R(0.5818274120407761), R(3.3001504340340992), R(-6.191558533410487), R(-2.6976532132699353), R(3.256028560061817), R(3.1473763047122727), R(2.809974404076407), R(-3.3530343683914996), R(1.8695610067420472), R(-1.4086659458030144), R(1.2841010834609858), R(4.72890229843707), R(2.006661165593419), R(-2.8594362991995443), R(0.591324065714279), R(33.99008495349661), R(3.9223490174368028), R(2.255125109053723), R(-4.835798203712602), R(-6.576380049038783), R(-3.4584603475764255), R(-0.17639528886849237), R(-13.362236274101374), R(-2.2631379136067555), R(-1.0691819453204012), R(0.06394813299676562), R(1.8834249007161006), R(-2.2711651889065045), R(3.7202798026503783), R(1.2932775927001112), R(3.2904721560377026), R(-1.618870365906899), R(0.36097913403216286), R(-2.6275394824337535), R(-0.6335510541164907), R(-10.118384152806193), R(-4.590135837380603)),
+STAGE_ROW(R(5.153332531977233), R(7.016942623287658), R(6.600871733961404), R(14.589009480853816), R(-3.0111366453782047), R(-1.3709688601709158), R(-1.5139964994759532), R(8.602466195991868), R(-26.300597980531585), R(3.8774427858256555), R(-5.190547144831212), R(6.21319312129629), R(-4.2139606456813095), R(-0.734287620392836), R(-3.1753618635126015), R(7.527928112084609), R(4.189769877161407), R(3.0286450307455337), R(36.625157037678406), R(-3.7057028399358325), R(4.167017429409755), R(-10.782205595354291), R(4.241175896230092), R(-5.086824476130412), R(-1.7466545839116914), R(-6.422042796182231), R(-4.913719035749135), R(-0.29647156823446047), R(-9.048340301770176), R(3.4043457576401384), R(-4.861994764469447), R(19.429484869379973), R(0.26050185769587114), R(-3.4311817942605782), R(2.2193794347420455), R(-6.0267040994149195), R(1.4595359316110912), R(8.413082503014419), R(-17.66535487591866), R(-0.5865158227166649), R(1.7425960363639845), R(-10.606296448789147), R(8.084216018600763), R(-7.557664400394668), R(-3.0699960713710808), R(13.372389615059655), R(1.8435764777756745), R(4.723952022733855), R(-6.056623182736314), R(-1.4563581873424027), R(-3.5036919849785764), R(16.404965763529827), R(-15.499451082496684), R(1.2940482627486918), R(-2.929510881677991), R(2.964815887029388), R(7.331356926936443), R(9.255776336101263), R(1.6354074982057634), R(-6.549533526896157), R(6.0057420712964005), R(-9.011440070365722), R(1.8635704302681164), R(0.5635984399898395), R(-1.0073932767526128), R(9.087395103801583), R(-0.09772407115054096), R(-8.124742906628493), R(-39.16342714769329), R(5.648010341986995), R(-1.0504347503247222), R(2.7390803836538358), R(-9.295143291225212), R(-1.7852857113230614), R(-0.6807411758287951), R(-2.882648530785651), R(1.8079512129880064), R(8.267656567926187), R(5.0969849490842005), R(5.750120341263413))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(0.194559714130901), R(-2.4631595608001153), R(1.3801168751638262), R(7.328282629871889), R(6.00906680639451), R(2.1492757402345104), R(3.1951885701279172), R(6.548110883854685), R(7.22881809077404), R(-4.574608402674867), R(4.162000344397649), R(-7.543876293290018), R(2.9180772499429297), R(5.342934303877641), R(4.628721968557548), R(-3.915816550153852), R(-2.920531530503013), R(5.020289526624599), R(1.447264487255977), R(0.6033167075146668), R(-1.9098729379738901), R(0.8952194497079302), R(-1.1870088060969608), R(7.280954862008541), R(-6.575977620527941), R(-7.761756816527244), R(1.348793807763206), R(6.410995676427585), R(-14.224531000685861), R(-0.482261997150156), R(3.49588794148198), R(-9.429850393888684), R(4.094977522866756), R(2.1552191250050727), R(5.303213840295283), R(2.815634263487379), R(-0.4439470800358957), R(13.696622707426778), R(-5.188365552537738), R(2.680528823710503), R(-1.4468065877019958), R(3.636206822050092), R(8.010392092436604), R(5.546356811292938), R(0.238583871961661), R(-8.922929108536934), R(2.892672841248596), R(8.920176438645171), R(-1.0660159165964387), R(-5.058116479067701), R(4.012778867448431), R(-10.41650431070873), R(0.00899995390850609), R(3.7194941546930456), R(3.775457384708203), R(0.00641024667397579), R(-3.4096202072387762), R(4.136915032456937), R(4.939012352440863), R(1.2522850020698584), R(-0.5157121882191872), R(-0.37475306471314945), R(-0.6899089268846591), R(7.331543710836995), R(-2.0369323374222934), R(-1.4024168038439064), R(2.6663180000928364), R(10.426561105407384), R(10.98638693984321), R(-3.6304477917429456), R(6.03205509765063), R(-7.530598565713882), R(-0.9765384964482559), R(5.2269278301083615), R(5.477454461293578), R(-2.8746748771345167), R(-0.8239228493798421), R(3.483837518929328), R(-2.0527906601579806), R(-1.2018796454092628)),
+STAGE_ROW(R(0.9424545638767312), R(-3.894970229307882), R(0.795217467944944), R(-34.61446586858912), R(-34.100552695384415), R(-22.034753410372872), R(-1.814470335590079), R(13.243142449600091), R(-7.779808811144768), R(16.84533878946613), R(9.906751267225285), R(4.533398544942538), R(-18.548516930120943), R(11.812808142462341), R(-8.702828915853912), R(20.688218387554002), R(14.795479429296776), R(-8.352071185617548), R(-10.0566075411578), R(0.6650356395553232), R(-12.388272409403891), R(8.948405046431557), R(-3.044447103644808), R(-18.482779922848394), R(-2.019932094461857), R(-0.2515936038889559), R(13.649819792279784), R(-12.955263570298051), R(-8.02158775782187), R(-10.698462065325609), R(6.847936466539084), R(10.309902395475563), R(-51.84812155503618), R(5.505490730033364), R(1.7348821437098052), R(-66.78433911209702), R(25.743515005274467), R(-26.981226740500354), R(29.6144276419332), R(-7.2539506513387515), R(-17.26397626266209), R(20.61414681279271), R(-24.225583364255115), R(-33.80859360520417), R(26.647866974402884), R(-21.299795707812816), R(-3.964010846515189), R(-17.812075638876752), R(-10.166903562964121), R(18.954872757241542), R(-6.5462041171276475), R(13.42145255258412), R(17.677269680988157), R(3.5363288236355235), R(-27.844088288262157), R(-64.50687853387873), R(-6.580602279260977), R(-16.166316615566082), R(-5.785889451239611), R(-23.413003051191822), R(-5.292068940997883), R(10.891825356797463), R(-21.89062210469768), R(1.0922354860682744), R(15.446105481510903), R(14.548777235355066), R(-28.773924052261236), R(-7.726753758311587), R(0.6475081780265122), R(-18.239850556340766), R(-0.15009562846929717), R(-4.323495798792679), R(-6.910242956696948), R(-0.656085559240768), R(-5.466832949185866), R(2.847104910009127), R(9.206420525165287), R(-3.241604743372964), R(-3.0202962148528067), R(15.518341256354672)),
+STAGE_ROW(R(-5.151775240224802), R(-3.23691162234132), R(-12.148165626860035), R(3.5515080932221097), R(-38.135813620657714), R(-7.8760234456657745), R(9.199847127693385), R(-20.202730425023155), R(11.338658716464094), R(2.0903177961434163), R(-3.653089592531361), R(42.25620145230322), R(-1.3767535745727622), R(-11.62954266195053), R(17.19068306999628), R(3.931347644892886), R(2.854117033021753), R(8.034448615415723), R(-10.387774224841113), R(-9.79983036937557), R(-5.664544981072475), R(-2.6295277511130086), R(1.3044665726961135), R(-17.376769064034832), R(39.07063958719013), R(21.243877436566645), R(34.64216323252997), R(19.393080573232435), R(-5.141763294527609), R(10.222888565889226), R(2.218625389602477), R(59.440876058186305), R(6.590779329725378), R(4.371246427216195), R(-14.967645437676113), R(-4.019379605023324), R(4.702513615924707), R(-23.06976554277781), R(-10.161852579868466), R(96.98615751145766), R(-3.5794359482896), R(-13.913423874671539), R(3.3443659279089877), R(8.731651349012656), R(-30.194197409903108), R(-21.16502837577672), R(-14.196626311349732), R(14.575347924911792), R(11.200036415527146), R(-14.741880357931096), R(-5.010273563653935), R(-31.27902681440177), R(5.310625559155138), R(-4.453177975556291), R(-209.66814183520623), R(15.702046333354303), R(-7.90680778599035), R(-45.492101792094765), R(-24.02002775194552), R(-23.099235552378516), R(-0.25075109646375526), R(-2.274541069148754), R(-8.620545208132873), R(20.353051019383837), R(5.068139354682923), R(-1.8148087423588515), R(-4.864829029790509), R(6.096937219570633), R(-6.878183374499238), R(-0.7979305342279591), R(13.239230387539942), R(2.7737237744671805), R(3.0903908964522135), R(13.717853795618247), R(11.928192203925141), R(6.794018987120337), R(-7.084156325975908), R(8.967932393940586), R(4.873322563624913), R(-119.61132019573068))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_hidden[2][STAGE_ROWS][STAGE_PARTS][STAGE_PART] =
+{
+{
+STAGE_ROW(R(0.2798031377906098), R(0.3065579777072848), R(1.871586558318978), R(-1.526727510667009), R(3.7165919326698926), R(-0.13704893928585893), R(-1.9499417116951303), R(0.5811895848024008), R(0.2477274331206663), R(3.211749723752964), R(0.05731955985548879), R(0.2796200576586458), R(-1.3285309391625224), R(-0.35529060614916336), R(-3.32642720800897), R(2.235456344331971), R(1.1434962297667572), R(-0.36711843608528094), R(-1.2846186227402527), R(0.37803317275189113), R(-0.39140554025637636), R(0.5838805913050981), R(0.49283860260126167), R(-4.3812659494754245), R(-1.1155503880473356), R(-2.8480674254156013), R(-0.24505056053240726), R(-4.618282572480682), R(-1.2765730129789663), R(2.180578969243921), R(0.7521543353127615), R(-0.9965767327818564), R(-2.1903733974340307), R(0.10213829794938478), R(0.4313884369440499), R(4.434230310999303), R(1.203873981906495), R(7.2354937719265475), R(3.0948545616824643), R(2.046326322649198), R(-0.5237578858321931), R(0.8045626878223384), R(0.7163051942934925), R(1.2902136735551595), R(0.3162126767641195), R(-0.8864074603785052), R(1.2666939803383406), R(0.4118993303247742), R(2.2314661614003435), R(1.2590645625584436), R(0.9939211630801525), R(0.04274950463822383), R(-0.9888987965651961), R(-0.5553390123629752), R(-6.492493304135731), R(3.6036174480612346), R(0.6697731122973559), R(-4.289928389306102), R(0.31345228942403963), R(1.703102600304337), R(-0.15720259463128036), R(0.40385324856904126), R(4.2768411072215455), R(-2.5564971649485093), R(-0.18732054820965585), R(-0.8417346781453963), R(-0.6999729356480358), R(0.5811703170796553), R(1.4192447087729985), R(2.4462420458046537), R(-0.15117083789274666), R(-1.2521525300157739), R(0.5333917689150611), R(-0.4648604132174747), R(-1.9707827695886249), R(-0.42440119062681564), R(-0.11395224690542778), R(-0.2898785732916318), R(-1.0952544350594566), R(-0.6471167304846441)),
+STAGE_ROW(R(1.3128151205822955), R(0.29935382911511826), R(1.0165333260768585), R(0.49681569095300787), R(-4.837473327962301), R(1.0761782419571686), R(-1.9983036771780016), R(-1.2368997165201236), R(-0.08162434714438407), R(-0.8708967810496985), R(0.848978731396446), R(0.07564912731389649), R(1.7580470988227517), R(-1.368404225972812), R(1.306581228619664), R(-1.3912012453541076), R(-0.5972330734427196), R(1.283778667102394), R(-0.04247807713919307), R(-0.9672736593162846), R(0.7312653819370827), R(-0.3386311570433552), R(0.28173539617039556), R(-1.914670942699348), R(-0.8700614768960588), R(-0.15177330083427762), R(-0.6973844857706595), R(-2.1386783593115455), R(0.43858804144125), R(0.28822030033317864), R(1.1062758658501128), R(0.6770575311481323), R(-0.3019891645101154), R(0.8551763339846565), R(0.7579213214308581), R(-0.05273642641712345), R(0.03918854665212354), R(2.0382670262977585), R(0.6651970354347138), R(-1.4764381043443375), R(-1.0409469992248646), R(-0.12656893116465434), R(0.2023958269164446), R(-0.8487117164428325), R(-0.9107611994628863), R(-1.982243539584919), R(0.01649107194262809), R(-1.343279345223038), R(0.2443925777881617), R(5.453190825650078), R(0.8843358919942852), R(1.963117581843223), R(-0.1147624857641924), R(-0.4013521130269078), R(2.447011444462889), R(0.025415875264742482), R(-0.30701759619256136), R(-0.30506839532589236), R(1.2796488300799196), R(1.8080060812109124), R(0.8607411747818379), R(2.1815082862818898), R(0.6942474514428422), R(4.162123062125255), R(-1.187724784740912), R(-0.9930878488895697), R(-6.400799986197772), R(-1.8258537112042479), R(1.4940085466543782), R(-0.8409835581735495), R(0.5795920015053836), R(1.312122410195928), R(0.7542944434138246), R(-0.9992258520891212), R(2.2211622868334473), R(-1.1233119108112615), R(-1.122234067085418), R(0.9866585810807154), R(0.1902980786481029), R(-0.5748514217053842)),
+STAGE_ROW(R(-1.8370357804006063), R(0.7884407465243155), R(-2.568649871703524), R(0.6057285840223536), R(-0.652974977838312), R(-4.9906062229508406), R(-2.10633152935544), R(-2.5630128361800164), R(2.0310089309462485), R(1.5385786374235402), R(0.6754468731820321), R(1.8786028757710622), R(-1.5552744003022863), R(1.9152958127223123), R(0.027754796959012566), R(1.4885827163166556), R(-0.31549163819745835), R(-1.3217990264850445), R(-1.6356162830188785), R(-0.5191850438063315), R(-0.8155592427803107), R(-0.04367967693438038), R(0.14174993766808763), R(-2.6756040852582204), R(2.801852331984482), R(-0.49507506920855304), R(-6.7400064252313365), R(3.228578794688472), R(-0.9140218212513688), R(-5.682606926088282), R(-1.216541676927471), R(2.0708804273590986), R(9.305781046929683), R(0.14193663604497764), R(3.2902586272287238), R(-5.9854204861421705), R(0.7443280398795828), R(-5.423638892301676), R(-1.2943260576651867), R(-3.8068554531162464), R(-1.5066538050133154), R(-0.07172578819423639), R(-2.2775924900865485), R(-3.2149427315013304), R(-1.344291600364618), R(-0.9978312678992736), R(2.409392444942074), R(-0.8807749868179129), R(0.22522787116004245), R(-0.11462924728561816), R(-0.6216934482080562), R(1.15473183952592), R(2.382893127770264), R(0.5139671895258466), R(0.6934893883684828), R(0.27554637257123293), R(1.6989364987272808), R(-5.815151009581392), R(0.3917639260781375), R(-2.4008149717984826), R(-0.07878156393926211), R(-0.40944436478910323), R(-0.7564766012347064), R(-1.0150658516701496), R(1.1592027273216985), R(-0.20343318172474348), R(1.2452995077134887), R(0.5745157561798743), R(1.0177540899460333), R(-0.35971159497740574), R(-1.2766160967556557), R(0.18237050709021288), R(0.5143010678031683), R(0.1778818705048495), R(-0.2940874828784924), R(0.42934610845734644), R(0.46525302704730026), R(0.07542544495824652), R(-2.116834427205155), R(-1.7242085870257247)),
+STAGE_ROW(R(-0.2851648640282278), R(1.1931831375298905), R(5.852723379796986), R(-24.82408966688316), R(-11.848066274231233), R(-7.657402724105801), R(-4.77710911081431), R(1.2008035697071544), R(-0.42837574749313484), R(5.677230112210799), R(6.8698063165709256), R(5.130729120517761), R(-11.77700269022732), R(10.0056715574586), R(-6.7368170476899865), R(11.349978029289714), R(8.64104634983036), R(5.750998974763777), R(-7.419485453068796), R(-3.230216434501321), R(-0.039521887974628626), R(0.9925644339885475), R(0.20690979164295048), R(1.8649416195597324), R(-5.3616245482890434), R(-0.8680019319320014), R(-1.1924374960353892), R(3.0208544238448005), R(3.6604662053571277), R(-1.5253320126801453), R(-3.030845686256631), R(2.2501455210425423), R(-2.464550167087011), R(-4.050967538631475), R(0.045852799187161904), R(4.97175753438224), R(4.054192094832983), R(-20.011403359767048), R(1.2952694769235384), R(3.852435499278143), R(0.5436966618221022), R(0.5024977366984029), R(0.3196628395546532), R(-2.086280264187176), R(2.2854303769596673), R(-8.673014866650053), R(-1.506860473677615), R(-9.725444849890769), R(-0.6077923226999744), R(-5.595612051922697), R(-1.621712640142897), R(1.8957631369194756), R(11.583425602592353), R(1.7416837605507671), R(-21.203374947027427), R(-0.8822507286914568), R(-9.981124665185742), R(0.940378241209471), R(-3.517101532889089), R(6.658289448629555), R(-0.03396338057827214), R(-3.7262454987569296), R(-10.4209589564153), R(-3.153864452518662), R(-1.756210500878442), R(6.2757722110714855), R(7.0898362953726), R(-2.347707634396863), R(2.16954601791336), R(-9.90317822226875), R(1.5870460722819926), R(-2.5955633680490404), R(-4.39793532060115), R(-2.5806066549889297), R(0.5314513909186679), R(1.7901550462185554), R(-4.005092481810028), R(-0.8223849246487442), R(-2.2224684125329413), R(1.9571979746464083)),
+STAGE_ROW(R(-2.6624537132504194), R(3.2731145093352154), R(3.95445607444231), R(-3.254847093291636), R(-3.425822331330292), R(-1.263153559425388), R(-5.497181385010691), R(-0.23955876763016945), R(-2.390442749268651), R(-1.0745146404428494), R(3.3149946085267232), R(0.6554818187578808), R(-1.770219080519426), R(-3.5526426032346716), R(0.972683347072849), R(2.780726203493022), R(2.3301980491614778), R(-0.6795421048435623), R(-0.5351349867052112), R(1.563983927162947), R(-0.8698275049214512), R(0.5794538673562525), R(0.7922115967176399), R(1.8776710928167102), R(1.4646305249625238), R(-2.435674972514608), R(3.1459586053488966), R(-1.6607866245446654), R(-1.01130447889013), R(0.3987122360876408), R(1.1269208583499228), R(-0.08031927765177507), R(0.8404054676181829), R(-2.9558116553207046), R(-0.7967704267477103), R(2.722532776164466), R(-0.41813519514424496), R(-0.19227252225039795), R(0.3539342128764482), R(1.5625552871548662), R(0.600811140495204), R(8.965068072664097), R(1.0219574226959094), R(-0.3217587623822695), R(1.0158647165075554), R(-0.18140086200367725), R(1.2492488981094083), R(-0.4728161130193468), R(0.3662907299234092), R(7.14426402469763), R(0.33546156250767084), R(1.3050649591094468), R(0.6685807511819155), R(-0.6041419133902274), R(-4.3291000844750505), R(-5.039746731898076), R(-1.8786143052044804), R(-7.005631411496022), R(0.24531425666905696), R(-0.5692735607161975), R(-0.045877558548063246), R(-1.1692230970320043), R(2.844197847475774), R(-0.16051864200723298), R(2.3299630102007476), R(0.3369006273752707), R(-11.390774322381871), R(-0.1304740831062845), R(-0.7397148158202749), R(-2.1722343826055783), R(1.4601675276679482), R(-1.8761772551692486), R(-0.5067390609063754), R(-1.3845233903823544), R(-3.8398279900311256), R(0.19930173065660972), R(0.6214124818643718), R(-0.23784068048238238), R(0.018228826413216596), R(2.0524211136393573)),
+STAGE_ROW(R(0.2099124756529283), R(0.49772134591585004), R(-2.9170366970254524), R(-0.21706605444879729), R(-1.9362419038492884), R(3.085169437439767), R(-0.4588667522128589), R(4.405726283106589), R(0.18814189300741463), R(-2.262447848085776), R(0.2854195024966309), R(0.43993047272717395), R(1.853034513832374), R(-0.16846894163456388), R(1.33171580055569), R(-2.664005822515301), R(-0.25259783902005906), R(1.044226617459402), R(-0.29745677245430663), R(0.3472763116725475), R(-0.993590893160667), R(1.2555233549782574), R(-0.780657462980354), R(0.24308454986331116), R(3.542792720860303), R(1.152832579874153), R(-2.7486872997909786), R(-1.0822393352534307), R(0.16269969495586306), R(-0.9127092822772571), R(0.3447498309471986), R(-0.6037691314970279), R(-6.34897779462006), R(1.1685052026138483), R(0.8410296457282421), R(0.951204806013232), R(0.47103601675407475), R(-1.0232741497273008), R(0.24794249921074385), R(0.5043829083630668), R(-1.111868524061529), R(-0.3691898407809779), R(-2.93615595545478), R(-0.6269297092141825), R(-3.4051902484483088), R(-0.2593229731297601), R(1.6333402260845065), R(-0.7704802794601459), R(0.30591064291229925), R(6.747859736307284), R(-1.377906515317382), R(0.2531428285971495), R(-1.4923369432305371), R(-2.453463617438686), R(3.3496214957762036), R(1.261455708670299), R(1.9833735649394162), R(-4.6602831159209535), R(-1.1901605876551977), R(3.98945390079301), R(-0.8780166987150275), R(1.2290839176777881), R(2.8021908301660536), R(-0.2825118796151142), R(-0.5517174337389642), R(0.6179867373072779), R(-0.2749522648764567), R(0.030446839067277704), R(-0.18232556225690358), R(2.7804022170953795), R(-0.061002725548925024), R(0.7807528811258103), R(-0.010685216666984796), R(-0.26063654329549457), R(1.0185541099277002), R(-0.6181313483405837), R(0.8899878939342153), R(-0.37651757382931605), R(0.787500027486726), R(0.7548574228089996)),
+STAGE_ROW(R(0.17937541234882548), R(-3.625934972177206), R(1.739379618391407), R(-0.9379587564724376), R(1.5111822415936482), R(1.362180949220513), R(-3.844844093269137), R(10.043484782716394), R(2.651390628472442), R(-0.9202124403550238), R(-3.612784623530552), R(1.813651904536218), R(-0.018804204986070737), R(-4.917278604302126), R(-2.60943411095475), R(-4.31308930063257), R(-3.2405704459696043), R(-8.128000080355662), R(0.6464529979794095), R(-0.8107123125415123), R(0.11291535124726793), R(-1.6540132687156512), R(0.6971574105789009), R(1.6563128581318556), R(-9.938049839357829), R(-1.9402023170251936), R(-0.8207569674666088), R(-2.4132815858960326), R(-0.08570819557623828), R(0.029029806363247267), R(0.37440265774257203), R(-1.1382027556946828), R(-18.72269919137943), R(-3.768087761679414), R(0.3159871225293419), R(1.6621082333973491), R(1.6361827835187466), R(-3.4636549498588907), R(-0.2599937641680354), R(-0.000156946538290586), R(-2.837171882739454), R(-1.5625395489811325), R(2.1557651258577724), R(-8.1708372937999), R(-1.0845530411846223), R(-0.2964874807411946), R(-1.86856571413657), R(-6.226588789624486), R(2.3407018146378187), R(-6.367551887089061), R(-2.0560108099141514), R(-0.18085871293064085), R(2.401682599991823), R(-1.2226636466328544), R(4.76213953216939), R(-20.341180723616322), R(-3.589572641542127), R(6.952714076396054), R(-3.5886674355607395), R(1.9047609265811354), R(0.5754356825647661), R(-3.477348965093711), R(1.673992498411504), R(-3.0749833354626834), R(0.045165386485423786), R(1.3499346327888542), R(0.7233668230124004), R(0.555294751708387), R(1.5844272779703534), R(0.7366884191093412), R(0.11591961133247662), R(-2.6758230854364298), R(-3.201897906210527), R(0.169055836091155), R(1.754769967712421), R(-1.2165278094946586), R(-2.030847570055055), R(0.16098712590739567), R(-0.541131955289622), R(1.1637659688784219)),
+STAGE_ROW(R(0.4685320780771734), R(-3.6154187560275437), R(1.346505362423484), R(12.562482550991177), R(2.377369515050633), R(-0.9789293479509), R(2.402286431553608), R(0.7662518900137713), R(-0.580798721212908), R(5.468632248971687), R(-1.7520209671606526), R(-0.9912583990761099), R(0.14658422373001595), R(-1.9212892905990144), R(3.6648312672881764), R(-1.5567665488114442), R(-0.9034264485718255), R(1.2457834826508722), R(2.2324288299934887), R(1.829601666832092), R(-11.622396765335738), R(5.5756509597542925), R(-3.8526593460765026), R(-3.0201005869891997), R(4.417951730154573), R(-1.5331417599801014), R(16.473985420467766), R(7.099890045610999), R(-2.127923737879881), R(-7.561935501945621), R(-0.5587502493350022), R(7.508863990152027), R(0.8730818997523674), R(-0.15361190708273056), R(1.8290767539121184), R(8.802054444354445), R(-0.8355405761337562), R(-25.388153000074514), R(0.3715046344452079), R(-1.7560722384448824), R(-21.91248993490142), R(11.468704206558854), R(-16.597600618063442), R(1.6839182337122356), R(15.339095012657248), R(-0.1824563973177535), R(-13.05737040323435), R(2.848859143651062), R(-5.847736457280722), R(15.04990686389756), R(-0.6852519759805145), R(0.007182750364522234), R(1.2020836946473015), R(-0.06669616262899829), R(7.360725710544608), R(-9.38274821807412), R(-2.2115799897860793), R(1.4500484437426067), R(-6.623220841025833), R(-10.3792836508967), R(0.6626323085850506), R(1.274139822392688), R(-2.4715534580533975), R(-1.8121079102852766), R(6.044055905994646), R(4.29578956785996), R(10.65973187893158), R(-0.08121191611324725), R(0.7314658774264537), R(0.6293256941605184), R(2.706692502556577), R(0.18332627212699862), R(-1.4044132822590834), R(2.101584902604668), R(-2.914179335336974), R(0.23512457793874814), R(1.8639863926334859), R(-0.9895210554438081), R(3.155753675551331), R(2.2672220375884775)),
+STAGE_ROW(R(-0.6352568921845861), R(-0.0803976202988901), R(-1.0409830073382127), R(0.24759234573572642), R(-17.035997566961424), R(1.0863072216180805), R(-1.3916844305846172), R(-1.0215048206309252), R(1.426532583798201), R(-0.4181319331854019), R(-1.4348084230160019), R(-0.09272431302399793), R(0.1496152663142274), R(1.43083355143713), R(1.0626778884156405), R(1.0394938573554893), R(-0.12132907888082087), R(0.8749894597893008), R(0.6720670893572566), R(0.2359710378770727), R(-0.8598069294161008), R(-0.34705032607710024), R(0.31053571886832854), R(-0.8055293636537558), R(-2.2586945131262004), R(2.329949860532311), R(-0.9268605218076512), R(-0.4671850669345631), R(0.5048987272706259), R(-0.9679854250324175), R(0.32492439452634764), R(0.28073224456387547), R(1.067759189553541), R(-0.9289210374358288), R(0.5912839509919298), R(-1.3685410397714777), R(0.7176814759519866), R(2.7337784262087625), R(-0.3177776912787636), R(-1.1079282484850865), R(-1.0790339267036206), R(1.6594741371435144), R(0.40816819737338256), R(-0.025310209243490586), R(2.836172311604709), R(-0.746465443492328), R(-1.5868668846092882), R(-0.036638850101960364), R(-2.6625380774442533), R(-4.826711007092462), R(-0.4277223790316114), R(0.6073806136021538), R(-0.7305761026693576), R(-1.6272905590523032), R(0.2059287585443471), R(-2.9510814114159754), R(0.6451200690972689), R(3.6979076599368255), R(0.7070377245438351), R(3.1143487946291395), R(-0.0691573969239349), R(2.801686665466909), R(-0.07347589567414681), R(10.294807287750741), R(0.05981813739350576), R(-0.4783860633791389), R(-19.32585519609622), R(-0.8420192204488656), R(-0.5268956881844491), R(-0.7179883872704524), R(-0.35154868090232344), R(0.9223218706996494), R(0.16625876146679971), R(0.15541328006003666), R(1.5403239362700911), R(1.4684913832059745), R(-0.1961910109135167), R(0.4741459121022832), R(-0.3631233491879916), R(-0.09265341469978837)),
+STAGE_ROW(R(4.569584819638723), R(-1.451934498570316), R(-0.3875578622700055), R(-7.174967843721471), R(5.27617063153433), R(-0.8694675474950377), R(5.884255259112153), R(6.853123456362319), R(-0.5404045721303234), R(2.3222985242987866), R(2.166747347664446), R(0.6934029345886928), R(-8.383731767322114), R(4.797808219840702), R(-1.1398557456887075), R(6.842978287084073), R(6.036259293693863), R(-2.204520006452496), R(-2.5513465618343574), R(-0.8655632681671513), R(-0.7643550369550973), R(0.20820055343304458), R(-0.8954830752977274), R(-3.054183632419768), R(-1.2762076190403886), R(2.820626035391692), R(-3.121382558516972), R(2.415632253867629), R(0.7996611802629991), R(-1.218864002534921), R(-0.6213798574663507), R(2.2967557737685884), R(-0.3010342389253784), R(2.8338272962583426), R(4.107999996329577), R(6.3829197472543795), R(4.824508484200875), R(-0.17341400108385632), R(-1.3452835845715871), R(0.16300468895660125), R(1.685351871311574), R(0.7357403088376501), R(-2.079195197312391), R(0.3662791550130128), R(-4.274372130923215), R(-0.716882536194371), R(4.975348011874049), R(-1.695127457883069), R(3.7708546428249248), R(3.386299018266371), R(-0.5052053417574046), R(0.8811767898335454), R(-4.846280351133616), R(3.6203258764924646), R(-4.471274100779399), R(4.5745436877549155), R(1.0991349523390939), R(-5.478796272867851), R(-0.720321325648292), R(-3.911779422956946), R(-2.7937610896606206), R(2.583720802609027), R(-7.798546675331859), R(7.647007331849054), R(-4.16038508604501), R(-2.9475348346446646), R(-24.032809496958514), R(-3.291507815426755), R(3.7109063736774064), R(-11.03189041211196), R(-3.78005128263695), R(-1.6014905335243736), R(-4.551345477233915), R(-1.0775999869455786), R(1.7390893317658414), R(-0.5299567148861994), R(5.386907542507624), R(-2.820840252983718), R(-4.863350456109246), R(4.309531235411313)),
+STAGE_ROW(R(-4.002963965851258), R(0.07068006791656849), R(-0.5803958325856792), R(3.0487109210383676), R(11.257799900270358), R(4.638932823782461), R(-0.7008851667718919), R(-0.39335004785086186), R(0.9050939796163819), R(-2.81824734006658), R(-0.6130233500186281), R(-0.7293301364191708), R(8.353443136709254), R(2.5286855216151176), R(5.028709567854605), R(-5.018872584941791), R(-2.968197738873128), R(-1.406181143648528), R(2.345468600014368), R(2.737486856435357), R(-2.0921633160920337), R(-1.1163993876656229), R(-5.40985161979259), R(8.18716744929168), R(9.547129724603597), R(2.2782338729452905), R(-7.2013418092268555), R(3.568416028427524), R(1.8017222502718604), R(0.7950340786570326), R(-1.5243520154939252), R(-3.7702396396408004), R(-23.083143018049498), R(3.6525355759813696), R(-3.2437173821706597), R(-25.470063347776), R(2.494508057750819), R(10.001930645090283), R(14.597440511752692), R(-6.509221874649676), R(-5.299752131731058), R(-0.8387378179648923), R(3.2231550599486862), R(-2.5169838512841296), R(5.485367743894857), R(-1.9567355898060244), R(-3.4749626413330352), R(1.3678646300547102), R(-0.4203212011560183), R(-12.236392808607675), R(1.2898982189623633), R(1.5987073080168863), R(3.5981560231282317), R(-0.8543757253387048), R(0.24359778525024475), R(-1.470743336095117), R(-3.5286775560852774), R(7.854770825209884), R(-3.045397342925122), R(5.039401484186814), R(-1.7499681959373439), R(4.106708749175882), R(2.2142042723452344), R(-6.0480294448018705), R(-2.150517523605809), R(-2.011727502554438), R(3.921984177401137), R(-2.432092840942236), R(-2.487039125791592), R(2.205738893041904), R(0.7271270580711813), R(2.367757875432172), R(3.844791646705503), R(2.1262026082867687), R(1.7020218767882453), R(0.7000376298130762), R(-0.32246363955979424), R(-3.1011941414533415), R(1.537528923985433), R(-1.1257417858440408)),
+STAGE_ROW(R(3.854391580080538), R(0.45341249061539723), R(0.038039433689203775), R(-9.559519763763765), R(2.7031601411292323), R(-0.8507180800027496), R(2.3172198997529456), R(1.7993890636322956), R(-1.2711714848399478), R(2.36006444380658), R(-1.273487597523552), R(0.9248645088589255), R(-6.5187793232365365), R(0.9625194838262536), R(0.6977234885708755), R(7.579871053586152), R(2.4604674125335113), R(0.16738041533567855), R(-1.5732973291515173), R(-0.42995299890367433), R(-1.5642714658489942), R(1.7382900707782991), R(1.6446150843180891), R(-0.5958861022854292), R(1.9350839941890177), R(2.699092054461763), R(2.1928160988262375), R(-7.432036719822065), R(0.847948323155649), R(-2.4593656355235987), R(3.374596748062595), R(0.40890605728051305), R(7.089297978493372), R(2.4895766405272113), R(3.263352219347187), R(-46.49628088617731), R(0.16641279393240888), R(-1.293402072215999), R(6.23211371512838), R(-6.258039827436543), R(2.0385565655979305), R(0.1115423367800929), R(0.42767131557717497), R(-0.30739213634687707), R(-1.0654777811489409), R(-0.9598383072937574), R(3.1596324266239355), R(0.8659989320597934), R(0.5180156310711839), R(-8.746900882028108), R(-0.6887566373133641), R(0.5058917560776095), R(-0.9732634991271495), R(-1.4634451228323198), R(2.8391668264789995), R(4.535362660914489), R(4.689349642597222), R(-4.792297845560459), R(2.3553379324560213), R(-12.47793157104126), R(0.9062264490392942), R(-1.1208017972103805), R(-2.959651748760962), R(-1.469286511902317), R(0.5269014324502456), R(-0.9759265714596126), R(1.729806666745897), R(1.5422022275141571), R(0.5804828028392193), R(-3.195520945794076), R(-0.4438435122678934), R(-0.9473066308683277), R(-1.8752127386741393), R(-0.5128837610786704), R(1.120940862536546), R(0.2629778094953016), R(-1.3591872037354553), R(0.4836383630337979), R(-2.5492899765726325), R(-1.0188659237830067)),
+STAGE_ROW(R(-0.5454510907404341), R(-3.0814024688986774), R(2.011485992450124), R(2.940676271280279), R(-5.0075378674844195), R(-1.8663137839308754), R(2.9903608766067844), R(0.5786069281533127), R(-2.2858139298483895), R(-2.7226215516702172), R(1.6319452615495946), R(0.1544638852137233), R(-0.5688150362298043), R(1.058534112735476), R(0.3864355702452776), R(-1.8399901396926222), R(-0.2530158489877349), R(-0.6119644071122123), R(0.12136372646999613), R(0.5076839621009048), R(0.6567378353080096), R(-0.596626107002467), R(0.0019534075075481384), R(1.0676556270786857), R(-2.9828299435415353), R(-0.6269476992088171), R(2.362105736838583), R(-1.4331845259816707), R(-0.09244285657881413), R(0.23438331848052965), R(1.0868435629237603), R(0.6064311855478848), R(-0.5280483180844615), R(0.34466167013791044), R(-0.6275449324542449), R(-3.353949333208188), R(-0.1186917388263469), R(0.18144030405250014), R(0.202415583092493), R(0.8804011672854566), R(0.12932345998651312), R(0.28381064474494266), R(0.5546818808721962), R(-1.1514598157401625), R(0.5884535735801958), R(-1.3124470430625799), R(-0.2331242424322693), R(-0.9074158673300553), R(-0.7700830440142491), R(-2.971538744764496), R(0.5212268126166943), R(1.4612132591261577), R(-0.3844018444657553), R(-0.14032332682226648), R(0.6793982026231463), R(-2.4400850805493244), R(-0.045927840777899596), R(-0.055937339655720515), R(0.8447756349950619), R(-1.7892758173453287), R(0.7557029831811096), R(-1.8167928183801132), R(-1.3093007901419589), R(-2.853800286973012), R(-0.2662340349633979), R(-0.8320877665955739), R(5.947471743055461), R(-1.2496265705431333), R(-1.1244319672824559), R(0.14972288482067517), R(0.683348868535276), R(-0.3193162926342347), R(0.33865914012823345), R(0.7907162579558681), R(-0.7090616299084457), R(-0.6533942442119732), R(-0.6033786769122941), R(0.49707997050503017), R(0.34481481879117587), R(0.8426942181555491)),
+STAGE_ROW(R(2.8255822328932814), R(-2.1084791645679752), R(0.11458241783694767), R(-14.589432400171573), R(1.8306894412868278), R(-5.907681504070653), R(4.838995426186414), R(2.3559977327477144), R(-1.3053349015037943), R(1.9467956558989465), R(-1.474168946187213), R(-4.208143972939917), R(-4.804725003476264), R(0.5904438871988026), R(3.609300860093762), R(6.431731589418356), R(1.4971518118293519), R(2.462198220168379), R(-0.2001776369631769), R(4.968352375821276), R(2.5955305153245645), R(-0.9854084005389134), R(-1.0460327593782868), R(-2.6280030263926495), R(-0.057861177441462915), R(2.85053276765243), R(1.9107983974387568), R(-10.266440318768346), R(-1.5958480001106479), R(3.070227813006227), R(6.490148548252094), R(2.227609166908857), R(-0.5091576652948783), R(6.726733957033618), R(-1.9621113519669355), R(-1.5247746143979861), R(0.480267508334981), R(-1.9746437816089446), R(0.6143210758662448), R(0.48102062971034354), R(3.9045233240370485), R(-1.4119449412985678), R(-11.162754870325902), R(4.463453891930107), R(4.6667169373956074), R(-0.6472935886439327), R(-4.891127360041899), R(-0.07310003359647756), R(-2.3377415427199053), R(11.216699006610064), R(-0.36639765504815075), R(-0.2884687707750988), R(0.8770937749308244), R(1.7560255245189942), R(10.625663425058619), R(-16.48877266161162), R(-3.958981245483262), R(7.924108955713152), R(4.726437959995645), R(11.523327292314175), R(0.20258528060421066), R(-0.846645056934708), R(-0.7380819809460711), R(2.632039735176287), R(0.25379094290241555), R(1.2822930154760668), R(0.14708547140888736), R(-0.91149235511705), R(0.9955057017391212), R(-0.6911327947972196), R(-0.9913647267201283), R(-1.191126428506979), R(-0.321874926428215), R(0.32272806430098516), R(1.1786790841449675), R(1.181446654896748), R(-1.5001657309018779), R(0.8862100743510478), R(-1.1103465570386062), R(-0.37093769356564493)),
+STAGE_ROW(R(-4.497684829830792), R(0.7372399232034926), R(-5.8412410451108485), R(13.343464314293197), R(-18.069224605067706), R(0.48197184102085816), R(0.8974083901088055), R(-4.018658275164635), R(0.3227082793555311), R(-6.167243416583873), R(1.196867527831291), R(0.5999161224438312), R(7.6314278751422275), R(-1.2215752567388596), R(2.4692666778668673), R(-9.71859385612171), R(-4.034033468440837), R(1.8112335849505001), R(1.1886069188622572), R(1.7565045135437716), R(2.752035837583658), R(0.4016092304983089), R(4.284929572885167), R(-4.958158322546568), R(2.0148296524658194), R(-9.267084273699549), R(9.6547774491993), R(-6.032882329699921), R(-3.377068906777163), R(-1.222758806903818), R(1.9858592606550063), R(-0.8911546433884427), R(-6.472236953261529), R(1.0312755841681116), R(-4.529183874573541), R(-14.007801516047625), R(0.9821419405612445), R(1.8917923863686923), R(-1.7206602111679337), R(4.349945929130577), R(2.0208062992681013), R(-3.887659445960547), R(-1.9527691024182343), R(3.912097067826195), R(5.804704949899623), R(-0.8873223285633738), R(-2.1559239339233147), R(-0.5420788218044095), R(-1.426846933603144), R(1.697561431879107), R(-0.8981878230255803), R(0.36046711935349796), R(5.95248194461977), R(6.028299328036184), R(-0.5864466850339287), R(-36.79112583205421), R(-2.631183984884416), R(-3.185431718427489), R(-0.19890754363653407), R(-0.21654819327508465), R(1.0247530006371266), R(-0.7017745188126446), R(6.786379674910117), R(-1.4462991246416241), R(1.5216405703750933), R(-1.8888107253060042), R(-2.5666291420353486), R(3.699694059809275), R(0.4358288155118146), R(7.260441199583264), R(2.450643024692587), R(-0.2664830830657078), R(0.9149928753011872), R(0.4510746040139068), R(0.162476716533664), R(-0.7295454806382635), R(2.948011017192638), R(-1.1587407937030756), R(3.399281431502382), R(1.8329513910865967)),
+STAGE_ROW(R(0.1887228651384988), R(0.23937557199243584), R(-0.4046223316571934), R(0.09009019641053505), R(-2.9122187417213454), R(-5.953831836771113), R(-0.244735802261548), R(-2.382906151499132), R(-0.5545437843628812), R(1.2891233415884864), R(1.5953709939840504), R(-0.38743352099415745), R(-1.6290420833897288), R(-0.40211585984013876), R(-3.7319977947199274), R(1.0576967838615494), R(-0.0014972422141691505), R(-0.5033596435718418), R(-4.055225897559946), R(0.20683870043381897), R(1.1684745689258673), R(-1.1107221243885423), R(0.25059097642706785), R(-6.2172014749528985), R(4.303309396243987), R(-1.7511655449525187), R(0.7146363084494837), R(0.1969673021303444), R(-0.8001966712257691), R(-1.3035962772261203), R(0.2870422444295562), R(0.8067347329135762), R(1.3441153990653165), R(0.31906716067021446), R(-1.2771987871615378), R(1.3789176069866609), R(0.10517181851587), R(-2.8805994615127077), R(-0.8812294032379165), R(-0.5488077988377148), R(0.48769138726669325), R(-0.27733227682215317), R(-0.1950668158586516), R(0.35147187475548436), R(0.4329061033983271), R(-0.49293622778372753), R(0.23373334618208352), R(0.4150521857522199), R(-0.2011627716331234), R(-0.2687984768222384), R(1.056786137349783), R(-0.6212904190480999), R(-0.7087592658256063), R(0.47362836361174193), R(-0.4794090341224659), R(0.5491273678856804), R(-0.39237049380791206), R(0.31105714965999887), R(-0.8624158379221765), R(-0.5240670192755037), R(0.33897643075224587), R(2.1148804463847695), R(-0.919797616948312), R(-0.38506102689102323), R(0.8343363565729254), R(-0.4734181018011556), R(9.810225194392675), R(1.9342699906391125), R(-0.722405734547978), R(0.15447328895157597), R(1.1628409876535675), R(0.14835259848795532), R(-0.9597437744653906), R(0.03193499859827635), R(-0.6270679454717737), R(0.1961799304097102), R(-1.0798346999119377), R(0.5020831860567114), R(-0.9741888093413916), R(-1.5934375095238273)),
+STAGE_ROW(R(-2.4567329890859955), R(-0.5626824078217237), R(0.576695150469238), R(1.154329167962942), R(-1.3084736358158349), R(-10.568831479738895), R(4.287128035476475), R(-4.683414325175424), R(-0.946016601429095), R(2.7424318516489317), R(3.656874722255171), R(0.2093285666043765), R(-2.8292171806495183), R(2.0336253454135123), R(-5.608704546417718), R(2.140186112248572), R(1.9091660014533565), R(-1.7752925275345115), R(-2.5430908082144565), R(-3.6137649653558648), R(-0.6577004437414402), R(0.8099810344916747), R(0.11376469460231), R(1.2939068908160978), R(-0.7315780145577595), R(3.0679764767185818), R(-2.128920306481331), R(1.0200512215208077), R(-0.06573196328592258), R(0.5794546339613833), R(-0.672358884425662), R(-1.2963305491892212), R(-6.7324677226692415), R(1.2681466632576073), R(-0.39563935965930547), R(0.5691016223864599), R(3.0086171953594842), R(10.935864637060641), R(0.9073935951822987), R(-0.27306815684443203), R(0.9392420751312204), R(-0.033582375427993215), R(1.7736757501234564), R(-0.5785733088064517), R(-1.17135162806651), R(-1.7296746804634369), R(2.951432800696939), R(-1.453670997800648), R(1.723112150805207), R(-5.97823841208965), R(1.1647825069031368), R(0.2609611355239937), R(-2.6110822431563476), R(2.4161357833339285), R(-7.405816592867322), R(10.184524419944315), R(4.008316094422099), R(-3.138242490446772), R(0.5452229291840966), R(-11.310920327756314), R(-3.109308229619501), R(1.510110220869), R(-3.085610388057243), R(-4.760399139886074), R(4.844358093418711), R(2.7534820220744116), R(3.3451214061365033), R(-0.9496665074964276), R(-0.4566480381721884), R(-4.641265430745085), R(1.1019308855742105), R(0.049229742838873755), R(3.735644920517283), R(1.8278990903965968), R(-5.167620962997406), R(-1.115894021636927), R(0.5631221861895305), R(-0.3216701910336734), R(0.1789748519094072), R(-1.0145511855323055)),
+STAGE_ROW(R(-0.017896101976657825), R(-2.139012454737308), R(-0.750717771111286), R(-1.4684286598707845), R(1.135274439507613), R(-3.085107748449384), R(-0.8616040929212292), R(4.010243848265882), R(-1.9910891752267603), R(5.752237743229435), R(2.2417826299278154), R(-6.649944432573112), R(-1.513606647577292), R(0.4757341880582839), R(-5.981776768191808), R(-1.3062878601337629), R(-1.0427885897232245), R(-6.9109950842208985), R(-0.5603088402271891), R(-2.353368118851543), R(-0.7467354629797294), R(-0.6484673450060628), R(0.35337302315600255), R(0.26873920824224), R(-0.2797345572712341), R(-0.21044046309748157), R(1.8090465572963064), R(1.1790309145056923), R(-0.09424737640408325), R(0.7284930795113654), R(0.8080666843652815), R(-0.3723203223917384), R(0.13957236765922992), R(-1.5290046594231468), R(0.022231580415953436), R(0.5863611363152649), R(0.1458653814393815), R(-0.4563558079121144), R(0.013390396699970839), R(0.0001803408901887809), R(5.337313051957919), R(1.069737624321317), R(2.43637975387319), R(-21.389701496602832), R(0.8999023865979205), R(-1.5974584114405135), R(5.40218825189267), R(0.9611910443211452), R(-3.7105842000498104), R(16.252873621496196), R(0.8270102829721389), R(-0.6947923851097614), R(-1.8342684613053049), R(-3.0295823240984285), R(-14.344787804396057), R(8.49472626535554), R(6.410974901691301), R(-15.566126577487966), R(3.220595379491813), R(-13.326230820869968), R(-2.8506890069802715), R(0.48351713946661784), R(-8.009017221993295), R(2.0874536462479276), R(12.44732390225737), R(4.822145752801697), R(-9.9638129669388), R(1.0984173989519266), R(-0.9985330441880536), R(-1.223246240877931), R(-1.6434237971034797), R(-2.2355887275801964), R(-4.211320722527621), R(-1.298050307330852), R(-1.6978430092540613), R(1.4525275700958489), R(3.5220393521781315), R(0.6565481128325691), R(-4.254267056033185), R(3.696098357721952)),
+STAGE_ROW(R(1.4916604469025285), R(0.23092128681265542), R(-3.308462003761615), R(-6.1351870956546914), R(8.491339446116742), R(5.057220351450082), R(-3.991778900590602), R(1.1024557745938521), R(-0.5655827476966716), R(0.3085781447518868), R(-0.16070388181346282), R(0.7885961192037456), R(-1.3385926999479478), R(2.018663701482023), R(0.4362246932721353), R(2.537579072525704), R(-0.6290129222064994), R(-0.13612284601042207), R(0.41892686896864856), R(-0.012181435199142613), R(-0.4322048935095923), R(-0.032581484891480196), R(-0.7038970827143793), R(0.05722412549390976), R(2.0724351938518057), R(-0.820510281513208), R(-0.21724358883700357), R(2.110465572519847), R(-0.7796695132302779), R(-0.05785742372642009), R(-2.280730731110987), R(-0.09093382944573469), R(-7.366323070034924), R(-0.7500662948216721), R(0.3389347406326829), R(-2.4878267148493776), R(0.35316015563492886), R(-3.7840225214099794), R(4.2331398719583255), R(1.2275711134468048), R(-0.3380936417044743), R(-0.10828634244921947), R(0.18740020926700898), R(-0.5617358732656345), R(-0.3785099363497349), R(-0.7973817671305597), R(0.8943076754882681), R(0.20181724550937133), R(-0.05786184534524547), R(-1.9422707864358073), R(-0.3476048080291257), R(0.197318972461263), R(0.711366575740466), R(-0.055592871395685944), R(-0.590766188777462), R(-0.16791491439009656), R(-0.9681195937501665), R(-0.044553856548515014), R(-2.273475804695724), R(1.234063281662273), R(-0.28438675711552175), R(-0.9690948371503133), R(-1.874005980549364), R(-1.6678891209834719), R(1.8275295622787378), R(-0.9490995444300404), R(1.0071746727369664), R(-1.731571480253139), R(-1.098972481126583), R(-1.2684974538294325), R(0.14637699273738364), R(3.002422169723698), R(-0.1580185446606824), R(0.898495389204784), R(-0.27109594078745064), R(-0.9565984058759414), R(0.035585710940440385), R(-0.06943637674547229), R(3.0288111123418267), R(4.452623509846166)),
+STAGE_ROW(R(0.19661922385111022), R(-0.0965537695972532), R(1.1651707501828859), R(1.2641604980187784), R(5.754235577669792), R(-1.1081982464946112), R(1.5309094765215272), R(-2.394815309160031), R(0.5113870494970837), R(-0.34589428525965127), R(-1.4639802461071854), R(3.2769756678203192), R(1.3459240236880565), R(1.6369052255995642), R(-1.0739478182260993), R(1.2719480397103429), R(0.8108069273984987), R(-0.5784737510092528), R(0.3983682673440033), R(1.5911502661186758), R(0.7780132672670108), R(-0.9385658077571503), R(1.6740538384031436), R(-4.693277387424029), R(2.5850035854209468), R(-0.9958943862223761), R(1.4543252647844278), R(1.6333681731802834), R(1.197165031820014), R(3.2374987601079703), R(0.6338769074888598), R(-0.6351888389830159), R(0.5099409371434391), R(-1.9181319124962113), R(-0.8211500671737381), R(-2.9066587763199583), R(1.2291276442546997), R(3.014675206100634), R(-1.0444408456845724), R(0.5466423785076293), R(0.7181017769605017), R(-1.6856640082175443), R(-0.2468113333203284), R(-1.48625150882102), R(3.5024468510329663), R(0.12536836352187727), R(-1.2922799862024512), R(-0.17323031854564566), R(0.7162003505977044), R(2.8092924015189644), R(-0.5909726700750608), R(0.8650641743182065), R(0.863094386088576), R(1.6442598567849864), R(-0.7866367558763968), R(-2.0579235537071763), R(-1.4490985967727847), R(2.2228175304884585), R(-2.3106392867560492), R(1.0426182230766914), R(1.9139785170911647), R(0.01192786561602436), R(0.11505250317582562), R(5.801531487283118), R(0.06406006578188629), R(0.8218825472529616), R(-0.6127809155044275), R(-0.8469047704727298), R(0.3182578648579799), R(1.5678802013865658), R(-0.7521998709037723), R(0.7506855189898077), R(1.2656244169001287), R(-0.31875374950091856), R(-1.36092244364651), R(0.4532108401437158), R(1.7233833932829885), R(-0.16329685223177035), R(0.41898267136977274), R(1.8444884962925263))
+},
+{
+STAGE_ROW(R(-1.1755242784288418), R(3.6383304667261767), R(3.1253322094949136), R(-0.20937372500328608), R(1.2197965234505301), R(-4.1368059346875805), R(4.625846611372049), R(-2.7445594732378975), R(3.9435294181386364), R(0.6758406119019145), R(-0.24066618056131758), R(3.3429709544304425), R(0.8140355875342141), R(-3.116873108485305), R(2.036227043660051), R(2.0129200263177376), R(1.2755280542765688), R(0.013162361598172469), R(-0.8209899823353743), R(1.8460015189029426), R(-0.9982706973113518), R(0.19038809423729608), R(0.8794856850737033), R(-0.8605578993256221), R(-4.342193880899291), R(4.017579952008798), R(0.9941862813244424), R(4.939750402474599), R(0.7117304384119812), R(-1.320382105691861), R(0.1932290836260524), R(2.182024107130488), R(1.241255980264433), R(-1.8494099053579063), R(-4.694314832634945), R(5.640920390962183), R(-0.8590322778601124), R(-6.8987992197859676), R(-1.2492135586339816), R(-6.940687032662925), R(-0.7228110742523807), R(0.2808831036402104), R(1.313906040859299), R(0.5124750028495154), R(-3.475213186402191), R(-1.721297134394497), R(-2.670159310626336), R(6.347788124002933), R(2.094963791656931), R(3.1213190914093354), R(-0.39971892623969874), R(-3.992249812483031), R(1.4094166342574337), R(0.926369736169603), R(-7.790116231359123), R(-2.1946872985180907), R(2.8692836713746166), R(-0.5657113848441436), R(-3.7344215511562378), R(-7.853724247266498), R(0.7239917191920389), R(-0.36588672013998563), R(5.464180273318497), R(6.13420675663129), R(1.4737493061479965), R(5.634981765359276), R(6.596375171498963), R(6.724018933190675), R(-6.944248123454468), R(-2.610734280603161), R(5.928737964989099), R(1.085125254397582), R(1.708643385699742), R(7.153351146297667), R(2.6912895251291564), R(-0.6411097238092021), R(-1.4146265811913976), R(1.3412451246934431), R(19.0309179160266), R(-22.999183443513587)),
+STAGE_ROW(R(-1.89967440532616), R(1.1775474763887626), R(-2.0079108750418544), R(2.7821815686409455), R(-4.60527119274238), R(-0.887256181341404), R(3.5485836715743075), R(-4.5385028766688045), R(2.271973661456834), R(0.7529669396691996), R(-0.5330828725431145), R(6.180116744976246), R(-0.007024024261600972), R(-4.304314889905306), R(-1.5895144648341788), R(0.1500030451984237), R(-0.04148258866522025), R(3.9910947266714514), R(-1.7342831864039026), R(-11.585904337843512), R(-3.046528797210215), R(-0.8990060246563469), R(2.4054546364704708), R(-2.7705764901661394), R(32.45630027752668), R(8.25648889148496), R(27.17965847816167), R(-7.57962416437451), R(-2.1914597881920677), R(5.130501531405549), R(-1.6715442261825288), R(12.100458905048392), R(-0.08340007516795801), R(3.3607507810440516), R(-3.87340536934833), R(1.5752507797536506), R(4.130329210702832), R(-3.225643433428075), R(0.3891574796251535), R(11.263719433892616), R(-4.086228737394018), R(-0.05714840323552469), R(4.304262606129423), R(0.048527070020772556), R(-1.6270821459967213), R(-7.152452141959075), R(-2.071150118303999), R(46.882260549271805), R(1.7540627790123362), R(-2.3749759358320923), R(0.3234219726913526), R(-8.41069670405481), R(1.121383239885389), R(-0.25223791520647315), R(24.253186394056154), R(7.896999852668689), R(-2.849707323357235), R(7.01979553652795), R(-4.959711940896331), R(-1.5315366985059453), R(-1.6868014391641422), R(-4.25131610312087), R(-0.09866804413338144), R(14.74439346194695), R(6.49485345071914), R(-1.662928929125972), R(-1.7508675087500207), R(-5.475152265817469), R(1.6716571176149935), R(-0.11118195933126296), R(-4.5358970726506), R(1.414793703302612), R(1.7372117148163708), R(9.253301477075475), R(1.8818841547268808), R(3.5431912351706063), R(-3.1391355600843234), R(-2.873514215953657), R(2.768496190706827), R(-9.370891910406266)),
+STAGE_ROW(R(-0.1304491475908179), R(-1.0142234483152999), R(1.9857863761832009), R(1.665585951368015), R(0.4526544951712639), R(-2.2806042276123906), R(1.5573088800365487), R(0.46696579277247663), R(0.6250441892808628), R(0.42912456708875907), R(-0.12777012745924082), R(2.5465169353189747), R(-0.024756032919472922), R(1.9906494486318358), R(0.7321977739882998), R(-0.391673573539688), R(0.308203388080259), R(-0.12118175683637497), R(0.6352688456152363), R(1.3136014365504398), R(-1.6808070163733146), R(-2.20901803989776), R(4.513352187642155), R(1.4695827893846964), R(-12.457457841728615), R(0.24199693613147702), R(-0.4839335434846292), R(-0.27787479526156633), R(1.4127310066871743), R(0.13029246706794084), R(-0.2760543434646822), R(1.437211252232832), R(1.3815356562184713), R(1.442174067019354), R(0.8508769782078202), R(-3.007437354033128), R(0.8434589924222704), R(-1.5044174305173592), R(0.7387739082892312), R(-3.1276381221906657), R(-0.24861657922258368), R(-1.2863952379593129), R(-0.7534360964959735), R(0.795055731130418), R(-5.095401730840282), R(0.7176112106137454), R(0.5841839093605387), R(-14.01070531763945), R(-0.21300399837295095), R(3.5780293456336656), R(-2.510354867864979), R(0.7144527132809384), R(0.9344041679271582), R(0.024036774292047768), R(4.234103431880815), R(3.221216225183352), R(3.4868459120695645), R(-1.5189921953178764), R(2.9296332279782007), R(0.7761711687945687), R(-0.7823973324407925), R(-1.9109867873049553), R(-0.06715175693247741), R(4.284416454332835), R(1.279895760396319), R(1.650516791093765), R(-1.612657491921181), R(0.14997712457413714), R(0.034748780464340684), R(-0.7647492785261056), R(0.4510630093982692), R(0.4603549569740452), R(3.791976251386291), R(-1.6846382824630866), R(3.233387019158379), R(-0.10900446867794697), R(0.5336124452131256), R(-1.876041497588055), R(2.762248072043262), R(0.43303099003121853)),
+STAGE_ROW(R(2.2415823806717126), R(-0.0890535980602677), R(1.7065980275847237), R(1.4928117927705098), R(1.9827768013559983), R(4.040464757164912), R(-7.050112894609441), R(2.7988901436727476), R(-4.781374791137769), R(-0.3595974956089155), R(-1.5391909070776564), R(0.5828421115149737), R(-0.8763805586425109), R(2.4247406865942738), R(0.9154289100805526), R(-1.1473961237484187), R(-0.2762069209550469), R(-2.5858548213309143), R(0.19014886905240796), R(-4.917324760732698), R(0.950461213864764), R(0.0016566318433736118), R(-0.5048620406111761), R(0.23160207611529915), R(1.528469666992513), R(0.3585760586284502), R(0.7210232547444487), R(2.6095645976841237), R(-0.5316160169903756), R(-0.09353335131698952), R(-1.1354151229883604), R(1.2318662176277495), R(-0.04944168992964552), R(0.5114319352084322), R(0.2849538467152476), R(1.6399573100108964), R(-0.6334370724834598), R(-0.6231745875595573), R(-0.09617526527716923), R(2.5890454107679743), R(0.5090474071719535), R(-0.8943084298514047), R(-0.6075659842971899), R(0.6037642402788527), R(0.07879027741973069), R(-0.1726176354496236), R(-0.442639375950494), R(5.403737033266406), R(0.20248858993008984), R(-1.2267223622642527), R(-0.5678269845405962), R(-0.46930920386283365), R(0.031279964719692584), R(0.33325196685990566), R(2.311457988492424), R(-0.07216681752938418), R(-1.1278460619711013), R(-0.7165032714311836), R(-0.22263035668977907), R(-0.9973420221101467), R(1.6074670548860897), R(-0.5145903768645086), R(0.09443778176447269), R(0.23982091428849694), R(-0.21514021462051425), R(-0.8529907594832865), R(0.11567405837100847), R(-0.04333432931212136), R(-0.7007508625879646), R(-0.696500190232938), R(0.39988380564449566), R(0.10627591648578914), R(-1.7700933871142515), R(8.438816791583175), R(3.911413394304646), R(-0.6453329946098247), R(-0.7291542925032921), R(0.18534960567377332), R(0.6898909817070268), R(0.8287580885887135)),
+STAGE_ROW(R(-1.3421194952851634), R(-0.2993643207732514), R(1.5547167572979186), R(-0.348412842268488), R(1.7639363375010537), R(-1.7932250793089286), R(1.4408390491317058), R(-3.467052068810146), R(-1.0219207255033522), R(0.2871735212379724), R(0.9118016387213486), R(1.4555103716578386), R(-0.4880044255423138), R(-1.2581644005039623), R(0.00726881201952832), R(-1.6405192408450457), R(-0.2815422770497613), R(0.3337983162754558), R(-0.5079224948236369), R(0.012685987355709022), R(-0.6743927933005653), R(-0.2730376202815227), R(-0.2183546758940584), R(-0.6871174645173498), R(-1.0576284241341303), R(0.5660737740154332), R(-0.3145237792595683), R(1.2797278610416225), R(-0.7987195709552095), R(0.3359702473302523), R(0.8185938552534481), R(2.6906309050968042), R(0.09367826222684736), R(-1.8887534761643954), R(-0.7334131171737248), R(-0.7089196891125461), R(0.669829497494207), R(0.2371240787917999), R(-0.9673619311106204), R(-1.5092520244843166), R(-0.8159047752778121), R(-1.8984732388546903), R(0.1618894489540503), R(-0.5884120305219896), R(-1.2649332732019052), R(-0.980360625779967), R(0.023687527280596976), R(-5.082529904313017), R(-0.238923010674998), R(-0.08708125659064139), R(-0.8271751082248897), R(-0.43624570891027953), R(0.8211979001243305), R(-0.6701844695923762), R(-4.772448617534727), R(-0.8291238054948952), R(0.18324703293176575), R(-0.5786284380471427), R(-0.7578387314553936), R(-0.21467861658749762), R(-2.661940294987969), R(9.35939081578735), R(4.2640422949125805), R(-11.161944838843615), R(3.529454256711061), R(-3.9598886249015988), R(0.4302852197366269), R(3.7385173807151633), R(-2.5443890176929487), R(-1.432809462596736), R(0.4547927821527381), R(3.2724977872024925), R(-1.082524567846315), R(5.054162425956682), R(-9.56586535215234), R(-3.492406418125538), R(0.827846066715503), R(4.8302149100256555), R(-14.699720490282125), R(-0.30359846960065523)),
+STAGE_ROW(R(0.5453286990452921), R(-0.23191543006039791), R(-1.9945128311985343), R(0.8268803335328876), R(4.545955206033441), R(0.6305850402868065), R(1.349429012513671), R(-0.9402977736515014), R(0.31882241156365687), R(-1.4183795225440454), R(-0.3033835651935449), R(1.0780258248821977), R(-0.23872395849986436), R(1.2102902560553335), R(0.06047558777692243), R(-0.4161300026038499), R(-0.2517131097231199), R(1.0472607500479822), R(-0.7938230183309805), R(1.1845727836670543), R(0.7883603617481877), R(0.8048880637254194), R(-3.233708560342961), R(-0.6308017315217097), R(0.20540143891046692), R(-0.6872040482037914), R(-1.5976136056427503), R(0.5157079473197537), R(-0.2857184545896992), R(-1.530509122807671), R(-1.5782753054916836), R(1.7292572578485108), R(0.011464432626787294), R(-3.11491655345611), R(0.2980267651405592), R(-1.116136717270394), R(0.42098178213745874), R(-0.6980107275303652), R(-0.30403778732881753), R(-6.188420385230579), R(-0.07797923196811393), R(0.20932388992411377), R(-1.0458954680700836), R(1.3522003563026577), R(0.39086086190877434), R(-1.1641691979281972), R(-0.10475494760628298), R(15.078752452305242), R(0.3959129031109515), R(-2.189810264705126), R(-0.5419401606040205), R(-1.5546559348271), R(0.33726780180397087), R(-0.7925297081099058), R(1.369219363689744), R(-0.1463320143907241), R(-0.3471739823702142), R(-0.6176345032962517), R(-1.7426682606119963), R(-2.0417946529540805), R(0.9899168914891523), R(6.134361293217397), R(-0.12990653190733809), R(-2.545308366564751), R(0.4150045366049105), R(-10.977235144078152), R(7.658638949180862), R(6.054410045696561), R(-3.516566930606102), R(-3.7536319343222964), R(0.7317385083792461), R(-0.7511560987694533), R(-2.138083302230406), R(-2.7553228105260805), R(-6.490239017333731), R(-2.9369156407212165), R(-0.17982858755217979), R(4.150012858524268), R(-19.930257583969084), R(-11.306389978645843)),
+STAGE_ROW(R(1.098900462794391), R(0.9834479046346384), R(1.1661053335326912), R(-1.8261208920189334), R(-0.14760443869011033), R(-7.495252294922271), R(2.583165563174686), R(-0.46551548087544636), R(1.2059295719536438), R(1.2524765519609766), R(1.0728560109819534), R(-0.43851603205758966), R(0.9550839818260011), R(-0.5832467786630691), R(0.8010277330070975), R(0.268013489864812), R(1.1078014810660104), R(0.8833024912817841), R(-0.531539463912536), R(-1.3296455244827736), R(0.5045195109762763), R(-0.41507072042699844), R(0.523260317202405), R(-1.0633779590811319), R(1.1476094297416422), R(1.0594919301655783), R(0.8674595429263972), R(-0.4679494655045621), R(-0.09062855772315269), R(0.538405141408737), R(0.9801184742739403), R(2.1848471393328794), R(0.986192103380681), R(0.3727361725339959), R(-1.322790728410597), R(-0.815253047310324), R(0.10429333264952487), R(1.1555678428005645), R(-0.6488748673059582), R(0.1945692214617803), R(-0.47571017608950994), R(-0.9918780076917543), R(13.27588580881016), R(-0.25287731250479834), R(-5.2330653760503445), R(-0.08262313380177659), R(-0.5410724700188575), R(15.063825008788891), R(-0.5445234791533662), R(3.7958817657356025), R(0.5374095850724961), R(-1.3461980135183758), R(0.9702110309850919), R(1.4892748720160576), R(-6.2765036232682645), R(-2.9242520189890295), R(-0.4852860432799683), R(-8.497648969536408), R(-1.6174438763499832), R(-0.3802117339326575), R(1.035720106229488), R(-1.3575150337112676), R(-0.31193422580803953), R(-0.2617394980710791), R(0.04853585640731624), R(0.7945682653306116), R(1.5415157602585008), R(-1.1888831443573136), R(-0.6031245704196079), R(0.8847569998660972), R(2.08541898812836), R(-1.0406591470190025), R(3.382034455573188), R(1.1618876300137932), R(-1.461652403449049), R(-0.38699667264273213), R(0.05016262521033047), R(0.16322424488030673), R(0.4812187457201486), R(-3.882136952016184)),
+STAGE_ROW(R(-1.2026327887632124), R(-0.6551913292545333), R(-3.3833946999012037), R(0.2846097929246479), R(-0.8920596901187169), R(3.1880219184061263), R(-4.376551629375632), R(5.52749979793755), R(1.6641094973245636), R(0.6574273693386656), R(-0.6513541731176102), R(-0.2019687042693512), R(-0.7931147645044009), R(-0.6623081138611485), R(0.5790713085220706), R(0.5134753579967692), R(-1.0742694095354526), R(1.9811692113733599), R(0.2954413832189673), R(-7.154951008499726), R(-0.4811813258313858), R(0.5693780805168409), R(-0.772282772384727), R(0.08323368443525078), R(7.864179242387419), R(1.0082084467972847), R(0.017685606758947228), R(-0.45930649789691547), R(-5.229948489057524), R(0.9250613060691214), R(-0.8383258588227223), R(2.7301131332333477), R(-0.5202688690519912), R(1.149526972756054), R(-0.5633248352706332), R(-0.7344044979435391), R(-1.2622413587514858), R(-0.0909830340995306), R(0.20450511571566748), R(0.5724213592138427), R(-0.9270013996453167), R(-1.0288207551066928), R(-0.43421718889538696), R(0.42682809497413515), R(-0.7637462197701661), R(-0.9050906831537497), R(-0.12764334315905176), R(6.104893757385009), R(0.5521559513758677), R(-0.5987867191088226), R(-0.3024693862130464), R(-2.281552319678962), R(0.3375055680300347), R(0.19956571907074747), R(-0.20213992872023656), R(-0.24981121946682205), R(-1.1564788171162068), R(-1.0116649444757966), R(-0.7123559400292493), R(0.10046570311135501), R(-0.020536731064915607), R(-0.7881945395017831), R(0.6657192257396336), R(-0.013167896215869732), R(0.7454297496570915), R(0.7021572349965635), R(2.162781471574045), R(-1.4856486254680419), R(-0.7096553838909863), R(0.4720482057957821), R(-1.1404660792144694), R(-1.5112427370362462), R(-4.066426411133961), R(0.7034454794206624), R(-1.2299245771543976), R(0.7041621538489996), R(0.07043968088799132), R(0.6041527277306976), R(1.0136631046440914), R(-10.407314837218943)),
+STAGE_ROW(R(0.2771696617829297), R(-0.4902819934264012), R(2.185899459305213), R(-1.3595710312649993), R(-0.4090781891179173), R(-2.0944126804645644), R(1.74650721675819), R(4.30578598639325), R(1.3008952055083274), R(-0.5602442115319254), R(0.5369245044045519), R(0.017788196943586125), R(0.5885797464736763), R(2.4219179270769273), R(1.0629698033756843), R(0.7238716315101553), R(-0.8268779597725969), R(0.11072468687468696), R(-0.3743181035851643), R(-0.8645693824145365), R(0.5376244991358289), R(-8.164072458084044), R(-1.4839812814493765), R(-1.7415588085305076), R(5.88064910432046), R(1.4869960475724355), R(2.53360491435009), R(-0.6342783406550309), R(0.8733263143693812), R(-0.32941896930335224), R(0.6920731321598774), R(1.541982453742976), R(1.4455011736515793), R(0.314504026172423), R(-0.0015551020551809196), R(-4.209266033588156), R(-1.9006628130340546), R(-1.061896486309306), R(-0.3757241941516233), R(5.3793882794184595), R(0.6589923666811374), R(0.14811034341183849), R(0.9217845456628334), R(-0.3829834110066745), R(0.018960209909761327), R(0.9953485249937876), R(0.3774808781539229), R(-24.9574222282339), R(0.625228946168999), R(0.17178491240035096), R(2.313681290921438), R(-0.7927275196987108), R(1.2734446749843416), R(0.30728984999071324), R(2.4371073486952985), R(-1.4673933227052265), R(0.1665920740551072), R(-0.269879447735833), R(-0.7453782994838971), R(-0.4894587198672939), R(-0.10136581502037556), R(-1.4984547245175677), R(1.4161312139356808), R(1.8213304374627972), R(1.24526440679549), R(1.9312148500500925), R(1.4696212655888747), R(0.6754650041301625), R(1.0542453058580936), R(-1.6475796371108462), R(2.7758558158757167), R(-0.41251869377019423), R(4.716629776954615), R(-0.2984479313367195), R(0.014734044021777625), R(0.6769000969292686), R(-1.4775282230972797), R(-0.17078048052701364), R(1.4372295247922073), R(-14.324067819756381)),
+STAGE_ROW(R(-1.9348144356694643), R(1.0951060406822528), R(1.2985204746482382), R(-0.29277670635495573), R(-6.47567402627171), R(-9.228267984553417), R(5.978320341753971), R(-15.981211090787852), R(0.7353689643138083), R(-0.6137138987115276), R(0.47822298233218935), R(1.8247852778429545), R(-1.1424830132284733), R(-4.845018420512902), R(0.6067076899204398), R(2.254728672295348), R(2.8965094260802355), R(-6.017065319200167), R(-0.001632044913124224), R(5.164059964869976), R(-0.5110886291974093), R(0.05897852076150189), R(1.2581975331537354), R(0.6975287736656451), R(-2.438243856015563), R(1.0138476880694562), R(1.8129865037865123), R(2.4079934730311807), R(1.7858345982481583), R(-0.7931869473296727), R(0.5581605509453897), R(2.2239584019525354), R(-0.44611962699382485), R(-1.774737842221421), R(-0.06924664696333915), R(-1.8427741818431034), R(0.7090860718390574), R(-0.2620143402741608), R(-0.429457098444961), R(0.4376206178905486), R(-0.311907404017403), R(-0.012533177021018594), R(1.8501016918401172), R(0.436350098103047), R(3.752388372131123), R(-0.33988968144471127), R(-0.5586377776438912), R(-25.061281247418957), R(-0.32946587332839933), R(-5.3925986931697905), R(0.24087124336108345), R(-0.42933887127088133), R(-1.4266096339393006), R(-1.9050200508580408), R(-28.584016617336083), R(2.148130927681731), R(0.03495553170531489), R(-0.04674319522409417), R(0.18178829977676753), R(-0.8585165340138353), R(-0.6552705348026377), R(-0.263457571538065), R(0.42440350201769833), R(-1.653066797947881), R(-0.3960073412578198), R(1.6451861971536703), R(-3.446032376100067), R(1.3297445515024868), R(-2.170415938242832), R(-0.4814179875064783), R(0.6276013993780042), R(2.3934734955475845), R(1.244901016309971), R(-2.488165960389861), R(2.882369764933002), R(-1.5458721845341736), R(0.6656875243569181), R(-0.28026855824710484), R(0.9246415114952197), R(-2.432636464449527)),
+STAGE_ROW(R(-0.2061658657698828), R(0.16492226303342708), R(-0.5843579755560895), R(0.6064727154366554), R(10.951401675410834), R(5.757800998847651), R(-2.2623842482074856), R(0.3211383911564081), R(-2.0743393594997004), R(-0.5733397707825748), R(-1.4228525679756676), R(3.123790409968354), R(0.41128131672934914), R(-1.2819779839722445), R(-1.258356116315283), R(-1.9810831871218468), R(1.1374485108717125), R(-1.6844882618408639), R(-0.03046559803289953), R(4.021993602197298), R(0.2658262764742681), R(-0.6092794347796856), R(-2.0962342241600904), R(-1.5048591913029492), R(2.8294081337344927), R(0.0024880797302099284), R(-5.019665648581164), R(1.7265123628832437), R(4.708517611314414), R(-0.2526785752979826), R(-0.28312818512299437), R(3.00334164088255), R(1.9696562205674892), R(0.2755419882376522), R(-1.1499671988451758), R(-3.8375588542597447), R(0.904330187849962), R(-1.9597590870737136), R(-0.1399241413899114), R(-2.6172633182950835), R(0.12549648974946645), R(-0.5995788151148139), R(-0.5701018883186199), R(0.10775015689291717), R(1.4087156676210668), R(-1.1474407571074925), R(-1.702652468330906), R(22.89557926446305), R(1.0707330851870636), R(-1.172894956860347), R(-0.3756195175096262), R(-0.899149543020456), R(1.6121563443437794), R(-0.3006902527609737), R(-0.7612209866299587), R(0.37544738975361147), R(0.3590281973085975), R(-2.134668788881616), R(-1.5565834213676135), R(-1.1643135936236817), R(1.051714266144396), R(-0.39860887615612967), R(-0.5311683550432035), R(-0.1582053237378906), R(-1.7874904503006612), R(-4.919669437709656), R(0.5426006927389149), R(2.510061482113261), R(1.354529455891535), R(-0.21853556393111748), R(1.0749428592227914), R(0.8369554943815144), R(1.35504539090851), R(-1.20402547128293), R(-1.9180147316126346), R(-1.132945402529126), R(0.8030086189136064), R(1.2194131509444854), R(-5.723702168736597), R(-2.890815461408947)),
+STAGE_ROW(R(-0.6083970566262609), R(-0.9580671002843166), R(-6.486219687249554), R(-0.9338681045304622), R(0.4857125469579108), R(-0.00811641134551525), R(-0.20082247730139138), R(-2.113335576861005), R(0.10697851786948108), R(0.43781169726138125), R(0.7926611163270445), R(5.9315153941238625), R(-0.07111753703347441), R(3.5211734381778808), R(-1.737154030752193), R(0.2887066449090288), R(-0.20840969332900722), R(-0.55461957246467), R(0.38031584018820774), R(3.6565765092189197), R(-2.380298501597351), R(0.0017815871510015967), R(6.416530005204577), R(-4.59437567565679), R(11.669352462609869), R(-2.6796214392061612), R(10.953557875967029), R(5.562807475599644), R(4.62905080371299), R(-0.8683868035199356), R(3.5374366645520308), R(-2.813342437604647), R(-0.920087978828137), R(-0.7335082038476071), R(3.6297542659546496), R(-1.4032731074958038), R(1.1014974844978271), R(-1.7410804977378773), R(-1.086944128961086), R(0.5596355071290605), R(-0.44085550996511425), R(-1.4114050196533086), R(-0.08201341680768091), R(0.0930555392862196), R(0.23082850403375943), R(1.6157050480112718), R(0.1427653075661501), R(0.8033712610770188), R(0.014449338183479838), R(0.14923027037195558), R(0.008033772837108988), R(0.807046230616842), R(-0.2789369106863803), R(0.5058261850305119), R(-12.51651844337169), R(-1.3389330618573119), R(1.1460259248271867), R(-10.351959159773415), R(-1.8311295510003371), R(-1.6345462741384873), R(-1.571194406421665), R(-0.6309663400810478), R(-3.1583004683639575), R(-5.043048220865841), R(3.798286375957424), R(3.1379713942016436), R(-1.0364884341727345), R(-1.1809795203883582), R(4.318030757729529), R(0.17731189059356997), R(-1.641418516015407), R(-2.3265431168500745), R(-4.55767007304091), R(-6.046724026651669), R(-1.146921502073275), R(-1.516325806787817), R(0.4609671490287475), R(-0.47505865851876783), R(4.6428324192813175), R(13.542229733323712)),
+STAGE_ROW(R(-4.054124207848418), R(-1.8674001150350314), R(-4.396833645632696), R(0.49223482633147775), R(-12.563701964444851), R(-16.12327591520055), R(-1.7238019787166332), R(-18.53396538701481), R(1.1121477221938485), R(1.4744794097495686), R(-2.17621702741793), R(0.5013652725606642), R(-1.0466201069452967), R(-7.146130593939121), R(2.5527871116681857), R(-2.1412533911185823), R(1.4326213006568285), R(-2.9158773178020714), R(0.22230469226690394), R(-0.7340883364882296), R(-0.7303321909675631), R(-0.47149805441591797), R(-2.439191334365646), R(-0.46912775143465807), R(0.4066749448223609), R(1.1901282999963119), R(-1.024158047786176), R(3.063578442678473), R(0.35652437653004465), R(0.476196040506307), R(-1.0977834668342776), R(2.0238733798159605), R(0.0008403405469019184), R(-0.6652584271271593), R(-0.14766763933930968), R(-0.5086078317828576), R(-0.587066447266284), R(-1.2413461672422024), R(-0.006279984296354044), R(-0.4622206542237497), R(-1.6612846501642622), R(-3.7636488689182666), R(-0.9243396830793589), R(-0.6180774503486037), R(1.8730612247130702), R(-0.11653939919633384), R(-0.47088728222978954), R(32.398511504612884), R(0.3313966560429685), R(0.2173517930877347), R(-1.3940120755952803), R(-0.6474141930363787), R(-0.25277568251670207), R(-0.3929551309087239), R(-8.872019133827576), R(-1.7481513562164013), R(-1.6529343573618673), R(-5.7075397037053754), R(0.6030717056402849), R(-0.852466645343602), R(-1.6934372722451432), R(1.6781059517273904), R(0.3641044617213084), R(-0.39492518283313277), R(-0.689700001541085), R(3.278734263883285), R(-0.23126041914231302), R(1.966780584195216), R(-0.640238980929273), R(1.0033189075072162), R(-0.7088867458041013), R(-0.2366279497940343), R(0.936500251525444), R(1.1276456810249036), R(2.6845051172331975), R(-1.4013705910063463), R(0.36894833641606917), R(-0.7727817137848082), R(2.659515120477799), R(0.4401660887338527)),
+STAGE_ROW(R(0.6667767179703781), R(-0.6696113161505658), R(-1.9890026379342594), R(-0.5305832914848911), R(-3.0716680308878814), R(-3.491620301342568), R(0.45696939989537577), R(0.9008662744603636), R(1.045774144645331), R(0.4643166864499628), R(0.7655802309656299), R(-0.1905358976723429), R(-0.07295426296714033), R(0.8321753895800867), R(0.6527553588640531), R(-0.8966611324666104), R(0.6150063532680474), R(1.9651527460039795), R(0.37961249059346586), R(-4.715429811603431), R(0.8940015420787704), R(1.4014793926538622), R(-0.2906875448775964), R(-0.37165549168979084), R(1.981070372031626), R(0.5595053523548694), R(1.4488924954186597), R(0.6395334239744427), R(0.9455957024667141), R(0.7810018650207692), R(0.7150180552157568), R(2.307330774832137), R(0.18485065901087336), R(-0.39988654212490565), R(-1.128791738129274), R(0.3928018664449616), R(-0.23248045522139538), R(0.4175782796832371), R(-0.22645317246518523), R(-0.7639457758768181), R(1.8068606250083963), R(0.47028161761205345), R(-1.8059461190339747), R(-0.26059713968729337), R(-5.599863526553837), R(-0.7964314067793432), R(0.5043223922705302), R(12.562410299492672), R(0.3211262534050562), R(0.4167575581071432), R(0.3363937341411019), R(-0.7740361254843174), R(-0.19548740741081258), R(-0.14334330275319718), R(-1.8645492987213215), R(-0.5162563849984004), R(-1.6435409383641106), R(-0.38117199466224283), R(-0.2130969042658135), R(-0.911925413821825), R(1.5152196033184724), R(-0.39930755384662286), R(0.9384211628947445), R(-2.2853746217110342), R(1.3691999368589658), R(-5.008120719732853), R(1.8124056607019439), R(-1.6656992892843667), R(2.6152304260937065), R(0.40419434425959605), R(-0.5966319921528532), R(-0.10218447074055877), R(0.2639726686836342), R(0.9800225780722566), R(-1.3573529823848027), R(-2.639856054739604), R(0.880092977678593), R(0.5548923853557869), R(-2.513817440645132), R(-8.329672145327287)),
+STAGE_ROW(R(0.6398115120818465), R(-0.15877896763904595), R(-2.9097425986768637), R(0.1405007623066588), R(1.514307614518537), R(4.276782477557436), R(-0.9798776141657917), R(4.393014901228637), R(-1.6488351445017968), R(-1.1680682899059387), R(0.4679168210946292), R(0.7906362165412599), R(-0.5078881077926519), R(1.0471158326231325), R(1.606950500588792), R(0.17814696729257978), R(-0.73441234495621), R(1.1274077025564448), R(0.4193050903819925), R(1.1281360948430026), R(2.2931888981098303), R(0.801712651098145), R(-5.464411122014954), R(-1.2874725338809772), R(5.183861371097699), R(1.7641797273053612), R(0.34089581256572316), R(-0.13534504584008017), R(-2.177496867621152), R(0.8619950867355781), R(0.6271728541560553), R(3.6139911120881147), R(-0.015765148517391327), R(2.195158020107075), R(-0.1752418667917423), R(0.4792949021233479), R(1.6069891571991277), R(0.15189436530977654), R(0.7376110535391507), R(3.6066998288784293), R(0.7929968585416555), R(0.17279431957166982), R(-1.6395726149217817), R(-0.12856621899804418), R(3.5551610382770145), R(-0.22014350392858983), R(-0.4085597884697939), R(-13.623010310853967), R(-0.3580765007379056), R(-2.185557539940708), R(0.08528910683739141), R(-1.3697381248571352), R(0.13347108693084112), R(-0.6604059244708825), R(-9.808630873099172), R(0.30430766266648224), R(0.5267972054185092), R(-0.32983241790239526), R(0.20546059299007907), R(-0.7592995643638868), R(1.668627942216977), R(-0.14352271268848465), R(0.6677886416510311), R(-0.8384629801006852), R(-1.2638994207503835), R(4.511168513549265), R(0.08478049273377612), R(5.2058816872831795), R(-3.8676088243375024), R(0.7041330003436168), R(1.021614291472585), R(0.24995977082077858), R(0.23882310124702963), R(2.9237201977457374), R(2.5265342529159343), R(2.8398900137024574), R(-0.08533668247423327), R(1.6777587055088008), R(-1.6099275374636068), R(13.271051315220134)),
+STAGE_ROW(R(-3.636317036084736), R(0.2775803835438926), R(-0.675179222660704), R(0.0563455821322346), R(-21.02984736118146), R(-16.923998772104678), R(3.659903258529022), R(-19.782318202354), R(4.170405290890068), R(2.1333670148861734), R(-1.5442320709675137), R(5.0881504596690785), R(-0.5679131716547253), R(-2.0632534104242173), R(2.9308672210542515), R(1.879592757706461), R(3.2921876074044194), R(0.4673613480648418), R(-0.32385868194103146), R(1.563265840745454), R(-0.30263567196797686), R(0.302695973154255), R(1.4977045496848278), R(1.1781013447251454), R(-3.112570005524912), R(3.1248590457681455), R(-2.72796788161946), R(2.402173666336299), R(1.0602883467785247), R(-0.6849691925183969), R(0.738416533958198), R(4.539056913445408), R(-0.33380145862453636), R(-0.32084459004969196), R(-4.501396945049675), R(-1.7238433690902946), R(1.0375136204470612), R(-10.375202339529787), R(0.09276857987727029), R(0.7549387434813802), R(1.1638549426761107), R(0.5218543864549587), R(1.0899784589534443), R(0.8879329669277184), R(4.092499959205944), R(-4.572689943341425), R(-1.416917216516904), R(15.837491836578897), R(0.40175198718839017), R(-1.6887326490447807), R(0.40575829078634595), R(-4.290743536019984), R(-1.8508644551918496), R(0.8014354880932614), R(9.399355960990402), R(-0.06703360484460362), R(0.06679168851294348), R(-1.9646531065161241), R(-0.305009631299068), R(-2.2267430686773606), R(-0.6156714958346621), R(6.033722662616169), R(-0.8605229372247946), R(-4.332718489205514), R(1.7087222615677582), R(2.0388459954041838), R(-1.1386529978691222), R(-2.3920901090929223), R(2.9089171005862475), R(-1.8611201780569915), R(-2.897349712446132), R(1.1005793950909712), R(-1.3963142692097252), R(1.5704496710485514), R(-1.6886247983714295), R(2.657822030001407), R(1.731010033254368), R(0.8345136532183287), R(6.211431551305973), R(5.628620017937334)),
+STAGE_ROW(R(2.4229113662759185), R(0.762033406938252), R(1.0222243216670133), R(-1.8865559678373331), R(-16.324563001754445), R(15.613188349662435), R(3.271905725396263), R(14.0326089453145), R(3.4449386968080464), R(-0.9468462914824126), R(-0.28494284408994786), R(0.4066640657606818), R(-0.33087313461340745), R(1.4364989875556087), R(3.9975479331881454), R(-2.332717751247143), R(-1.0658731625934608), R(8.803191010840209), R(-1.6102239377673466), R(-5.360362692688833), R(-0.22532853297697586), R(0.542747817509414), R(0.41408510898493434), R(-0.542966287574101), R(-0.37412281318966134), R(0.8436124978266494), R(0.6377689961465757), R(-1.0001349931611325), R(0.5619408791961332), R(0.3644918962384521), R(-0.09911648000380316), R(5.184565325492879), R(-0.14059006980972505), R(-0.058135943809022025), R(0.15414610118938904), R(-0.6396430062139193), R(0.5776994172157541), R(0.008258170311482972), R(-0.3881562931310922), R(0.13078042114168956), R(-2.995147027661317), R(-0.2442239167599378), R(0.9092383918721142), R(0.23483138995341848), R(-26.90820444806244), R(-2.0260579770431035), R(-0.4783683027908112), R(-9.547474956476055), R(0.9877851361635438), R(4.6840211491832315), R(0.4741053419650164), R(-5.572269876983657), R(-1.1390282754625527), R(-0.8159615859192824), R(53.278943889934645), R(-2.8059340496763934), R(-0.8260736699292225), R(-2.134922590034169), R(-5.647988956190204), R(-4.260957804598664), R(-1.000469836959695), R(3.021906420578299), R(-6.08822612268939), R(23.38366577373443), R(-6.101496131048465), R(2.826100495749044), R(-8.796862918373309), R(-7.391332421868122), R(10.605768065524542), R(3.7159242072994543), R(3.7185140528287715), R(-1.2377651235705742), R(0.9287300725805787), R(-7.5891371027506525), R(-0.18800411776983364), R(5.226239794225381), R(-0.638687348240091), R(1.0371365881182437), R(6.0776386504444915), R(-39.46708725083534)),
+STAGE_ROW(R(0.1010755534941329), R(-1.3950797815182938), R(-0.20440701343324721), R(0.8943168060274513), R(2.2510010305303614), R(2.0832887511911924), R(-0.5292270415538365), R(3.4284723539418946), R(-0.9345149774356635), R(-1.2130574455980376), R(-0.73136586495175), R(-1.3370121826219095), R(0.026127865920438066), R(0.6856933733152032), R(1.225711000614921), R(1.2142955614051882), R(1.12078034113861), R(1.0178999709610035), R(-0.6637209817547433), R(1.0667002279801838), R(-0.37308762289250685), R(-0.19803615039218944), R(1.5661614324527093), R(3.2514206142686684), R(2.6496949928038305), R(0.7143218090695969), R(3.5870632074568536), R(2.8550578853492303), R(-0.7611896609710597), R(-2.2847068588241184), R(-0.9380283870929628), R(0.4297952379025385), R(0.416961985280538), R(2.8063993931233413), R(-0.23028252085111642), R(2.6504394344934203), R(1.2588746099336081), R(-0.005135734732507874), R(-0.4846324664269231), R(5.44034862235226), R(2.0417094070713953), R(-0.1359051187124337), R(-12.882103830011856), R(1.0462912852417712), R(1.4334606470864306), R(-0.029488988204212672), R(-0.6170110975105664), R(-11.983001078452697), R(-0.07199119510373506), R(-6.308016648047829), R(-4.135111776531484), R(-1.4264460392686222), R(1.3055136493968176), R(-2.0867072859102396), R(18.88314746736461), R(4.941240905851123), R(2.3417154545623995), R(-14.995930981951776), R(1.1427502265084972), R(1.0538340425450805), R(1.053736860820842), R(-0.6160270157135577), R(-0.5993829237595577), R(2.882637612205252), R(-0.5439151555459403), R(-2.3416581295530814), R(-0.5015710236614854), R(-2.000361158689328), R(2.5638305380597695), R(-0.2770087407467205), R(-0.9867569774781211), R(0.07986068935213307), R(2.5884510510793994), R(-0.5906716784572126), R(1.0414736009535206), R(1.243486420914819), R(1.12814652536739), R(1.221698869862511), R(-4.386947460237731), R(6.886776999737467)),
+STAGE_ROW(R(1.2003269860853818), R(-0.6686206605323869), R(-2.8656383490335884), R(-0.8839826948828605), R(4.298969426272535), R(20.995029807878133), R(-1.0901866080186289), R(11.573568190755761), R(-0.8558892641532988), R(0.07940848469533653), R(0.4222334761727951), R(7.836572241329373), R(1.7671736369186057), R(-1.9103780748056152), R(3.134627804884684), R(-1.0857261868835053), R(-1.1414959203190043), R(-0.6692412966937461), R(-1.6413301675097742), R(2.453885726254381), R(-2.590461625360802), R(7.878709254444831), R(3.950555878511647), R(-7.498164611241299), R(2.953369122766788), R(-0.45398158757918056), R(1.3132918697185225), R(0.4284480101590459), R(-13.084885849310034), R(5.552580238005566), R(1.7483751726020509), R(5.212765990467739), R(0.5235748058103684), R(4.111139947086449), R(1.4726793151337954), R(1.293606380071909), R(0.6215887479839131), R(5.463387725243366), R(-1.1701942238881315), R(95.04312490104661), R(0.252951176166433), R(-0.012307464550966981), R(-0.018919984286840996), R(1.15991208906425), R(6.77388081061687), R(0.7686234367149037), R(-1.13547735935062), R(-27.43743763352346), R(0.8157602195541004), R(-1.288105005000293), R(0.14992130104483975), R(2.872849697497), R(0.0350510106334141), R(0.011493795265639725), R(-246.3662435726092), R(9.201529633193912), R(-1.6998719397822397), R(0.8247661294011807), R(0.7931995267992537), R(1.0698796587443486), R(-0.8922736103981415), R(-6.486028155515909), R(-4.290225287359174), R(0.7974541237075945), R(-0.6876557510576967), R(0.31169590645903156), R(-5.315773118018084), R(4.9323075055682555), R(-13.323551621942077), R(1.9070723168554202), R(6.299249297498642), R(-1.9691373778924397), R(-0.26484228755231604), R(1.8978388076153663), R(11.335488953406214), R(-1.0238150241880635), R(-1.8334828231565148), R(-2.3302229875469305), R(0.9062634862839497), R(-33.78426137874164)),
+STAGE_ROW(R(-0.881345313946946), R(-0.022794642836292556), R(-0.4754015592491188), R(-0.7128711084413972), R(-1.0473150087573877), R(-1.5144410459326085), R(-0.7954684260840587), R(-1.8057146489598463), R(0.4522033213577231), R(-1.4094772333310812), R(0.4779018239903104), R(0.45650029847952517), R(0.617704027933941), R(0.05847349503915229), R(1.1927895998908655), R(-0.18954780199972832), R(-1.2124833957220462), R(-0.18937581615980362), R(0.4749486813392909), R(2.7195322138249503), R(-0.6994450817461992), R(-1.2646242349039198), R(-6.036800376610423), R(-3.412461384078703), R(-7.921095098317358), R(1.0424433552549186), R(-2.488123771582184), R(1.3680264776916051), R(0.1773450055620189), R(0.6624568689474466), R(-0.4837745642950857), R(1.5873653750744592), R(0.7090296295988653), R(-0.25977601537050354), R(0.2694623669926623), R(-3.813361711029325), R(-0.16880560971847394), R(0.1966809373133591), R(0.21642249065191663), R(-8.830530898677091), R(-0.5168681849276954), R(-1.1904530336281784), R(-0.156538256129005), R(-0.19875478897662566), R(-0.21940802888250252), R(-0.022848643504236835), R(-0.6153113398281027), R(-44.32029658545895), R(1.2072697543814592), R(-8.187503578211238), R(1.1064016157783931), R(-1.2013679534322415), R(-0.07394672078727352), R(-0.995497283944793), R(5.165961082584123), R(-3.57858929203348), R(-2.6200809858181007), R(0.5475424299158961), R(-0.1662618886951843), R(0.016634250498953253), R(-1.752572013587423), R(-6.132180115433167), R(-6.69271327651604), R(-9.387676976691292), R(-2.582761908055148), R(1.1735853763984436), R(-4.02403121336026), R(1.8524061056581331), R(-2.923075836018518), R(0.42602232929606776), R(0.1880595885990794), R(1.2637364907910935), R(-0.8089038780994712), R(-4.8500299829829965), R(9.632212753676583), R(2.2982749714839206), R(-0.9262990916193735), R(1.5128257206654185), R(6.816235955399095), R(-0.2646311418031121))
+}
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(0.6467535633455509), R(0.42410324146763734), R(-0.4654223875896386), R(-0.7595112868121188), R(0.47793874936351705), R(0.13405479041605778), R(0.3241347282579682), R(-0.26184722703596874), R(-0.5278888457404526), R(0.5370809858009808), R(-0.5708949345791535), R(0.012771169079466673), R(-0.6703968127433255), R(0.4974534060299376), R(-0.01714369685421707), R(0.3385941028973164), R(-0.5950844734059195), R(1.2991032648066518), R(0.11471440208270262), R(0.224225106834867), R(0.7244709476832462), R(0.48343234925187617), R(-0.6329340892532842), R(-0.515532402067656), R(0.38421466121685877), R(0.013895907000541382), R(0.15425986083436577), R(-0.034881516081362925), R(-0.47854553597468785), R(0.5453413146472366), R(-0.564547116509503), R(0.005447625641110705), R(-0.422448905867894), R(0.4176748566055918), R(0.012793493057642363), R(0.3137578373854803), R(-0.5354785859826952), R(0.181722445278562), R(0.15491141770866215), R(0.4368124273802501), R(0.5407436869343126), R(0.4240871430155226), R(-0.7071098064275996), R(-0.27365585372438944), R(-0.03434793004310136), R(0.024040675052414258), R(0.07591133143161241), R(-0.013344489502803085), R(-0.16945872955961908), R(0.921973507861694), R(-0.33809639941235375), R(0.0177708777470951), R(-0.8158139715343549), R(0.30829480542006016), R(-0.015088965545182137), R(0.30486283650939294), R(-0.6294398345610762), R(0.1442959963535565), R(0.18200853940260722), R(0.08428712061489874), R(1.1292079264531438), R(0.3308504226857845), R(-0.3276090602061577), R(-0.8848490879335963), R(0.009618166538996152), R(-0.1593423879906688), R(0.2487714320837301), R(-0.19123044381199883), R(-0.2593480803279783), R(0.21690804827633517), R(-0.3871925567414688), R(0.3211355667242856), R(-1.1581113991860055), R(0.7252118008020706), R(-0.4255315607713037), R(0.04243288928237027), R(-0.17881075085203935), R(-0.07122021169237734), R(-0.018158348274630753), R(0.08402603458833101));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output_bias[STAGE_NETWORKS] =
+{R(-0.7223261735042954), R(-1.0966746426699738), R(-1.8209098365501741), R(-1.4021411216518411)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_second[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(-0.8669219285152142), R(-0.2021772274123343), R(0.21414048521079798), R(0.22207987056234474), R(0.2991517757195138), R(1.4748974436148286), R(-0.28428418855226834), R(0.2341727827851459), R(-0.04498471670238101), R(0.2336350360857953), R(-0.4301851249466886), R(-0.35945893334291035), R(0.1980089128038458), R(-0.20815702816767734), R(0.38160469453615614), R(0.27841344577266014), R(-0.23088907531000813), R(0.4272789408504324), R(0.9959364113655562), R(0.15443059010055515));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_second_bias[STAGE_NETWORKS] =
+{R(0.0), R(0.0), R(0.0), R(2.530608040012547)};
+#define STAGE_DEPTHS {3, 3, 3, 3}
+
+
+/*
+ * A stage: networks evaluated in step. Its tables, which come before this, define its sizes, STAGE_..., and the names
+ * of its tables and functions: STAGE(networks) computes it.
+ */
+#if STAGE_SIDE_BY_SIDE
+/*
+ * A stage on vectors of 16 numbers: its networks side by side. Lane l of part m is neuron STAGE_SHARE m +
+ * l / STAGE_NETWORKS of network l % STAGE_NETWORKS, and lanes left over are zeros. Sums are added up in the order of
+ * the other form of a stage, to the same bits.
+ */
+
+/* In each lane what its network has of neuron q of a part. */
+SAILNET_INLINE sailnet_lanes STAGE(neuron)(sailnet_lanes part, int32_t q)
+{
+    const sailnet_mask network = {
+        0 % STAGE_NETWORKS,  1 % STAGE_NETWORKS,  2 % STAGE_NETWORKS,  3 % STAGE_NETWORKS,
+        4 % STAGE_NETWORKS,  5 % STAGE_NETWORKS,  6 % STAGE_NETWORKS,  7 % STAGE_NETWORKS,
+        8 % STAGE_NETWORKS,  9 % STAGE_NETWORKS,  10 % STAGE_NETWORKS, 11 % STAGE_NETWORKS,
+        12 % STAGE_NETWORKS, 13 % STAGE_NETWORKS, 14 % STAGE_NETWORKS, 15 % STAGE_NETWORKS,
+    };
+    return _mm512_maskz_permutexvar_ps(0xFFFF, (__m512i)(network + q * STAGE_NETWORKS), part);
+}
+
+SAILNET_INLINE void STAGE(begin)(int32_t layer, sailnet_lanes sums[2][STAGE_PARTS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[0][m] = sailnet_at(STAGE(biases)[layer][m]);
+        sums[1][m] = nothing;
+    }
+}
+
+/* Two sums for each neuron: in one, an addition would wait for the one before it. */
+SAILNET_INLINE void STAGE(add)(sailnet_lanes a, const sailnet_real weights[STAGE_PARTS][STAGE_PART],
+                                      sailnet_lanes sums[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[m] += a * sailnet_at(weights[m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(activate)(sailnet_lanes sums[2][STAGE_PARTS], sailnet_lanes neurons[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        neurons[m] = sailnet_sigmoid(sums[0][m] + sums[1][m]);
+    }
+}
+
+/* The second output of the last network is the last. */
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS + 1])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    sailnet_lanes sums[2][STAGE_PARTS];
+    sailnet_lanes neurons[STAGE_PARTS];
+    STAGE(begin)(0, sums);
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_lanes clamped =
+            sailnet_lanes_clamped(nothing + input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        STAGE(add)(clamped - STAGE(lower)[i], STAGE(first)[i], sums[i % 2]);
+    }
+    STAGE(activate)(sums, neurons);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(begin)(layer, sums);
+        SAILNET_UNROLLED
+        for (int32_t i = 0; i < STAGE_ROWS; i++) {
+            STAGE(add)(STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE),
+                              STAGE(hidden)[layer - 1][i], sums[i % 2]);
+        }
+        STAGE(activate)(sums, neurons);
+    }
+    sailnet_16_bytes products[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    sailnet_16_bytes seconds[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_ROWS; i++) {
+        const sailnet_lanes neuron = STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE);
+        const void *const weights = STAGE(output)[i];
+        sailnet_16_bytes first;
+        (void)memcpy(&first, &neuron, sizeof first);
+        products[i % 4] += first * *(const sailnet_16_bytes *)weights;
+        const void *const others = STAGE(second)[i];
+        seconds[i % 4] += first * *(const sailnet_16_bytes *)others;
+    }
+    const sailnet_16_bytes sum = (products[0] + products[2]) + (products[1] + products[3]);
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = sum[k] + STAGE(output_bias)[k];
+    }
+    const sailnet_16_bytes second = (seconds[0] + seconds[2]) + (seconds[1] + seconds[3]);
+    output[STAGE_NETWORKS] = second[STAGE_NETWORKS - 1] + STAGE(second_bias)[STAGE_NETWORKS - 1];
+}
+#else
+/*
+ * A stage: STAGE_NETWORKS network(s) with the same STAGE_INPUTS inputs, layer by layer. STAGE_DEPTH
+ * hidden layers of at most STAGE_ROWS neurons; a shallower network uses the first ones.
+ */
+
+/* Physical input, clamped to the widened range it had in training, less the lower end of that range. */
+SAILNET_INLINE void STAGE(shifted)(const sailnet_real input[STAGE_INPUTS],
+                                          sailnet_real shifted[STAGE_EVEN_INPUTS])
+{
+    shifted[STAGE_EVEN_INPUTS - 1] = R(0.0);
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_real clamped =
+            sailnet_clamped(input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        shifted[i] = clamped - STAGE(lower)[i];
+    }
+}
+
+#define STAGE_VECTORS (STAGE_WIDTH / SAILNET_LANES)
+/* Sums of one network that registers hold, twice; and of how many networks they hold as many. */
+#if STAGE_VECTORS % 6 == 0
+#define STAGE_BLOCK 6
+#elif STAGE_VECTORS % 5 == 0
+#define STAGE_BLOCK 5
+#elif STAGE_VECTORS % 4 == 0
+#define STAGE_BLOCK 4
+#elif STAGE_VECTORS % 3 == 0
+#define STAGE_BLOCK 3
+#elif STAGE_VECTORS % 2 == 0
+#define STAGE_BLOCK 2
+#else
+#define STAGE_BLOCK 1
+#endif
+#if 2 * STAGE_BLOCK * STAGE_NETWORKS < SAILNET_REGISTERS
+#define STAGE_TOGETHER STAGE_NETWORKS
+#else
+#define STAGE_TOGETHER 1
+#endif
+
+/*
+ * activations becomes the sigmoids of biases + weights a, for each network: a[k] are the inputs of network k, an even
+ * number, and a[0] of all if `each` is 0.
+ */
+SAILNET_INLINE void STAGE(layer)(const sailnet_real *a, int32_t each, int32_t inputs,
+                                        const sailnet_real biases[STAGE_NETWORKS][STAGE_WIDTH],
+                                        const sailnet_real weights[][STAGE_NETWORKS][STAGE_WIDTH],
+                                        sailnet_real activations[STAGE_NETWORKS][STAGE_WIDTH])
+{
+    SAILNET_ROLLED
+    for (int32_t network = 0; network < STAGE_NETWORKS; network += STAGE_TOGETHER) {
+        SAILNET_ROLLED
+        for (int32_t block = 0; block < STAGE_WIDTH; block += STAGE_BLOCK * SAILNET_LANES) {
+            /* Two sums for each neuron: in one, an addition would wait for the one before it. */
+            sailnet_lanes even[STAGE_TOGETHER][STAGE_BLOCK];
+            sailnet_lanes odd[STAGE_TOGETHER][STAGE_BLOCK];
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const int32_t k = network + n;
+                    const int32_t j = block + m * SAILNET_LANES;
+                    even[n][m] = sailnet_at(&biases[k][j]) + a[k * each] * sailnet_at(&weights[0][k][j]);
+                    odd[n][m] = a[k * each + 1] * sailnet_at(&weights[1][k][j]);
+                }
+            }
+            SAILNET_ROLLED
+            for (int32_t i = 2; i < inputs; i += 2) {
+                SAILNET_UNROLLED
+                for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                    SAILNET_UNROLLED
+                    for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                        const int32_t k = network + n;
+                        const int32_t j = block + m * SAILNET_LANES;
+                        even[n][m] += a[k * each + i] * sailnet_at(&weights[i][k][j]);
+                        odd[n][m] += a[k * each + i + 1] * sailnet_at(&weights[i + 1][k][j]);
+                    }
+                }
+            }
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const sailnet_lanes sigmoids = sailnet_sigmoid(even[n][m] + odd[n][m]);
+                    (void)memcpy(&activations[network + n][block + m * SAILNET_LANES], &sigmoids, sizeof sigmoids);
+                }
+            }
+        }
+    }
+}
+
+/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
+SAILNET_INLINE sailnet_real STAGE(product)(const sailnet_real *a, const sailnet_real *b, int32_t count)
+{
+#ifdef SAILNET_VECTORS
+    sailnet_16_bytes sums = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
+    }
+#else
+    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
+            sums[lane] += a[j + lane] * b[j + lane];
+        }
+    }
+#endif
+#ifdef SAILNET_FLOAT64
+    return sums[0] + sums[1];
+#else
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+#endif
+}
+
+/* The second output of the last network is the last. */
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS + 1])
+{
+    static const int32_t depth[STAGE_NETWORKS] = STAGE_DEPTHS;
+    SAILNET_ALIGNED sailnet_real layers[STAGE_DEPTH][STAGE_NETWORKS][STAGE_WIDTH];
+    sailnet_real shifted[STAGE_EVEN_INPUTS];
+    STAGE(shifted)(input, shifted);
+    STAGE(layer)(shifted, 0, STAGE_EVEN_INPUTS, STAGE(biases)[0], STAGE(first), layers[0]);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(layer)(layers[layer - 1][0], STAGE_WIDTH, STAGE_ROWS, STAGE(biases)[layer],
+                            STAGE(hidden)[layer - 1], layers[layer]);
+    }
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = STAGE(product)(layers[depth[k] - 1][k], STAGE(output)[k], STAGE_ROWS) +
+                    STAGE(output_bias)[k];
+    }
+    const int32_t last = STAGE_NETWORKS - 1;
+    output[STAGE_NETWORKS] = STAGE(product)(layers[depth[last] - 1][last], STAGE(second)[last], STAGE_ROWS) +
+                             STAGE(second_bias)[last];
+}
+#endif
+#undef STAGE
+#undef STAGE_NETWORKS
+#undef STAGE_INPUTS
+#undef STAGE_EVEN_INPUTS
+#undef STAGE_DEPTH
+#undef STAGE_DEPTHS
+#undef STAGE_ROWS
+#undef STAGE_WIDTH
+#undef STAGE_SIDE_BY_SIDE
+#undef STAGE_SHARE
+#undef STAGE_PARTS
+#undef STAGE_PART
+#undef STAGE_OUTPUTS
+#undef STAGE_OUTPUT
+#undef STAGE_ROW
+#undef STAGE_OUTPUT_ROW
+#undef STAGE_VECTORS
+#undef STAGE_BLOCK
+#undef STAGE_TOGETHER
+
+/* Stage "plan_w": arrival_lambda_w [20, 20, 20]. */
+#define STAGE(name) sailnet_plan_w_##name
+#define STAGE_NETWORKS 1
+#define STAGE_INPUTS 8
+#define STAGE_EVEN_INPUTS 8
+#define STAGE_DEPTH 3
+#define STAGE_ROWS 20
+#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)
+#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == 16
+#define STAGE_SIDE_BY_SIDE 1
+#define STAGE_SHARE 16
+#define STAGE_PARTS 2
+#define STAGE_PART SAILNET_LANES
+#define STAGE_OUTPUTS STAGE_ROWS
+#define STAGE_OUTPUT SAILNET_PER_16_BYTES
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15)}, {(n0_16), (n0_17), (n0_18), (n0_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19) {{(n0_0)}, {(n0_1)}, {(n0_2)}, {(n0_3)}, {(n0_4)}, {(n0_5)}, {(n0_6)}, {(n0_7)}, {(n0_8)}, {(n0_9)}, {(n0_10)}, {(n0_11)}, {(n0_12)}, {(n0_13)}, {(n0_14)}, {(n0_15)}, {(n0_16)}, {(n0_17)}, {(n0_18)}, {(n0_19)}}
+#else
+#define STAGE_SIDE_BY_SIDE 0
+#define STAGE_PARTS STAGE_NETWORKS
+#define STAGE_PART STAGE_WIDTH
+#define STAGE_OUTPUTS STAGE_NETWORKS
+#define STAGE_OUTPUT STAGE_WIDTH
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}}
+#endif
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_lower[STAGE_INPUTS] =
+{R(0.135136), R(0.000711089355488617), R(6.0490261937594455e-15), R(-0.647883733268405), R(1.1324279443339238e-14), R(-0.9691983957960795), R(-0.999918693867287), R(-0.49999998073624685)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_clamp_min[STAGE_INPUTS] =
+{R(8.326672684688674e-17), R(-27.327654872445116), R(-0.8427619009768028), R(-2.8806891387040214), R(-0.9990697502468233), R(-4.876644322176139), R(-4.9996652288935), R(-2.4999998661074336)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_clamp_max[STAGE_INPUTS] =
+{R(0.3378399999999999), R(40.9932600320564), R(1.2641428514652193), R(2.70132437488502), R(1.4986046253702634), R(4.891970493774009), R(4.999701108672033), R(2.4999998473205336)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-1.6921199849987336), R(-71.24897821630402), R(5.858093027520831), R(-143.9412970364805), R(0.6494485040236803), R(-37.571793770618775), R(-3.07493174096068), R(-1.0529351726335543), R(15.206384694837109), R(-0.5472675185916285), R(-1.2647320802371935), R(-4.93814207042194), R(0.9912483730854833), R(-0.30227626888237796), R(-2.004311282995838), R(-4.699372867778008), R(-3.212524792930605), R(-3.117301498786807), R(-4.623172160549304), R(-5.183702160282674)),
+STAGE_ROW(R(-0.7067178221525677), R(-0.3701393997371539), R(0.3162006271695836), R(-0.30252832350079023), R(-1.3883017621308062), R(5.341605604915943), R(-3.0249287921210537), R(-0.13744995608826988), R(4.005942129886252), R(-0.3390855151006278), R(0.5707500964679223), R(0.34644884763715283), R(-1.6742728154159126), R(-0.4615610040238259), R(0.7052172967978332), R(1.0561852487702783), R(-1.0986945444048628), R(-0.7990822122550875), R(2.433282874535137), R(1.7323715602055347)),
+STAGE_ROW(R(-8.242967711986063), R(-7.490825247158577), R(-57.44736491050143), R(-16.668040140592602), R(11.559770510011576), R(30.71866303050002), R(11.292911354420593), R(-10.259378179003289), R(13.409430667228113), R(-14.355820936063038), R(0.910861374627389), R(6.129284918266855), R(-10.622893693194603), R(6.651070701018356), R(-8.955042891823236), R(-5.682118909256761), R(-0.185321223392524), R(3.117297728065128), R(34.65317337457502), R(7.414004959189269)),
+STAGE_ROW(R(0.0738830349426709), R(-1.6360573288141136), R(-6.440478128621665), R(8.890247967078995), R(-2.8895749588779975), R(13.745287578625945), R(2.4576090999506413), R(-9.021412200972113), R(10.202113325286803), R(-2.9576223237096078), R(0.20834735085043624), R(-1.2935673759744202), R(-1.126597161301822), R(7.0932427027724465), R(1.5722634943619), R(0.6282891069528976), R(0.8842619114114779), R(-1.8032695125175173), R(13.132639211213895), R(4.949394775672167)),
+STAGE_ROW(R(6.546142504693845), R(-34.46723554050176), R(-41.588914430757846), R(-3.904410502599535), R(21.963798954031812), R(5.738220871354282), R(6.815985383876288), R(-35.98273310228208), R(45.94669599797618), R(-11.34285690345665), R(0.9565632932668904), R(23.218307283544036), R(-3.7542303072486987), R(-25.05090825435689), R(-9.196653679215077), R(-10.124766985175897), R(-6.175810797214598), R(11.190212063571556), R(-108.28234649404519), R(34.66775566590628)),
+STAGE_ROW(R(-2.0551793793846294), R(-2.047633631929511), R(-1.9159449696463744), R(20.075165997260115), R(3.966958807907212), R(22.79756035262428), R(-5.24822911910672), R(-8.810481541218765), R(-6.339562768380394), R(7.844892623451066), R(-0.7759116219575137), R(1.2206448960784637), R(0.5677161097109621), R(0.3558551223075586), R(-1.5837749611021117), R(4.17305032387635), R(1.5338382617159283), R(-2.733944051636719), R(2.5885116852254924), R(-0.7698851623538258)),
+STAGE_ROW(R(-0.6278279293587045), R(-1.1706464401610124), R(-2.8605533848797355), R(-1.4090849637003524), R(-13.036141205734557), R(3.591979147842828), R(0.34833009428591216), R(9.081476248981582), R(4.382504371787951), R(1.8006330668151118), R(-3.477207909825104), R(2.495366287900288), R(-1.598952937423052), R(8.655954610307889), R(-1.9265497918628958), R(-0.84344348929714), R(-0.0691273427926452), R(0.45758529396198466), R(-6.730258223054544), R(-1.933662901708026)),
+STAGE_ROW(R(-0.15291311070627706), R(-5.269739252272998), R(-6.330171061396161), R(-5.43667563035364), R(-1.9310122957996323), R(1.7941579823346379), R(-5.167502251613857), R(4.9816211228311875), R(-19.294788772916498), R(7.101894323630493), R(-0.9101944800082479), R(4.66208744874246), R(-4.774787044217156), R(-5.92901679729454), R(-2.519584168928362), R(15.687522854636176), R(11.609579989291037), R(1.145160369303672), R(0.41330315963860753), R(3.4063082923301065))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(2.7654785567033437), R(-3.0078472008075585), R(10.326250806269394), R(3.674452016567515), R(-2.0188540510088058), R(0.33318887579988216), R(0.9462202602864056), R(12.589603072300017), R(-32.12634306230765), R(-3.911686660488233), R(2.299077306775778), R(-8.637753317862622), R(8.924903392665462), R(1.3367523027667738), R(3.0960636959494594), R(-17.449883888955373), R(1.2643463919999365), R(7.53694522117535), R(-11.514245326614688), R(-12.238737947173455)),
+STAGE_ROW(R(-4.03857370451978), R(-0.11193645698393502), R(16.00612164693717), R(-42.35077755944884), R(17.37165504013388), R(27.885545464213155), R(-25.210516497414485), R(-10.104998835754344), R(-7.227839000295422), R(-30.861475102324547), R(0.3718303720534275), R(7.031984324010511), R(19.253980666890104), R(-10.806717874397108), R(-16.535348642916272), R(0.9580776802786262), R(-67.18674093919455), R(-50.141502309328835), R(17.70799355721849), R(-23.648424019646495)),
+STAGE_ROW(R(7.030709410712596), R(-21.100833472947045), R(-9.692057389324546), R(6.44681006652131), R(3.374277678221841), R(-1.0727052422823478), R(-11.35674066963396), R(13.22959999155964), R(-9.517173294115867), R(3.6842209202474714), R(7.394263430474628), R(-8.28552400804451), R(6.679660828177003), R(2.4297210286775894), R(7.139825759215697), R(10.34552410112821), R(4.599303215674245), R(22.866040790118525), R(-3.8988478762319607), R(-46.19393206923371))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_hidden[2][STAGE_ROWS][STAGE_PARTS][STAGE_PART] =
+{
+{
+STAGE_ROW(R(-1.159809549713682), R(1.337111120181134), R(1.3406035241826835), R(-0.36002778112538314), R(1.0285933113681434), R(3.308592018669029), R(-0.06094911578335776), R(7.56319248614974), R(2.355666040349496), R(-0.13957660885129014), R(-0.5799750102774092), R(-1.5056084173012607), R(-0.8742262116822691), R(2.908743261654619), R(0.9892545509572558), R(0.30321854886504873), R(0.0729882583103597), R(0.008268847266984163), R(-6.390115226363267), R(-0.7042059078729116)),
+STAGE_ROW(R(0.04180853554432044), R(0.22104195899723478), R(0.4813986556468009), R(-2.0483216607938775), R(1.3109202632877852), R(1.9656730806726255), R(-1.5785542760632099), R(-2.9336961453984256), R(-0.33842604731096615), R(-1.3706099064524775), R(-1.132005072822501), R(0.7149966127879457), R(0.6576316590149598), R(-2.916728593021029), R(1.0696231086569261), R(0.19037501146319818), R(3.0286994020834164), R(-0.16601172771540657), R(0.7501148300398708), R(-1.3085379165119122)),
+STAGE_ROW(R(1.3913046005888894), R(-0.07505754093044063), R(-0.7799491227825348), R(-1.0862075536748603), R(-0.069378623653728), R(-1.196895519508818), R(-1.7455621196650306), R(2.1038004795116896), R(-0.2697138594412584), R(-0.21932679657841325), R(1.2830975580237811), R(-0.8646056182311498), R(-0.8764279905904626), R(0.19141732392195185), R(0.7012288758094609), R(-1.106102611161244), R(2.048777273123664), R(4.199862654693363), R(-0.6970741992465741), R(-0.9492719313586943)),
+STAGE_ROW(R(0.1484970674280826), R(0.149199090440867), R(0.03898927531466036), R(-4.804914464703634), R(0.09938319166491702), R(23.5933588065729), R(-6.96766469958401), R(-0.16380883597683302), R(-0.37768513957394334), R(-8.622747580692135), R(0.0003566073856479562), R(-0.0917327616352924), R(1.9235288909638932), R(-0.017999337881175685), R(0.11493820584085371), R(0.10534676434544976), R(-70.23718976340339), R(-28.28123039445417), R(0.0006662085104592526), R(-9.494202063381083)),
+STAGE_ROW(R(-1.973042742335429), R(2.3848174583511983), R(0.30484577083629455), R(0.2249299610492731), R(4.033669361708612), R(3.94140043295041), R(-1.1157332053281084), R(-3.614219642830735), R(-2.5232287954972117), R(-0.28978949951117633), R(1.4606385005976557), R(0.34188451356291133), R(0.26631466130002107), R(-0.07740799506613893), R(-3.065456291911719), R(-3.6070870301972517), R(-5.572735358266353), R(-0.959406138439001), R(1.3052808029509777), R(0.38487556094911557)),
+STAGE_ROW(R(-1.1267808361227645), R(5.374614157037021), R(-1.0390867458816841), R(0.12640924704161208), R(0.020195154393180172), R(0.6565035773294768), R(-0.8363473088383501), R(-0.21636785145503168), R(0.2711134849100241), R(-0.789842026359496), R(-0.11893630874755307), R(-0.45995611150629623), R(-0.7931267663527375), R(-0.23818284288077496), R(0.2976472200901067), R(-0.23849523049891877), R(-0.40566086719642575), R(-0.18877760691454723), R(-0.11629314288288779), R(0.3715824383435397)),
+STAGE_ROW(R(0.5743401035359093), R(-0.8237021428915601), R(2.3510797415149254), R(-7.9449558967694145), R(-2.088418134825811), R(0.5608907344095064), R(-2.773711113671247), R(-1.4461459734386253), R(1.4750515489577056), R(-1.5597899126354626), R(0.568493142030782), R(-1.6769285987157745), R(-0.5160613397209052), R(-2.154310726354901), R(-2.0890758287207785), R(-3.6004913692707454), R(-1.2273810521903858), R(-0.7905090790882803), R(1.1988483030591457), R(-1.2210450915423139)),
+STAGE_ROW(R(-1.1985367089778471), R(0.8066095738468071), R(0.14598166657424663), R(-4.645053157132328), R(-2.2462658096424115), R(0.1674831981997487), R(-1.939347676644217), R(-0.4338103198603376), R(1.4538172642303906), R(-2.3724837189718553), R(-0.21198043489511145), R(0.7325640295174501), R(4.919411155812023), R(2.8902099165573074), R(-1.7639630011955996), R(1.4257290183653972), R(2.6293915294300647), R(-7.763345014200883), R(0.7200363389420962), R(-1.433117994155849)),
+STAGE_ROW(R(-0.31499847624099075), R(0.7447068370021356), R(0.3793192084014307), R(-2.0265811386646986), R(2.367298339359224), R(1.4131205217962362), R(-0.5618906591219113), R(2.362174009220024), R(0.30510370806091414), R(-0.9368698325664853), R(-1.6286989352940324), R(-1.750544986266262), R(-0.47876366764453865), R(-1.832594015665503), R(0.0014826959896688885), R(6.729174327744556), R(-3.3345381090616817), R(-0.556869696422233), R(-4.42185118199387), R(-0.2632114708915215)),
+STAGE_ROW(R(-0.29200382698967525), R(-0.8864386601150435), R(2.190382979551609), R(-5.359230835698416), R(-8.785567512491312), R(-0.10438694945021587), R(-0.5011243492335283), R(-1.6080216502540503), R(2.1322140920982484), R(-1.1432517262326989), R(0.7566922772816939), R(0.121447692384329), R(2.798224991067874), R(-3.645632693565098), R(-2.9015165394993008), R(3.41412722676704), R(4.113112998546348), R(-3.1505011179768942), R(-1.210515365372268), R(-0.49505709446303914)),
+STAGE_ROW(R(-6.189077244760491), R(3.0695673704982784), R(2.6875866613128077), R(-3.282215183133063), R(10.6057688905999), R(1.1511692311167716), R(-0.749477303759607), R(-3.2140005174241435), R(-1.7865716587048859), R(-3.782485900910348), R(0.6901390121375435), R(3.461095107106073), R(3.874392810581946), R(-3.8476593132157197), R(2.32087452126119), R(3.6327525136930707), R(-1.6248259295536354), R(-10.322181624445317), R(4.317247452324391), R(-2.3325602708131847)),
+STAGE_ROW(R(0.05760238852872332), R(-2.093848292718062), R(-1.0993996029288113), R(-1.7865410037839657), R(-3.256475941440437), R(-3.496830080134607), R(-0.032795880012788325), R(-3.166095925936958), R(0.18991747460829142), R(-1.222458240744628), R(0.18859878252313422), R(0.773014869438349), R(1.6521548048266), R(2.3668765139264316), R(-0.5459699770554384), R(-0.6306176191776405), R(0.3819335239856813), R(-1.2959722380911418), R(1.5022202328951513), R(-0.39932668793691783)),
+STAGE_ROW(R(1.2680722378011586), R(-0.9999518157861783), R(2.8142233045756355), R(-0.13537384015920315), R(1.5661671523263583), R(-3.3055179945460154), R(0.1099786496719822), R(-0.5166367429460063), R(-3.675888632146488), R(-0.6209437004354397), R(1.2830462420752216), R(0.5857811551295592), R(-0.22042973964256515), R(4.066406637919383), R(0.5970101154413203), R(-2.9458474720290857), R(5.460920308606117), R(1.366148764466589), R(1.4823383428375747), R(0.3717800329487337)),
+STAGE_ROW(R(0.2688873896456061), R(-0.08745297418944245), R(0.4878164533921671), R(-0.7642283897454913), R(-7.9277270757657226), R(11.542169110387023), R(-0.10873521008681744), R(-4.741967167493684), R(4.8057052869398635), R(-1.2127235426204144), R(0.828751630550323), R(-0.48986298139424317), R(0.11652360144445643), R(0.9119359952751317), R(1.985326394028058), R(-2.73671329227482), R(-2.622038378838742), R(0.09317235540731995), R(15.849353372478634), R(0.205067558814437)),
+STAGE_ROW(R(2.5888061050057347), R(-0.7981070258410234), R(-4.0098565998516), R(-1.1963543338160434), R(1.6722465445929677), R(-1.096293879452694), R(-0.6169433888051947), R(2.1732315078848563), R(1.0068522198640224), R(-2.6207919177554277), R(1.3142047283959124), R(-0.6468275110164977), R(1.681054512593918), R(4.154713006105508), R(0.3583117383771455), R(-3.9716704974551793), R(-7.26468883393873), R(0.4122850271788322), R(1.01848177021861), R(-0.10795659229004356)),
+STAGE_ROW(R(1.3008387236830643), R(-3.1025256831309647), R(-2.1879047973999786), R(-1.5004578519810945), R(-0.9818242683259907), R(-4.450375659847666), R(-1.1630838462712092), R(2.658745777126595), R(-2.4978887335294844), R(-0.9481569903468766), R(1.0347747327708914), R(0.051555051449148945), R(1.5974017217835084), R(-0.09099910361304263), R(0.010789444967191168), R(1.069438760799039), R(-1.1977349751422646), R(0.5906849797755527), R(-3.3389307682041505), R(-0.4986825487780634)),
+STAGE_ROW(R(3.9677961181932955), R(-9.797182192072405), R(1.6071312285749113), R(-4.273221461670266), R(23.0213092551916), R(-10.47879426982779), R(-0.35394628623073243), R(-2.176780744767119), R(-1.6096902643287712), R(-1.1516751343447935), R(3.198202308440639), R(3.8535624736369343), R(3.2687639042543104), R(7.812464264738141), R(-13.363210537662425), R(2.536365922652516), R(7.159207148573328), R(-5.629694891461113), R(-3.0606053221229805), R(-0.8257244827591601)),
+STAGE_ROW(R(-3.3180467961849573), R(1.4450019366661373), R(10.44485652940679), R(2.564731749705677), R(4.128707978031551), R(-3.0318781216564132), R(-2.472154548940876), R(3.0921622852326243), R(-5.679363976724452), R(-1.4392205805351803), R(-2.1840673673013016), R(1.5969942983561656), R(-6.416170768309026), R(-18.267918553093192), R(-0.7363957320354715), R(-3.162034597214651), R(-6.620275040938802), R(0.8506839440408835), R(3.3144621057670873), R(-3.3712369254280703)),
+STAGE_ROW(R(0.04967988782332251), R(0.07472851344322252), R(0.7448032238623593), R(-0.4508453353260567), R(-1.3123160679612789), R(-0.17981676662474874), R(-1.0889462434905417), R(0.06388477215426276), R(0.4433156859916113), R(-0.3471197515829542), R(-0.3066139614652413), R(-0.31362045451329834), R(1.0746955661125785), R(-0.04767866628531243), R(0.3164170610782785), R(-0.2298050554728203), R(-0.0002830888130571227), R(0.544640986071999), R(1.2067045380175108), R(0.6669682224065887)),
+STAGE_ROW(R(-0.18696806633547025), R(-1.4429812074795116), R(0.19501418530418313), R(-1.242233473341025), R(-2.6989936442392537), R(0.7149562434058666), R(-0.7889522907444302), R(-2.5706931950764305), R(2.5105586585134105), R(-0.21212682179746906), R(-0.3931737726368479), R(-0.4702659381704306), R(2.2824020300073813), R(-0.04268798232548257), R(-0.17210794384724679), R(-0.4923452446408457), R(3.834453619766268), R(0.5944941280111388), R(-0.6964080157158129), R(-0.0487350847715797))
+},
+{
+STAGE_ROW(R(-3.526071467792738), R(-2.6452247533686055), R(1.1882083902199108), R(0.9869496875390502), R(-1.2503915048254142), R(0.11479809427161601), R(-2.83033271919527), R(2.54132192177327), R(-1.0121169451619223), R(2.0536069083505883), R(0.5710883671494564), R(-0.7442467739818398), R(1.9825123681842869), R(-1.8742720907409107), R(-4.349199512144871), R(2.215521395345642), R(0.37654567817634454), R(3.2471038661662495), R(1.347519514432968), R(0.9608883210757988)),
+STAGE_ROW(R(-0.06541425833809521), R(-1.4588061761626199), R(-3.000104295479009), R(-0.5131334159023898), R(0.3153163145200339), R(-1.824063754221534), R(-4.297332436004406), R(-0.9683621174505311), R(1.6238944002733107), R(-0.9900394847203475), R(0.7037329127189927), R(0.06927950441445822), R(1.9717978249300512), R(4.913384576823379), R(0.6329005106449693), R(3.927706085061338), R(4.442601302379771), R(4.275990064520858), R(1.427456124965312), R(-23.950169665671286)),
+STAGE_ROW(R(-0.2791114811444776), R(-0.17581659305284647), R(-1.4517776611583817), R(0.021942571028061842), R(3.7717906269986954), R(-1.635910111647792), R(-3.509682512555939), R(-0.7866708309044615), R(-0.6725499404975698), R(0.6827984076403663), R(-0.1707622188391691), R(0.5864807808324165), R(2.251487842911363), R(0.7151491167134888), R(-4.376726799529458), R(1.2025024097447674), R(-0.6373922824795419), R(-1.987349076824549), R(-1.0077254035052983), R(-6.88674946069837)),
+STAGE_ROW(R(0.3406328808417557), R(-0.4436700175333916), R(-0.037039543024547074), R(0.8184463288282398), R(-0.47797928253562433), R(0.3927957807983417), R(0.027263513416580763), R(1.169432880996274), R(-0.4274295297226076), R(-0.983295477023476), R(-0.380450033438284), R(-0.0401678321285403), R(-0.416998588808893), R(0.9232975836692057), R(1.2461779147057026), R(-0.4856634034899029), R(-0.5477902084395782), R(-0.053148230117155824), R(-1.2646284406798056), R(-2.5275356557537485)),
+STAGE_ROW(R(2.5605350330675782), R(-1.1339030191898642), R(-1.4017815732383685), R(-3.0321729834304816), R(5.150313597580808), R(-0.4454848090838098), R(0.4317002469774533), R(-0.742394590918997), R(-1.4257254742196388), R(4.762458670784968), R(0.44606832752094033), R(0.2574770227678938), R(0.5260550913921392), R(0.7082082118055052), R(3.862593478678174), R(0.7513325164611638), R(4.164219836360103), R(0.5649382456495128), R(-0.5038071498262094), R(4.59245223117178)),
+STAGE_ROW(R(0.3049334311187037), R(10.260831910055586), R(-6.0051597624402495), R(0.12137258415192581), R(-0.31458778836208157), R(-0.3869656309913276), R(-2.845656460080293), R(-0.04059968123113247), R(0.2792826464494172), R(-2.775753195364416), R(-0.6105621119643415), R(-2.5548274321460767), R(3.3167251748598052), R(-3.6788294950655547), R(4.322389895053886), R(3.7151120621350464), R(8.130714279439637), R(1.1519202206692054), R(-0.523582668602456), R(-0.9300785821713862)),
+STAGE_ROW(R(0.2986095015058852), R(-0.7578760045848805), R(0.7430130510368496), R(-0.12231180274242023), R(-0.5879592910132986), R(0.3881311570477976), R(0.5073028867383842), R(0.2050083074120453), R(-1.3571970489302443), R(0.09481509791462037), R(1.3330828233017211), R(-0.8544572825422941), R(0.48496067211717664), R(0.9287829937653693), R(0.42965564435247355), R(-0.4458647413548122), R(0.5219834070585988), R(0.8793863340540055), R(-1.9475925770689275), R(-2.024142747075979)),
+STAGE_ROW(R(-0.4223435298449022), R(-1.4138632104387903), R(-3.867106319849191), R(0.8828965552016862), R(-1.3289905989602244), R(-0.4916701786392379), R(2.097694476697572), R(0.9928518527119039), R(-1.0700827927747694), R(-0.9724305631433463), R(-0.07547813335891997), R(-1.321823208168182), R(-0.23595671233349125), R(2.5382802294434037), R(1.7615129233362294), R(0.8493692822285237), R(-1.0911140979425624), R(0.11013459273689248), R(2.8383472574413355), R(-0.5315359664073841)),
+STAGE_ROW(R(0.13900708761286318), R(-1.7767735330619778), R(1.7209806598874775), R(0.008571356092853817), R(0.27389803585757516), R(1.827575149149095), R(1.0072231530950961), R(0.44915325584406823), R(-0.06584140168136732), R(-1.7321285628940863), R(1.0509165335427382), R(-0.5431632968492988), R(1.3814702303688193), R(0.877618220479522), R(2.152127947748405), R(-1.8170878247172297), R(-4.417251030097028), R(-0.4323140015925537), R(1.9996513871408639), R(0.362532453221347)),
+STAGE_ROW(R(-0.7730611903212943), R(-0.17607967563601948), R(0.37529687400253536), R(0.5797974484242949), R(-0.07574499110696664), R(0.7208458090017236), R(0.07270379379523143), R(0.6310787589514767), R(-1.2645394241122316), R(-0.7149684824902861), R(0.65148177732796), R(0.5511702797497173), R(-0.944603637427475), R(-0.18770014849099909), R(1.3094569015499338), R(0.018465567006123118), R(0.2726046721300044), R(0.7247864679900017), R(-1.4319629927695259), R(-1.1024555191509269)),
+STAGE_ROW(R(2.730270762333181), R(-1.1202815554579675), R(0.8984635509307031), R(0.10730119905855445), R(-2.5762760849822297), R(1.1366404904463738), R(-0.7588160044481094), R(0.11434878107585547), R(-0.45898492877881064), R(-3.6259696725754003), R(0.40228129155294234), R(1.2879675358323048), R(-0.7410727601808443), R(2.2460405675972153), R(-1.1418988082361883), R(-2.143655168504222), R(-2.4957424810413618), R(-0.014732562426550432), R(-4.261785199135845), R(-12.283032971195274)),
+STAGE_ROW(R(-2.1737339694129507), R(-7.828023549287271), R(-1.5451433480365278), R(-0.09726374115976302), R(-1.2284763166109032), R(-0.656099094677069), R(-3.542419427440238), R(2.363972448316961), R(-0.955503355936006), R(4.404295005475196), R(-0.0387663084258599), R(-2.0676652954799404), R(0.6012028956389617), R(-1.7130699078532823), R(-1.6605152462348225), R(1.679034089965125), R(6.5359330318865165), R(1.3393883081536815), R(4.929589386227416), R(-65.1695261538956)),
+STAGE_ROW(R(-0.46950699863649487), R(0.36106427625645626), R(-0.11742804641936741), R(-0.37944490451736873), R(0.6221171272159788), R(0.7291396756762414), R(-1.1911599239235755), R(0.9292529014360775), R(0.35148866435644455), R(0.9406262266245627), R(-0.7023075095242792), R(-0.23513162246952585), R(-0.0037824486101541406), R(-2.264162946265039), R(2.5993798727309643), R(-0.16890101018245388), R(-0.03320539363670139), R(-0.5600481361509695), R(-0.16899640326032203), R(0.6461140504987589)),
+STAGE_ROW(R(3.0879925572270497), R(0.11786905029261738), R(-1.1809132450897588), R(0.10423276283263068), R(-0.1623596045184183), R(-1.7018074287106895), R(1.2450351874151437), R(-0.1778974677431379), R(-0.286878393787341), R(-0.6388550661184996), R(0.9090250424205492), R(-0.2653093098814215), R(-0.3108911691595381), R(1.4694642468813017), R(-1.6912341178098158), R(-0.8604710659432551), R(-0.29675491475953314), R(0.6438776522881356), R(-0.9979652091693693), R(-0.9937866314824017)),
+STAGE_ROW(R(1.7907049811804299), R(0.7622514841915142), R(0.8053567063303131), R(-0.8348754384835585), R(3.6368107871385797), R(3.7927290309354804), R(0.25416018185403483), R(1.271540931133796), R(-2.8881780893247377), R(2.4428677184660836), R(0.5466171929730429), R(-0.37655436148186344), R(-1.0330587540626097), R(-2.1079899474754646), R(2.402751504500788), R(0.2356640854692118), R(1.8219844856327525), R(1.1845398921281989), R(4.828951226993415), R(1.715014875890368)),
+STAGE_ROW(R(-0.9788015806111728), R(0.7542570153678662), R(2.513994942488685), R(3.567918508396777), R(1.1088332068596665), R(-2.9219187077074324), R(2.2841720654634323), R(2.524871453250738), R(0.15502780520427406), R(-0.34597221736026323), R(1.4213244325316294), R(3.0760934241271745), R(-2.7903309260099336), R(0.7968657412748823), R(0.6929040440642913), R(-2.7690530701804943), R(0.274730110042466), R(5.752497589247611), R(1.5830094744439387), R(9.906004895651716)),
+STAGE_ROW(R(0.018170556839835338), R(-10.460086975129691), R(0.19516170881815526), R(-3.2326326935366247), R(-1.03050324771597), R(0.29089632412178573), R(0.4118643049410182), R(1.6265080499446134), R(2.3225894536135754), R(-0.19432214785287702), R(-0.19361073582698413), R(-4.4588984510483884), R(0.309319193641419), R(0.2910768081554336), R(0.29285139459415216), R(0.1805120956614318), R(-0.7060738550837808), R(0.5994253417668315), R(0.2889771011673752), R(56.47061990381011)),
+STAGE_ROW(R(1.169211530140945), R(-0.11947810597698176), R(-0.5297335657012694), R(1.4248143507838607), R(1.7815146600160596), R(0.26627135647824085), R(-1.4937674407027057), R(0.579280059741138), R(-1.8137008131797459), R(-0.7558109008470821), R(-0.3910697805868468), R(-0.6770320199447529), R(-0.2039050425023749), R(1.3477575876141203), R(0.15496382717362733), R(0.17131874596709643), R(1.0243265701760607), R(0.11071175258849522), R(-1.7380147270863506), R(-2.029732554938698)),
+STAGE_ROW(R(2.161341897900089), R(-1.7214672533024482), R(0.947573340102751), R(2.3470456940177242), R(0.2956275387785362), R(1.3412042093613532), R(1.8038083087577217), R(1.148800817404781), R(-2.0569279369732807), R(0.8812098532987868), R(0.9870439183766969), R(-0.42730861858135), R(0.8541580735001802), R(-4.144627960658252), R(-1.8424713010210367), R(0.15751023017699095), R(-8.533893584073354), R(5.040444991967299), R(-0.7480755021168334), R(1.9036171457355477)),
+STAGE_ROW(R(-1.1073392184937692), R(-0.7770131846516338), R(-0.7891416867127874), R(-0.14831213256740813), R(-0.4833946981717547), R(0.587895171606735), R(0.04202912648373343), R(0.8136815132605417), R(0.5188680494752538), R(-0.8858754202414574), R(0.49063072312280676), R(-0.8241278322540756), R(0.30183775487303244), R(-0.2810113177355566), R(1.4600357684252379), R(-0.824831630627397), R(-0.6449069163792831), R(0.6599888691060769), R(-1.0477376456383454), R(-1.3070996695370112))
+}
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_output[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(0.7664039813206078), R(0.3084322421193345), R(-0.43884178014040254), R(-0.20666493966888377), R(-0.156271538655378), R(-0.1866835950964739), R(0.3450869222261015), R(0.01784343972825541), R(-0.08333853686827622), R(0.1628433412885427), R(-0.2285266015919131), R(-0.01060593577608825), R(-0.4687210805605413), R(0.5868442228982728), R(-0.22728364998691009), R(0.30065542718546817), R(-0.31553964380761845), R(0.2840327601658854), R(0.40243074252315314), R(-0.0020654684477869074));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_output_bias[STAGE_NETWORKS] =
+{R(0.4261842858335975)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_second[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(-1.3320919640150282), R(-0.09793685222363839), R(0.34724716565297065), R(-0.023183726477567352), R(0.2758185846962193), R(0.5792771213974186), R(-0.061515292753655), R(0.11523998078302677), R(-0.21016072263017482), R(0.4662131306232434), R(-0.1923353739881397), R(-0.34472095737073355), R(-0.11670343714962883), R(0.37776730508876877), R(0.25842604994099333), R(0.4046592115113895), R(-0.38264363817424946), R(0.08883139131074974), R(0.07715409359090994), R(-0.00963722726699189));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_second_bias[STAGE_NETWORKS] =
+{R(0.09266017290163528)};
+#define STAGE_DEPTHS {3}
+
+
+/*
+ * A stage: networks evaluated in step. Its tables, which come before this, define its sizes, STAGE_..., and the names
+ * of its tables and functions: STAGE(networks) computes it.
+ */
+#if STAGE_SIDE_BY_SIDE
+/*
+ * A stage on vectors of 16 numbers: its networks side by side. Lane l of part m is neuron STAGE_SHARE m +
+ * l / STAGE_NETWORKS of network l % STAGE_NETWORKS, and lanes left over are zeros. Sums are added up in the order of
+ * the other form of a stage, to the same bits.
+ */
+
+/* In each lane what its network has of neuron q of a part. */
+SAILNET_INLINE sailnet_lanes STAGE(neuron)(sailnet_lanes part, int32_t q)
+{
+    const sailnet_mask network = {
+        0 % STAGE_NETWORKS,  1 % STAGE_NETWORKS,  2 % STAGE_NETWORKS,  3 % STAGE_NETWORKS,
+        4 % STAGE_NETWORKS,  5 % STAGE_NETWORKS,  6 % STAGE_NETWORKS,  7 % STAGE_NETWORKS,
+        8 % STAGE_NETWORKS,  9 % STAGE_NETWORKS,  10 % STAGE_NETWORKS, 11 % STAGE_NETWORKS,
+        12 % STAGE_NETWORKS, 13 % STAGE_NETWORKS, 14 % STAGE_NETWORKS, 15 % STAGE_NETWORKS,
+    };
+    return _mm512_maskz_permutexvar_ps(0xFFFF, (__m512i)(network + q * STAGE_NETWORKS), part);
+}
+
+SAILNET_INLINE void STAGE(begin)(int32_t layer, sailnet_lanes sums[2][STAGE_PARTS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[0][m] = sailnet_at(STAGE(biases)[layer][m]);
+        sums[1][m] = nothing;
+    }
+}
+
+/* Two sums for each neuron: in one, an addition would wait for the one before it. */
+SAILNET_INLINE void STAGE(add)(sailnet_lanes a, const sailnet_real weights[STAGE_PARTS][STAGE_PART],
+                                      sailnet_lanes sums[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[m] += a * sailnet_at(weights[m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(activate)(sailnet_lanes sums[2][STAGE_PARTS], sailnet_lanes neurons[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        neurons[m] = sailnet_sigmoid(sums[0][m] + sums[1][m]);
+    }
+}
+
+/* The second output of the last network is the last. */
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS + 1])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    sailnet_lanes sums[2][STAGE_PARTS];
+    sailnet_lanes neurons[STAGE_PARTS];
+    STAGE(begin)(0, sums);
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_lanes clamped =
+            sailnet_lanes_clamped(nothing + input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        STAGE(add)(clamped - STAGE(lower)[i], STAGE(first)[i], sums[i % 2]);
+    }
+    STAGE(activate)(sums, neurons);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(begin)(layer, sums);
+        SAILNET_UNROLLED
+        for (int32_t i = 0; i < STAGE_ROWS; i++) {
+            STAGE(add)(STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE),
+                              STAGE(hidden)[layer - 1][i], sums[i % 2]);
+        }
+        STAGE(activate)(sums, neurons);
+    }
+    sailnet_16_bytes products[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    sailnet_16_bytes seconds[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_ROWS; i++) {
+        const sailnet_lanes neuron = STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE);
+        const void *const weights = STAGE(output)[i];
+        sailnet_16_bytes first;
+        (void)memcpy(&first, &neuron, sizeof first);
+        products[i % 4] += first * *(const sailnet_16_bytes *)weights;
+        const void *const others = STAGE(second)[i];
+        seconds[i % 4] += first * *(const sailnet_16_bytes *)others;
+    }
+    const sailnet_16_bytes sum = (products[0] + products[2]) + (products[1] + products[3]);
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = sum[k] + STAGE(output_bias)[k];
+    }
+    const sailnet_16_bytes second = (seconds[0] + seconds[2]) + (seconds[1] + seconds[3]);
+    output[STAGE_NETWORKS] = second[STAGE_NETWORKS - 1] + STAGE(second_bias)[STAGE_NETWORKS - 1];
+}
+#else
+/*
+ * A stage: STAGE_NETWORKS network(s) with the same STAGE_INPUTS inputs, layer by layer. STAGE_DEPTH
+ * hidden layers of at most STAGE_ROWS neurons; a shallower network uses the first ones.
+ */
+
+/* Physical input, clamped to the widened range it had in training, less the lower end of that range. */
+SAILNET_INLINE void STAGE(shifted)(const sailnet_real input[STAGE_INPUTS],
+                                          sailnet_real shifted[STAGE_EVEN_INPUTS])
+{
+    shifted[STAGE_EVEN_INPUTS - 1] = R(0.0);
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_real clamped =
+            sailnet_clamped(input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        shifted[i] = clamped - STAGE(lower)[i];
+    }
+}
+
+#define STAGE_VECTORS (STAGE_WIDTH / SAILNET_LANES)
+/* Sums of one network that registers hold, twice; and of how many networks they hold as many. */
+#if STAGE_VECTORS % 6 == 0
+#define STAGE_BLOCK 6
+#elif STAGE_VECTORS % 5 == 0
+#define STAGE_BLOCK 5
+#elif STAGE_VECTORS % 4 == 0
+#define STAGE_BLOCK 4
+#elif STAGE_VECTORS % 3 == 0
+#define STAGE_BLOCK 3
+#elif STAGE_VECTORS % 2 == 0
+#define STAGE_BLOCK 2
+#else
+#define STAGE_BLOCK 1
+#endif
+#if 2 * STAGE_BLOCK * STAGE_NETWORKS < SAILNET_REGISTERS
+#define STAGE_TOGETHER STAGE_NETWORKS
+#else
+#define STAGE_TOGETHER 1
+#endif
+
+/*
+ * activations becomes the sigmoids of biases + weights a, for each network: a[k] are the inputs of network k, an even
+ * number, and a[0] of all if `each` is 0.
+ */
+SAILNET_INLINE void STAGE(layer)(const sailnet_real *a, int32_t each, int32_t inputs,
+                                        const sailnet_real biases[STAGE_NETWORKS][STAGE_WIDTH],
+                                        const sailnet_real weights[][STAGE_NETWORKS][STAGE_WIDTH],
+                                        sailnet_real activations[STAGE_NETWORKS][STAGE_WIDTH])
+{
+    SAILNET_ROLLED
+    for (int32_t network = 0; network < STAGE_NETWORKS; network += STAGE_TOGETHER) {
+        SAILNET_ROLLED
+        for (int32_t block = 0; block < STAGE_WIDTH; block += STAGE_BLOCK * SAILNET_LANES) {
+            /* Two sums for each neuron: in one, an addition would wait for the one before it. */
+            sailnet_lanes even[STAGE_TOGETHER][STAGE_BLOCK];
+            sailnet_lanes odd[STAGE_TOGETHER][STAGE_BLOCK];
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const int32_t k = network + n;
+                    const int32_t j = block + m * SAILNET_LANES;
+                    even[n][m] = sailnet_at(&biases[k][j]) + a[k * each] * sailnet_at(&weights[0][k][j]);
+                    odd[n][m] = a[k * each + 1] * sailnet_at(&weights[1][k][j]);
+                }
+            }
+            SAILNET_ROLLED
+            for (int32_t i = 2; i < inputs; i += 2) {
+                SAILNET_UNROLLED
+                for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                    SAILNET_UNROLLED
+                    for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                        const int32_t k = network + n;
+                        const int32_t j = block + m * SAILNET_LANES;
+                        even[n][m] += a[k * each + i] * sailnet_at(&weights[i][k][j]);
+                        odd[n][m] += a[k * each + i + 1] * sailnet_at(&weights[i + 1][k][j]);
+                    }
+                }
+            }
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const sailnet_lanes sigmoids = sailnet_sigmoid(even[n][m] + odd[n][m]);
+                    (void)memcpy(&activations[network + n][block + m * SAILNET_LANES], &sigmoids, sizeof sigmoids);
+                }
+            }
+        }
+    }
+}
+
+/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
+SAILNET_INLINE sailnet_real STAGE(product)(const sailnet_real *a, const sailnet_real *b, int32_t count)
+{
+#ifdef SAILNET_VECTORS
+    sailnet_16_bytes sums = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
+    }
+#else
+    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
+            sums[lane] += a[j + lane] * b[j + lane];
+        }
+    }
+#endif
+#ifdef SAILNET_FLOAT64
+    return sums[0] + sums[1];
+#else
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+#endif
+}
+
+/* The second output of the last network is the last. */
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS + 1])
+{
+    static const int32_t depth[STAGE_NETWORKS] = STAGE_DEPTHS;
+    SAILNET_ALIGNED sailnet_real layers[STAGE_DEPTH][STAGE_NETWORKS][STAGE_WIDTH];
+    sailnet_real shifted[STAGE_EVEN_INPUTS];
+    STAGE(shifted)(input, shifted);
+    STAGE(layer)(shifted, 0, STAGE_EVEN_INPUTS, STAGE(biases)[0], STAGE(first), layers[0]);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(layer)(layers[layer - 1][0], STAGE_WIDTH, STAGE_ROWS, STAGE(biases)[layer],
+                            STAGE(hidden)[layer - 1], layers[layer]);
+    }
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = STAGE(product)(layers[depth[k] - 1][k], STAGE(output)[k], STAGE_ROWS) +
+                    STAGE(output_bias)[k];
+    }
+    const int32_t last = STAGE_NETWORKS - 1;
+    output[STAGE_NETWORKS] = STAGE(product)(layers[depth[last] - 1][last], STAGE(second)[last], STAGE_ROWS) +
+                             STAGE(second_bias)[last];
+}
+#endif
+#undef STAGE
+#undef STAGE_NETWORKS
+#undef STAGE_INPUTS
+#undef STAGE_EVEN_INPUTS
+#undef STAGE_DEPTH
+#undef STAGE_DEPTHS
+#undef STAGE_ROWS
+#undef STAGE_WIDTH
+#undef STAGE_SIDE_BY_SIDE
+#undef STAGE_SHARE
+#undef STAGE_PARTS
+#undef STAGE_PART
+#undef STAGE_OUTPUTS
+#undef STAGE_OUTPUT
+#undef STAGE_ROW
+#undef STAGE_OUTPUT_ROW
+#undef STAGE_VECTORS
+#undef STAGE_BLOCK
+#undef STAGE_TOGETHER
+
+SAILNET_PART void sailnet_direction(const sailnet_state *state, sailnet_real beta, double direction[SAILNET_STATES])
+{
+    const sailnet_real known = sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    /* Of r, u, v and the latitude, whose second output comes last; and the two of w. */
+    const sailnet_real now[5] = {state->r, state->u, state->v, state->latitude, state->w};
+    sailnet_real output[5];
+    sailnet_real northward[2];
+    const sailnet_real s = sailnet_approach(now, known, input, factors);
+    sailnet_plan_networks(input, output);
+    sailnet_plan_w_networks(input, northward);
+    direction[0] = (double)output[0];
+    direction[1] = (double)(output[3] * factors[0] + output[4] * factors[1]);
+    direction[2] = (double)output[1];
+    direction[3] = (double)output[2];
+    direction[4] = (double)(northward[0] * factors[0] + northward[1] * factors[1]);
+    /* The networks give the costates of position by the scale of the approach; nothing is divided by it. */
+    const sailnet_real scale = s / (s + SAILNET_ARRIVAL_SCALE);
+    for (int32_t i = SAILNET_STATES / 2; i < SAILNET_STATES; i++) {
+        direction[i] *= (double)scale;
+    }
 }
 
 /* ================================ Steering ================================ */
@@ -1280,27 +3350,27 @@ typedef struct {
 } sailnet_change;
 
 /* One such step of Eq. (1) in three dimensions, under a constant force. */
-SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
+SAILNET_PART void sailnet_predict(const sailnet_estimate *estimate, sailnet_change *change)
 {
-    const sailnet_state *const before = &memory->state;
-    const sailnet_real cosine = memory->normal[0];
-    const sailnet_real along = memory->normal[1];
-    const sailnet_real northward = memory->normal[2];
+    const sailnet_state *const before = &estimate->state;
+    const sailnet_real cosine = estimate->normal[0];
+    const sailnet_real along = estimate->normal[1];
+    const sailnet_real northward = estimate->normal[2];
     const sailnet_real sine2 = along * along + northward * northward;
     const sailnet_real per_sine = sailnet_per_root(&sine2);
     change->cosine = cosine;
     change->sine = sine2 * per_sine;
     change->along = along * per_sine;
     change->northward = northward * per_sine;
-    const sailnet_real push = memory->beta * cosine;
-    const sailnet_real across = SAILNET_FORCE_ACROSS + memory->tangential;
+    const sailnet_real push = estimate->beta * cosine;
+    const sailnet_real across = SAILNET_FORCE_ACROSS + estimate->tangential;
     change->normal = (SAILNET_FORCE_SQUARE * cosine + SAILNET_FORCE_LINEAR) * cosine;
     const sailnet_real radial = push * (change->normal + across * sine2) - R(1.0);
     const sailnet_real lateral = push * (SAILNET_FORCE_SQUARE - across) * cosine + push * SAILNET_FORCE_LINEAR;
     sailnet_state rate = {R(0.0), R(0.0), R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
-        const sailnet_real step = sailnet_stages[i][0] * memory->held;
+        const sailnet_real step = sailnet_stages[i][0] * estimate->held;
         const sailnet_real per_r = R(1.0) / (before->r + step * rate.r);
         const sailnet_real u = before->u + step * rate.u;
         const sailnet_real v = before->v + step * rate.v;
@@ -1314,7 +3384,7 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
         rate.u = (radial * per_r + (v * v + w * w)) * per_r;
         rate.v = (lateral * along * per_r + (turn * w - u * v)) * per_r;
         rate.w = (lateral * northward * per_r - (turn * v + u * w)) * per_r;
-        const sailnet_real share = sailnet_stages[i][1] * memory->held;
+        const sailnet_real share = sailnet_stages[i][1] * estimate->held;
         change->by.r += share * rate.r;
         change->by.latitude += share * rate.latitude;
         change->by.u += share * rate.u;
@@ -1324,154 +3394,260 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
 }
 
 /* The weight of a period in the mean of all at first, later of those not forgotten after a time. */
-SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_estimate *estimate, sailnet_real time)
 {
-    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-    const sailnet_real recent = memory->held * (R(1.0) / time);
+    const sailnet_real all = R(1.0) / ((sailnet_real)estimate->samples + R(1.0));
+    const sailnet_real recent = estimate->held * (R(1.0) / time);
     return recent > all ? recent : all;
 }
 
 /*
  * What one more period tells, by how much further the velocity changed than predicted: beta along the normal, the
- * tangential force across it, and how far such surprises differ. Changes are rounded finer than states. What is not
+ * tangential force across it, and how far such innovations differ. Changes are rounded finer than states. What is not
  * finite counts for nothing, what is large for the bound.
  */
-SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
+SAILNET_PART void sailnet_learn(sailnet_estimate *estimate, const sailnet_state *now, const sailnet_change *change)
 {
-    const sailnet_real held = memory->held;
-    const sailnet_state *const before = &memory->state;
+    const sailnet_real held = estimate->held;
+    const sailnet_state *const before = &estimate->state;
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
+    const sailnet_real turned = estimate->slewing * estimate->slewing * SAILNET_SLEW_RATE;
     /* Not held, or turned, or not seen before: that says nothing. */
-    int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
+    int32_t telling = ((held > R(0.0)) && (estimate->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
     telling &= (change->normal >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
-    const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
-    const sailnet_real surprise_east = (now->v - before->v) - change->by.v;
-    const sailnet_real surprise_north = (now->w - before->w) - change->by.w;
+    const sailnet_real innovation_u = (now->u - before->u) - change->by.u;
+    const sailnet_real innovation_east = (now->v - before->v) - change->by.v;
+    const sailnet_real innovation_north = (now->w - before->w) - change->by.w;
     /* That across the Sun line in the direction of the thrust, which has a normal and a surface as in the plane. */
-    const sailnet_real surprise_v = surprise_east * change->along + surprise_north * change->northward;
+    const sailnet_real innovation_v = innovation_east * change->along + innovation_north * change->northward;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
     const sailnet_real per = distance * distance / (held * change->normal);
-    const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
-    const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
+    const sailnet_real along = (innovation_u * cosine + innovation_v * sine) * per;
+    const sailnet_real across = (innovation_v * cosine - innovation_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
-        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+        const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
-        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
+        estimate->beta += sailnet_weight(estimate, SAILNET_MEMORY) * counted;
         /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
-        memory->tangential -= R(2.0) * weight * sine * cosine * aside;
-        memory->variance += weight * (relative * relative - memory->variance);
-        memory->slow += weight * (relative * memory->surprise - memory->slow);
-        memory->surprise = relative;
+        estimate->tangential -= R(2.0) * weight * sine * cosine * aside;
+        if (estimate->samples > 0u) {
+            estimate->variance += weight * (relative * relative - estimate->variance);
+            estimate->autocovariance += weight * (relative * estimate->innovation - estimate->autocovariance);
+            estimate->innovation = relative;
+        }
+        /* The first says by how much the vehicle differs from the mission's, not how it varies. */
+        if (estimate->samples < UINT32_MAX) {
+            estimate->samples++;
+        }
     }
 }
 
 /* The share of beta that is not planned with. */
-SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
+SAILNET_PART sailnet_real sailnet_reserve(const sailnet_estimate *estimate, const sailnet_real *time_of_flight,
+                                          sailnet_real hold)
 {
-    const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
+    const sailnet_real tau = sailnet_limited(time_of_flight, SAILNET_OF_TIME_TO_GO);
     /* What white noise leaves in a mean of few products. */
-    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
-    const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
-    const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
-    const sailnet_real rest = memory->variance - slow;
+    const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
+    const sailnet_real chance = estimate->variance * weight * sailnet_per_root(&weight);
+    const sailnet_real slow = sailnet_clamped(estimate->autocovariance - chance, R(0.0), R(1.0));
+    const sailnet_real rest = estimate->variance - slow;
     /* Of its variance the mean of the periods left keeps so much. */
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
     const sailnet_real reserve =
         SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
-    const sailnet_real bounded = sailnet_clamped(reserve, SAILNET_LEAST_RESERVE, SAILNET_LARGEST_RESERVE);
+    const sailnet_real bounded = sailnet_clamped(reserve, R(0.0), SAILNET_LARGEST_RESERVE);
     return bounded * sailnet_clamped(tau * (R(1.0) / SAILNET_LET_GO), R(0.0), R(1.0));
 }
 
-/*
- * How late the sail is: by how much its time to go did not fall as time passed, less what of that is forgotten. And how
- * long it still waits.
- */
-SAILNET_INLINE void sailnet_time_passes(sailnet_memory *memory, const sailnet_command *command)
+/* The direction of a clock angle, along and northward: from its half, as beyond a right angle the series are not exact. */
+SAILNET_PART void sailnet_across(sailnet_real clock_angle, sailnet_real *along, sailnet_real *northward)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    memory->wait = sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT);
-    /* What came of something else says nothing. */
-    const sailnet_real behind =
-        held > R(0.0) ? (command->time_of_flight - memory->time_of_flight) + held : R(0.0);
-    const sailnet_real late = (memory->late - held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late) + behind;
-    memory->late = sailnet_limited(&late, SAILNET_OF_PERIOD);
+    sailnet_real cosine;
+    sailnet_real sine;
+    sailnet_cosine_sine(R(0.5) * clock_angle, &cosine, &sine);
+    *along = (cosine - sine) * (cosine + sine);
+    *northward = R(2.0) * sine * cosine;
 }
 
 /*
  * The angle between a normal and the one that is remembered: twice that of their difference to their sum, so that it is
  * exact for small ones too.
  */
-SAILNET_PART sailnet_real sailnet_turn(const sailnet_memory *memory, const sailnet_real normal[3])
+SAILNET_PART sailnet_real sailnet_turn(const sailnet_estimate *estimate, const sailnet_real normal[3])
 {
     sailnet_real apart2 = R(0.0);
     sailnet_real together2 = R(0.0);
     for (int32_t i = 0; i < 3; i++) {
-        const sailnet_real before = memory->normal[i];
+        const sailnet_real before = estimate->normal[i];
         apart2 += (normal[i] - before) * (normal[i] - before);
         together2 += (normal[i] + before) * (normal[i] + before);
     }
     const sailnet_real apart = apart2 * sailnet_per_root(&apart2);
     const sailnet_real together = together2 * sailnet_per_root(&together2);
-    return R(2.0) * sailnet_clock_angle(&together, &apart);
+    return R(2.0) * sailnet_angle(&together, &apart);
 }
 
-/* The normal of a command, and its direction across the Sun line; returned is the sine of the cone angle. */
-SAILNET_PART sailnet_real sailnet_normal_to(const sailnet_command *command, sailnet_real across[2], sailnet_real normal[3])
+/* The normal of a command. */
+SAILNET_PART void sailnet_normal_to(const sailnet_command *command, sailnet_real normal[3])
 {
+    sailnet_real across[2];
     sailnet_real sine;
     sailnet_across(command->clock_angle, &across[0], &across[1]);
     sailnet_cosine_sine(command->cone_angle, &normal[0], &sine);
     normal[1] = sine * across[0];
     normal[2] = sine * across[1];
-    return sine;
 }
 
 /*
- * The clock angle of the command, and its normal. Where several are almost equally fast the sail keeps its own until that
- * has cost more than a reversal is worth. To keep it loses time at the rate (1 - cos D) f_t |(lambda_v, lambda_w)|, with D
- * the angle between both: the difference of the Hamiltonian. A sail that is late has turned over in vain: after every other
- * reversal it waits, for on both sides alike it would circle. Returned is by how much the sail turns to its new normal.
+ * The tracker, see sailnet_tracker.h: what it is of this mission, a plan by the networks, and the command.
  */
-SAILNET_PART sailnet_real sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change,
-                                            sailnet_command *command, sailnet_real normal[3])
+static const sailnet_problem sailnet_transfer = {
+    0.16892, /* beta */
+    1.524, /* target radius */
+    1.0, /* square */
+    0.0, /* linear */
+    0.0, /* across */
+    0.5000000000000001, /* bound cosine */
+    0.8660254037844386, /* bound sine */
+    -0.6495190528383292, /* edge radial */
+    -0.625, /* edge lateral */
+};
+
+/* Extremals that are computed in a guidance period at most. What has not converged then goes on in the next one. */
+#define SAILNET_EXTREMALS_PER_PERIOD 8
+
+/* The transfer of a vehicle of `beta`, as it was learnt: light pushes it along its surface by more than the mission's, or
+   less. */
+SAILNET_INLINE sailnet_problem sailnet_own_problem(const sailnet_memory *memory, double beta)
 {
-    const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
-    const sailnet_real facing = ratio * change->cosine;
-    const sailnet_real share = (SAILNET_FORCE_SQUARE - SAILNET_FORCE_ACROSS) * change->cosine + SAILNET_FORCE_LINEAR;
-    const sailnet_real regret =
-        memory->regret + R(2.0) * memory->held * memory->stake * facing * (ratio * share) * change->sine;
-    memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
-    const sailnet_real size2 = command->lambda_v * command->lambda_v + command->lambda_w * command->lambda_w;
-    const sailnet_real size = size2 * sailnet_per_root(&size2);
-    memory->stake = -size;
-    sailnet_time_passes(memory, command);
-    sailnet_real across[2];
-    const sailnet_real sine = sailnet_normal_to(command, across, normal);
-    sailnet_real turn = sailnet_turn(memory, normal);
-    const sailnet_real alike = across[0] * change->along + across[1] * change->northward;
-    if ((alike * sine * change->sine < R(0.0)) && (turn > SAILNET_REVERSAL)) {
-        if ((memory->regret < SAILNET_PATIENCE) || (memory->wait > R(0.0))) {
-            command->clock_angle = sailnet_clock_angle(&change->along, &change->northward);
-            memory->stake = R(0.5) * size * (R(1.0) - alike);
-            normal[1] = sine * change->along;
-            normal[2] = sine * change->northward;
-            turn = sailnet_turn(memory, normal);
-        } else {
-            memory->wait = R(0.0);
-            if ((memory->late > SAILNET_LATE_TOLERATED) && (memory->waited <= R(0.0))) {
-                memory->wait = sailnet_clamped(SAILNET_WAIT * memory->late, R(0.0), SAILNET_LARGEST_WAIT);
-            }
-            memory->waited = memory->wait;
-            memory->regret = R(0.0);
+    sailnet_problem own = sailnet_transfer;
+    own.beta = beta;
+    sailnet_push_aside(&own, (double)sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL));
+    return own;
+}
+
+/* The networks know the mission's optics alone: beta of such a sail that is as fast. */
+SAILNET_INLINE sailnet_real sailnet_for_networks(const sailnet_memory *memory, sailnet_real beta)
+{
+    const sailnet_real tangential = sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL);
+    const sailnet_real lost = tangential > R(0.0) ? SAILNET_TANGENTIAL_LOSS * tangential : R(0.0);
+    const sailnet_real asked = beta * (R(1.0) - lost);
+    return sailnet_limited(&asked, SAILNET_OF_BETA);
+}
+
+/* Whether the state is within the arrival tolerance of the target: 0, or SAILNET_THERE. */
+SAILNET_INLINE uint32_t sailnet_there(const sailnet_state *state)
+{
+    const sailnet_real known[5] = {state->r, state->u, state->v, state->latitude, state->w};
+    const int32_t components = 5;
+    uint32_t there = SAILNET_THERE;
+    for (int32_t i = 0; i < components; i++) {
+        const sailnet_real *const limit = sailnet_limits[SAILNET_OF_STATE + 3 * i + 2];
+        if (!((known[i] >= limit[0]) && (known[i] <= limit[1]))) {
+            there = 0u;
         }
     }
-    return turn;
+    return there;
+}
+
+/* A state as the tracker has it. */
+SAILNET_PART void sailnet_to_tracker(const sailnet_state *state, double numbers[SAILNET_STATES])
+{
+    numbers[0] = (double)state->r;
+    sailnet_real cosine;
+    sailnet_real sine;
+    const sailnet_real latitude = sailnet_limited(&state->latitude, SAILNET_OF_STATE + 10);
+    sailnet_cosine_sine(latitude, &cosine, &sine);
+    numbers[1] = (double)sine / (double)cosine;
+    numbers[2] = (double)state->u;
+    numbers[3] = (double)state->v;
+    numbers[4] = (double)state->w;
+}
+
+sailnet_status sailnet_propose_plan(const sailnet_state *state, sailnet_real beta, sailnet_arrival *arrival)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+#if SAILNET_PLANS
+    sailnet_command command;
+    if ((arrival != NULL) && ((sailnet_law(state, beta, &command) & ~SAILNET_THERE) != (uint32_t)SAILNET_INVALID_INPUT)) {
+        sailnet_direction(state, command.beta, arrival->direction);
+        arrival->time_to_go = (double)command.time_of_flight;
+        arrival->beta = (double)command.beta;
+        status = SAILNET_OK;
+    }
+#else
+    (void)state;
+    (void)beta;
+    (void)arrival;
+#endif
+    return status;
+}
+
+/* Whether all numbers of what a plan commands are numbers, and no larger than SAILNET_OF_PLAN has it. */
+SAILNET_PART int32_t sailnet_are_numbers(const sailnet_planned *planned)
+{
+    double numbers[sizeof(sailnet_planned) / sizeof(double)];
+    const double largest = (double)sailnet_limits[SAILNET_OF_PLAN][1];
+    int32_t are = 1;
+    (void)memcpy(numbers, planned, sizeof numbers);
+    for (uint32_t i = 0u; i < (sizeof numbers / sizeof numbers[0]); i++) {
+        if (!((numbers[i] >= -largest) && (numbers[i] <= largest))) {
+            are = 0;
+        }
+    }
+    return are;
+}
+
+/* The same as a number of the command: the clamp tells an analyser that it is one. */
+SAILNET_PART sailnet_real sailnet_of_plan(double number)
+{
+    const sailnet_real value = (sailnet_real)number;
+    return sailnet_limited(&value, SAILNET_OF_PLAN);
+}
+
+/* The command by the plan; 0 if there is none that passes through the state: then the networks' is to be flown. */
+SAILNET_PART int32_t sailnet_tracks(sailnet_memory *memory, const sailnet_state *known, sailnet_real beta,
+                                    sailnet_real estimated, sailnet_real hold, sailnet_command *command)
+{
+    sailnet_tracker *const tracker = &memory->tracker;
+    sailnet_planned planned;
+    double state[SAILNET_STATES];
+    sailnet_to_tracker(known, state);
+    sailnet_time_passes(tracker, (double)memory->estimate.held);
+    const sailnet_problem own = sailnet_own_problem(memory, (double)beta);
+    sailnet_arrival arrival;
+    if ((sailnet_needs_proposal(tracker) != 0) &&
+        (sailnet_propose_plan(known, sailnet_for_networks(memory, beta), &arrival) == SAILNET_OK)) {
+        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go);
+    }
+    int32_t flown = sailnet_follow(&own, tracker, state, (double)estimated, (double)hold,
+                                   SAILNET_EXTREMALS_PER_PERIOD, &planned);
+    /* The memory may have held any bits. */
+    if ((flown != 0) && (sailnet_are_numbers(&planned) == 0)) {
+        flown = 0;
+    }
+    if (flown != 0) {
+        const double unit = (double)beta / (sailnet_transfer.target_radius * sailnet_transfer.target_radius);
+        const sailnet_real along = sailnet_of_plan(planned.attitude.cosine);
+        const sailnet_real beside = sailnet_of_plan(planned.attitude.sine);
+        const sailnet_real size = sailnet_angle(&along, &beside);
+        command->hold = R(0.0);
+        command->beta = beta;
+        command->time_of_flight = sailnet_of_plan(planned.time_to_go);
+        command->lambda_v = sailnet_of_plan(unit * planned.costates[SAILNET_STATES - SAILNET_ACROSS]);
+        const sailnet_real transverse = sailnet_of_plan(planned.attitude.across[0]);
+        const sailnet_real northward = sailnet_of_plan(planned.attitude.across[1]);
+        command->cone_angle = sailnet_size(sailnet_limited(&size, SAILNET_OF_CONE_ANGLE));
+        command->clock_angle = sailnet_angle(&transverse, &northward);
+        command->lambda_w = sailnet_of_plan(unit * planned.costates[SAILNET_STATES - 1]);
+    }
+    return flown;
 }
 
 /* How the flight goes on with a command: the status, and how long to hold it at most. */
@@ -1485,11 +3661,11 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
     if ((inside != 0) && (tau <= longest)) {
         *hold = sailnet_limited(&longest, SAILNET_OF_PERIOD);
         status = SAILNET_ARRIVED;
-    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) &&
+    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->estimate.periods > 0u) &&
                (tau >= memory->time_of_flight)) {
         *hold = R(0.0);
         status = SAILNET_ARRIVED;
-    } else if (memory->unseen > R(0.0)) {
+    } else if (memory->estimate.unseen > R(0.0)) {
         status = SAILNET_RECKONED;
     } else if ((SAILNET_READS_BETA != 0) && (inside != 0) && (plan < SAILNET_BETA_MIN)) {
         status = SAILNET_AT_LIMIT;
@@ -1503,11 +3679,11 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
  * For how long to hold the last command: on the straight line of one predicted step, until the target is nearest. By
  * then the time of flight is below what the networks know it to.
  */
-SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
+SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_estimate *estimate)
 {
     sailnet_change change;
-    sailnet_predict(memory, &change);
-    const sailnet_state *const from = &memory->state;
+    sailnet_predict(estimate, &change);
+    const sailnet_state *const from = &estimate->state;
     const sailnet_state *const by = &change.by;
     const sailnet_real r_f2 = SAILNET_TARGET_R * SAILNET_TARGET_R;
     const sailnet_real forward =
@@ -1516,7 +3692,7 @@ SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
     const sailnet_real length2 = by->r * by->r + by->u * by->u + by->v * by->v +
                                  r_f2 * by->latitude * by->latitude + by->w * by->w;
     const sailnet_real share = forward / length2;
-    return memory->held * sailnet_clamped(share, R(0.0), R(1.0));
+    return estimate->held * sailnet_clamped(share, R(0.0), R(1.0));
 }
 
 void sailnet_start(sailnet_memory *memory)
@@ -1524,28 +3700,28 @@ void sailnet_start(sailnet_memory *memory)
     if (memory != NULL) {
         /* Of a real, too, bits that are all 0 are 0. */
         (void)memset(memory, 0, sizeof *memory);
-        memory->beta = SAILNET_BETA;
-        memory->normal[0] = R(1.0);
+        memory->estimate.beta = SAILNET_BETA;
+        memory->estimate.normal[0] = R(1.0);
     }
 }
 
 /* The state to steer by: the one shown, or where the sail must be; null if neither is known. */
-SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
+SAILNET_PART const sailnet_state *sailnet_known(sailnet_estimate *estimate, const sailnet_state *shown,
                                                 sailnet_change *change)
 {
     const sailnet_state *known = NULL;
     if ((shown != NULL) && (sailnet_is_state(shown) != 0)) {
-        sailnet_learn(memory, shown, change);
-        memory->unseen = R(0.0);
+        sailnet_learn(estimate, shown, change);
+        estimate->unseen = R(0.0);
         known = shown;
     } else {
-        memory->unseen += memory->held;
-        change->by.r += memory->state.r;
-        change->by.u += memory->state.u;
-        change->by.v += memory->state.v;
-        change->by.latitude += memory->state.latitude;
-        change->by.w += memory->state.w;
-        if ((memory->held > R(0.0)) && (memory->unseen <= SAILNET_LONGEST_RECKONING) &&
+        estimate->unseen += estimate->held;
+        change->by.r += estimate->state.r;
+        change->by.u += estimate->state.u;
+        change->by.v += estimate->state.v;
+        change->by.latitude += estimate->state.latitude;
+        change->by.w += estimate->state.w;
+        if ((estimate->held > R(0.0)) && (estimate->unseen <= SAILNET_LONGEST_RECKONING) &&
             (sailnet_is_state(&change->by) != 0)) {
             known = &change->by;
         }
@@ -1560,60 +3736,152 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         (void)sailnet_law(NULL, SAILNET_BETA, command);
         return SAILNET_INVALID_INPUT;
     }
+    sailnet_estimate *const estimate = &memory->estimate;
     sailnet_change change;
     const sailnet_state *known = NULL;
     sailnet_real hold = R(0.0);
     /* The memory may have held any bits. */
     for (int32_t i = 0; i < 3; i++) {
-        memory->normal[i] = sailnet_limited(&memory->normal[i], SAILNET_OF_SHARE);
+        estimate->normal[i] = sailnet_limited(&estimate->normal[i], SAILNET_OF_SHARE);
     }
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
-        sailnet_predict(memory, &change);
-        known = sailnet_known(memory, state, &change);
+        sailnet_predict(estimate, &change);
+        known = sailnet_known(estimate, state, &change);
     }
-    memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
-    memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
-    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
-    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
-    const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
-    sailnet_real share = R(1.0) - lost;
+    estimate->beta = sailnet_limited(&estimate->beta, SAILNET_OF_BETA);
+    estimate->tangential = sailnet_limited(&estimate->tangential, SAILNET_OF_TANGENTIAL);
+    estimate->variance = sailnet_limited(&estimate->variance, SAILNET_OF_SHARE);
+    estimate->autocovariance = sailnet_limited(&estimate->autocovariance, SAILNET_OF_SHARE);
+    sailnet_real own = estimate->beta;
 #if SAILNET_AGES
     if (known != NULL) {
-        share *= sailnet_aged(memory, known);
+        own *= sailnet_aged(estimate, memory->time_of_flight, known);
     }
 #endif
-    const sailnet_real plan = memory->beta * share * (R(1.0) - sailnet_reserve(memory, hold));
-    const uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
-    command->beta = memory->beta;
+    const sailnet_real plan = own * (R(1.0) - sailnet_reserve(estimate, &memory->time_of_flight, hold));
+    const sailnet_real beta = sailnet_limited(&plan, SAILNET_OF_BETA);
+    const sailnet_real estimated = sailnet_limited(&own, SAILNET_OF_BETA);
+    uint32_t seen = 0u;
+    if ((known == NULL) || (sailnet_tracks(memory, known, beta, estimated, hold, command) == 0)) {
+        seen = sailnet_law(known, sailnet_for_networks(memory, beta), command);
+        memory->source = (uint32_t)SAILNET_FROM_NETWORKS;
+    } else {
+        seen = sailnet_there(known);
+        memory->source = (uint32_t)SAILNET_FROM_PLAN;
+    }
+    command->beta = estimate->beta;
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (known == NULL) {
         /* What was learnt stays, but the next state is not what came of the last command. */
-        memory->held = R(0.0);
+        estimate->held = R(0.0);
+        memory->source = (uint32_t)SAILNET_FROM_NOTHING;
     } else {
-        sailnet_real normal[3];
-        const sailnet_real turn = sailnet_keep_side(memory, &change, command, normal);
         status = sailnet_ends(memory, seen, plan, command, &hold);
-        if (memory->periods > 0u) {
-            const sailnet_real left = memory->slewing - memory->held;
-            memory->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
+        sailnet_real normal[3];
+        sailnet_normal_to(command, normal);
+        const sailnet_real turn = sailnet_turn(estimate, normal);
+        if (estimate->periods > 0u) {
+            const sailnet_real left = estimate->slewing - estimate->held;
+            estimate->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
         }
-        memory->state = *known;
+        estimate->state = *known;
         for (int32_t i = 0; i < 3; i++) {
-            memory->normal[i] = sailnet_limited(&normal[i], SAILNET_OF_SHARE);
+            estimate->normal[i] = sailnet_limited(&normal[i], SAILNET_OF_SHARE);
         }
-        memory->held = hold;
+        estimate->held = hold;
         if ((status == SAILNET_ARRIVED) && (hold > R(0.0))) {
-            hold = sailnet_until_nearest(memory);
-            memory->held = hold;
+            hold = sailnet_until_nearest(estimate);
+            estimate->held = hold;
         }
         memory->time_of_flight = command->time_of_flight;
-        if (memory->periods < UINT32_MAX) {
-            memory->periods++;
+        if (estimate->periods < UINT32_MAX) {
+            estimate->periods++;
         }
     }
     command->hold = hold;
     return status;
+}
+
+/* What is saved over a reboot, and the report of the plan. */
+
+/* A checksum of all that is before it: CRC-32 of IEEE 802.3, bit by bit. */
+SAILNET_PART uint32_t sailnet_checksum(const sailnet_memory *memory)
+{
+    const unsigned char *const bytes = (const unsigned char *)memory;
+    uint32_t remainder = UINT32_MAX;
+    for (uint32_t i = 0u; i < (uint32_t)offsetof(sailnet_memory, checksum); i++) {
+        remainder ^= bytes[i];
+        for (int32_t bit = 0; bit < 8; bit++) {
+            remainder = (remainder >> 1) ^ (((remainder & 1u) != 0u) ? 0xEDB88320u : 0u);
+        }
+    }
+    return ~remainder;
+}
+
+void sailnet_seal(sailnet_memory *memory)
+{
+    if (memory != NULL) {
+        memory->version = (uint32_t)SAILNET_API_VERSION;
+        memory->checksum = sailnet_checksum(memory);
+    }
+}
+
+sailnet_status sailnet_restore(sailnet_memory *memory)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if (memory != NULL) {
+        if ((memory->version == (uint32_t)SAILNET_API_VERSION) && (memory->checksum == sailnet_checksum(memory))) {
+            status = SAILNET_OK;
+        } else {
+            sailnet_start(memory);
+        }
+    }
+    return status;
+}
+
+/* Whether a text is the digest of this mission. */
+SAILNET_PART int32_t sailnet_is_mission(const char *digest)
+{
+    static const char own[] = SAILNET_MISSION_DIGEST;
+    int32_t same = 1;
+    for (uint32_t i = 0u; (same != 0) && (i < sizeof own); i++) {
+        same = digest[i] == own[i] ? 1 : 0;
+    }
+    return same;
+}
+
+sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_digest, const sailnet_state *state,
+                                   const sailnet_arrival *plan)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if ((memory != NULL) && (mission_digest != NULL) && (state != NULL) && (plan != NULL) &&
+        (sailnet_is_mission(mission_digest) != 0) && (sailnet_is_state(state) != 0) &&
+        (plan->beta >= (double)SAILNET_BETA_MIN) && (plan->beta <= (double)SAILNET_BETA_MAX)) {
+        double numbers[SAILNET_STATES];
+        const sailnet_problem own = sailnet_own_problem(memory, plan->beta);
+        sailnet_to_tracker(state, numbers);
+        if (sailnet_take_plan(&own, &memory->tracker, numbers, plan->direction, plan->time_to_go) !=
+            0) {
+            status = SAILNET_OK;
+        }
+    }
+    return status;
+}
+
+void sailnet_report_plan(const sailnet_memory *memory, sailnet_plan_report *report)
+{
+    if ((memory != NULL) && (report != NULL)) {
+        const sailnet_tracker *const tracker = &memory->tracker;
+        (void)memset(report, 0, sizeof *report);
+        (void)memcpy(report->direction, tracker->plan.direction, sizeof report->direction);
+        report->time_to_go = tracker->plan.time_to_go;
+        report->beta = tracker->plan.beta;
+        report->residual = tracker->plan.residual;
+        report->extremals = tracker->computed;
+        report->planned = tracker->planned;
+        report->source = memory->source;
+    }
 }

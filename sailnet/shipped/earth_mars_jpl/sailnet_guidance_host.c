@@ -4,10 +4,13 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mars_jpl: do not edit.
  * mission   169b90afef5d26eff51e7de08f0f93889e7073c9e314a839496dee27a7faf7ca
- * networks  7f8ddefbc48a2148ccbbf0d8931755144437ac8963133a5be87d538394bfa770
+ * networks  2aaf9f026ec1a261ca7c4a738006bc18ae02046044553f30a030a5575afa4fca
  * data set  3669cefad736099639c35111c6d28f173d532424ff0e92a9196a67c15a7619cf (tau)
  * data set  3669cefad736099639c35111c6d28f173d532424ff0e92a9196a67c15a7619cf (alpha_pre)
  * data set  3669cefad736099639c35111c6d28f173d532424ff0e92a9196a67c15a7619cf (lambda_v)
+ * data set  64a9817befb5294bfdf7a01d7ca71bebd4ab18076681b5d878a0c492ddab9c2e (arrival_lambda_r)
+ * data set  64a9817befb5294bfdf7a01d7ca71bebd4ab18076681b5d878a0c492ddab9c2e (arrival_lambda_u)
+ * data set  64a9817befb5294bfdf7a01d7ca71bebd4ab18076681b5d878a0c492ddab9c2e (arrival_lambda_v)
  *
  * Vectors are those of gcc and clang (vector_size), as wide as the processor's registers. With other compilers, or
  * with -DSAILNET_PLAIN, the same text computes on single numbers, to the same bits but for contraction: that is what
@@ -15,6 +18,7 @@
  */
 #include "sailnet_guidance.h"
 
+#include <stddef.h>
 #include <string.h>
 #if defined(__SSE2__) && !defined(SAILNET_PLAIN)
 #include <immintrin.h>
@@ -97,6 +101,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
     return (value - value) == R(0.0);
 }
 
+/* pi, rounded down: an angle is in (-pi, pi] in either precision, and its mirror image too. */
+#ifdef SAILNET_FLOAT64
+#define SAILNET_LARGEST_ANGLE 3.1415926535897927
+#else
+#define SAILNET_LARGEST_ANGLE 3.1415925f
+#endif
+
 /*
  * Pairs of a lower and an upper bound, by what they are of: to name a row takes less code than two constants do.
  */
@@ -109,11 +120,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 #define SAILNET_OF_TIME_TO_GO 6
 #define SAILNET_OF_SHARE 7
 #define SAILNET_OF_TANGENTIAL 8
-#define SAILNET_OF_ATTITUDE 9
-#define SAILNET_OF_OFFSET 10
+#define SAILNET_OF_ANGLE 9
+#define SAILNET_OF_PLAN 10
+#define SAILNET_OF_ATTITUDE 11
+#define SAILNET_OF_OFFSET 12
 /* Three of each of r, u, v, and then one of each input. */
-#define SAILNET_OF_STATE 11
-#define SAILNET_OF_INPUTS 20
+#define SAILNET_OF_STATE 13
+#define SAILNET_OF_INPUTS 22
 static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_BETA_MIN, SAILNET_BETA_MAX},
     {-SAILNET_PHI_MAX, SAILNET_PHI_MAX},
@@ -124,6 +137,8 @@ static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_ARRIVAL_THRESHOLD, R(1e9)},
     {R(-1.0), R(1.0)},
     {-SAILNET_LARGEST_TANGENTIAL, SAILNET_LARGEST_TANGENTIAL},
+    {-SAILNET_LARGEST_ANGLE, SAILNET_LARGEST_ANGLE},
+    {R(-1e18), R(1e18)},
     {-SAILNET_LARGEST_ATTITUDE, SAILNET_LARGEST_ATTITUDE},
     {-SAILNET_LARGEST_OFFSET, SAILNET_LARGEST_OFFSET},
     SAILNET_STATE_LIMITS,
@@ -416,6 +431,47 @@ SAILNET_INLINE void sailnet_cosine_sine(sailnet_real angle, sailnet_real *cosine
     }
     *cosine = c;
     *sine = s;
+}
+
+/*
+ * (arctan(t) / t - 1) / t^2, of z = t^2 for t in [-tan(pi/8), tan(pi/8)], by its best polynomial: the error in arctan is
+ * below 2e-8 (float) and 4e-17 (double) of it.
+ */
+SAILNET_INLINE sailnet_real sailnet_arctan_rest(sailnet_real z)
+{
+#ifdef SAILNET_FLOAT64
+    const sailnet_real z2 = z * z;
+    const sailnet_real z4 = z2 * z2;
+    const sailnet_real lowest = (-0.33333333333330218 + 0.19999999999104691 * z) +
+                                (-0.14285714196529525 + 0.11111106703673881 * z) * z2;
+    const sailnet_real middle = (-0.090907835311274021 + 0.076900833866845471 * z) +
+                                (-0.066412464978030210 + 0.056931659858806027 * z) * z2;
+    const sailnet_real highest = -0.043608284811392481 + 0.021280176437232786 * z;
+    return lowest + z4 * (middle + z4 * highest);
+#else
+    return -0.33332955f + z * (0.19977926f + z * (-0.13879846f + z * 0.080602985f));
+#endif
+}
+
+/*
+ * The angle of a direction, from the first axis to the second: of the smaller by the larger component, turned back by
+ * pi/4 where that is steep, and then in each octant. Of two zeros it is 0. They come by their addresses, as what is
+ * clamped does.
+ */
+SAILNET_PART sailnet_real sailnet_angle(const sailnet_real *first, const sailnet_real *second)
+{
+    const sailnet_real x = sailnet_size(*first);
+    const sailnet_real y = sailnet_size(*second);
+    const sailnet_real larger = x > y ? x : y;
+    const sailnet_real smaller = x > y ? y : x;
+    const sailnet_real steep = smaller > R(0.41421356237309505) * larger ? R(1.0) : R(0.0);
+    const sailnet_real whole = larger + steep * smaller;
+    const sailnet_real t = whole > R(0.0) ? (smaller - steep * larger) / whole : R(0.0);
+    sailnet_real angle = steep * R(0.7853981633974483) + (t + t * (t * t) * sailnet_arctan_rest(t * t));
+    angle = y > x ? R(1.5707963267948966) - angle : angle;
+    angle = *first < R(0.0) ? R(3.141592653589793) - angle : angle;
+    angle = *second < R(0.0) ? -angle : angle;
+    return sailnet_limited(&angle, SAILNET_OF_ANGLE);
 }
 
 /* ================================ The networks ================================ */
@@ -850,8 +906,13 @@ SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
 #undef STAGE_BLOCK
 #undef STAGE_TOGETHER
 
-/* Each network reads all five, those first that are known first; the first gives log2(tau / s). beta must be in its range. */
-SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+/* Inputs of a network, those first that are known first; and in space what its outputs are multiplied by. */
+#define SAILNET_APPROACH_INPUTS 5
+#define SAILNET_APPROACH_STATES 3
+
+/* The inputs, and in space the two factors, which change their signs in a mirror; beta must be in its range. Returns s. */
+SAILNET_INLINE sailnet_real sailnet_approach(const sailnet_real state[SAILNET_APPROACH_STATES], sailnet_real beta,
+                                             sailnet_real input[SAILNET_APPROACH_INPUTS], sailnet_real factors[2])
 {
     /* Deviations in units of the sail's acceleration at the target, beta / r_f^2: they are times. */
     const sailnet_real per_acceleration = SAILNET_TARGET_R2 / beta;
@@ -870,8 +931,22 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real b
     const sailnet_real per_s2 = per_s * per_s;
     /* s4 tells the bound; the clamp tells it to an analyser of intervals. */
     const sailnet_real s = sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6));
-    const sailnet_real input[5] = {beta, s, missing[2] * per_s, missing[1] * per_s,
-                                                 missing[0] * per_s2};
+    input[0] = beta;
+    input[1] = s;
+    factors[0] = R(1.0);
+    factors[1] = R(0.0);
+    input[SAILNET_APPROACH_INPUTS - 3] = missing[2] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 2] = missing[1] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 1] = missing[0] * per_s2;
+    return s;
+}
+
+/* The first network gives log2(tau / s). */
+SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+{
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real s = sailnet_approach(state, beta, input, factors);
     sailnet_approach_networks(input, output);
     /* Bounded, so that no weights make the product overflow. */
     const sailnet_real octaves = sailnet_clamped(output[0], R(-60.0), R(60.0));
@@ -1132,6 +1207,1655 @@ SAILNET_INLINE uint32_t sailnet_law(const sailnet_state *state, sailnet_real bet
     return seen;
 }
 
+/* ================================ The tracker ================================ */
+
+#define SAILNET_TRACKER_API static
+
+/*
+ * Extremals of minimum time, backward from the target orbit: Eqs. (14)-(19), with delta = 0.
+ *
+ * An extremal that arrives is a direction of the arrival costates, constant along the whole flight, and the time to go.
+ * Freestanding C99 without libm; it compiles where it lies, with -DSAILNET_IN_SPACE=1 in three dimensions.
+ */
+#ifndef SAILNET_EXTREMAL_H
+#define SAILNET_EXTREMAL_H
+
+
+
+/* The flight file holds all of this in one translation unit, where functions are static. */
+#ifndef SAILNET_TRACKER_API
+#define SAILNET_TRACKER_API
+#endif
+
+/*
+ * The state and costates `tau` before arrival, of the extremal that arrives with costates along `direction`.
+ *
+ * tolerance: local error of a step, in AU and AU/TU, of costates relative to their size.
+ * Returns the steps it took; 0 if it did not get there: too many steps, or numbers that are not finite.
+ */
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end);
+
+/* An end of an extremal `lapse` [TU] later; the rest is as for sailnet_extremal. */
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end);
+
+/* The optimal attitude of costates. */
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude);
+
+/* The product of costates and the force of an attitude, per beta / r^2: of the optimal one it is least. */
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude);
+
+/* The same for a sail that light pushes along its surface by so much more, per beta / r^2: as is learnt of a vehicle. */
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential);
+
+/* value^(-1/2) of a positive number, to a few units of rounding. */
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value);
+
+/* A square root; of 0 or less 0. */
+SAILNET_TRACKER_API double sailnet_root(double value);
+
+static inline double sailnet_absolute(double value)
+{
+    return value < 0.0 ? -value : value;
+}
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+#define UNKNOWNS (2 * SAILNET_STATES)
+/* Where lambda_u and lambda_v are among the unknowns. */
+#define LAMBDA_U (STATES + STATES - (SAILNET_IN_SPACE ? 3 : 2))
+#define LAMBDA_V (LAMBDA_U + 1)
+
+/* Stages of Dormand and Prince's method of fifth order; the seventh is the first of the next step. */
+#define STAGES 7
+static const double stage_weights[STAGES - 1][STAGES - 1] = {
+    {0.2, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.075, 0.225, 0.0, 0.0, 0.0, 0.0},
+    {0.9777777777777777, -3.7333333333333334, 3.5555555555555554, 0.0, 0.0, 0.0},
+    {2.9525986892242035, -11.595793324188385, 9.822892851699436, -0.2908093278463649, 0.0, 0.0},
+    {2.8462752525252526, -10.757575757575758, 8.906422717743473, 0.2784090909090909, -0.2735313036020583, 0.0},
+    {0.09114583333333333, 0.0, 0.44923629829290207, 0.6510416666666666, -0.322376179245283, 0.13095238095238096}};
+static const double error_weights[STAGES] = {0.0012326388888888888,  0.0, -0.0042527702905061394, 0.03697916666666667,
+                                             -0.05086379716981132, 0.0419047619047619, -0.025};
+
+/* First and shortest step [TU]; a step is at most so much of the time in which the primer, the costates that the
+   attitude depends on, would vanish: where it nearly does the attitude turns fast. */
+#define FIRST_STEP 0.05
+#define SHORTEST_STEP 1e-7
+#define OF_PRIMER 0.3
+/* By how much steps change at most. */
+#define SHRINK 0.1
+#define GROW 4.0
+/* Halvings of the interval in which an event lies. */
+#define HALVINGS 20
+
+/* An extremal on its way: between two events the law is smooth. */
+typedef struct {
+    const sailnet_problem *problem;
+    double at_bound[2]; /* the force at the bound on the cone angle, radial and lateral */
+    int32_t bound;      /* whether the cone angle is there */
+    double side;        /* in the plane the sign that it has there */
+} sailnet_arc;
+
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x5FE6EB50C7B537A9) - (bits >> 1);
+    (void)memcpy(&root, &bits, sizeof root);
+    /* The bits err by 3.5 %: a step of fourth order and one of third leave rounding. */
+    const double off = 1.0 - value * (root * root);
+    root += root * off * ((0.5 + 0.375 * off) + 0.3125 * (off * off));
+    const double rest = 1.0 - value * (root * root);
+    return root + root * (rest * (0.5 + 0.375 * rest));
+}
+
+SAILNET_TRACKER_API double sailnet_root(double value)
+{
+    return value > 0.0 ? value * sailnet_reciprocal_root(value) : 0.0;
+}
+
+/* The force of a cone angle across the Sun line: radial, lateral. */
+static void force_at(const sailnet_problem *problem, double cosine, double sine, double force[2])
+{
+    const double normal = problem->square * cosine + problem->linear;
+    force[0] = cosine * (normal * cosine + problem->across * sine * sine);
+    force[1] = cosine * sine * (normal - problem->across * cosine);
+}
+
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude)
+{
+    double force[2];
+    double along = 0.0;
+    force_at(problem, attitude->cosine, attitude->sine, force);
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        along += costate[STATES - SAILNET_ACROSS + i] * attitude->across[i];
+    }
+    return costate[STATES - SAILNET_ACROSS - 1] * force[0] + along * force[1];
+}
+
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential)
+{
+    const double c = problem->bound_cosine;
+    const double s = sailnet_absolute(problem->bound_sine);
+    problem->across += tangential;
+    problem->edge_radial += tangential * s * (2.0 * c * c - s * s);
+    problem->edge_lateral += tangential * c * (2.0 * s * s - c * c);
+}
+
+/*
+ * The cone angle inside the bound that makes lambda_u f_r - lateral f_t least: of an ideal sail in closed form, and from
+ * there by Newton's steps, which of an ideal sail are none.
+ */
+static void inside_the_bound(const sailnet_problem *problem, double lambda_u, double lateral, double *cosine,
+                             double *sine)
+{
+    const double x = -3.0 * lambda_u;
+    const double y = 2.8284271247461903 * lateral;
+    const double size = sailnet_root(x * x + y * y);
+    /* The tangent is (size - x) / (sqrt(2) y), or y / (sqrt(2) (size + x)): the larger of both numbers is exact. */
+    const double above = x > 0.0 ? y : size - x;
+    const double below = 1.4142135623730951 * (x > 0.0 ? size + x : y);
+    const double square2 = above * above + below * below;
+    const double whole = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
+    double c = whole > 0.0 ? below * whole : 1.0;
+    double s = above * whole;
+    const double linear = problem->linear;
+    const double across = problem->across;
+    if ((linear != 0.0) || (across != 0.0)) {
+        const double square = problem->square;
+        for (int32_t i = 0; i < 5; i++) {
+            const double c2 = c * c - s * s;
+            const double s2 = 2.0 * c * s;
+            /* Derivatives of the force by the cone angle, the first and the second. */
+            const double normal = square * c + linear;
+            const double f_r1 = -s * (3.0 * square * c * c + 2.0 * linear * c) + across * s * (2.0 * c * c - s * s);
+            const double f_t1 = c2 * (normal - across * c) - c * s * s * (square - across);
+            const double f_r2 = square * (6.0 * c * s * s - 3.0 * c * c * c) - 2.0 * linear * c2 +
+                                across * c * (2.0 * c * c - 7.0 * s * s);
+            const double f_t2 = -2.0 * s2 * (normal - across * c) - (square - across) * s * (c2 + 2.0 * c * c - s * s);
+            const double slope = lambda_u * f_r1 - lateral * f_t1;
+            const double bend = lambda_u * f_r2 - lateral * f_t2;
+            const double step = bend > 0.0 ? -slope / bend : 0.0;
+            /* A turn by arctan(step). */
+            const double turned = c - s * step;
+            const double rest = s + c * step;
+            const double per = sailnet_reciprocal_root(turned * turned + rest * rest);
+            c = turned * per;
+            s = rest * per;
+            /* What is left is its square. */
+            if (!(sailnet_absolute(step) > 1e-6)) {
+                break;
+            }
+        }
+    }
+    *cosine = c;
+    *sine = s;
+}
+
+/* Size of the costate across the Sun line. */
+static double lateral_of(const double *unknown)
+{
+    return sailnet_absolute(unknown[LAMBDA_V]);
+}
+
+/* Positive where the optimum is inside the bound. */
+static double inner(const sailnet_problem *problem, const double *unknown)
+{
+    return unknown[LAMBDA_U] * problem->edge_radial - lateral_of(unknown) * problem->edge_lateral;
+}
+
+/* The force by the law of the present arc: radial, along, and in space northward. */
+static void force_of(const sailnet_arc *arc, const double *unknown, double *force)
+{
+    const sailnet_problem *const problem = arc->problem;
+    double in_plane[2] = {arc->at_bound[0], arc->at_bound[1]};
+    const double lateral = lateral_of(unknown);
+    if (arc->bound == 0) {
+        double cosine;
+        double sine;
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &cosine, &sine);
+        force_at(problem, cosine, sine, in_plane);
+    }
+    force[0] = in_plane[0];
+    const double side = arc->bound != 0 ? arc->side : (unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0);
+    force[1] = side * in_plane[1];
+}
+
+/* Eq. (15): rates of the unknowns by the time to go, which are those by time with another sign. */
+static void rates(const sailnet_arc *arc, const double *unknown, double *rate)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double per_r = 1.0 / unknown[0];
+    const double push = problem->beta * per_r * per_r;
+    double force[3] = {0.0, 0.0, 0.0};
+    force_of(arc, unknown, force);
+    const double u = unknown[1];
+    const double v = unknown[2];
+    const double l_r = unknown[3];
+    const double l_u = unknown[4];
+    const double l_v = unknown[5];
+    const double work = push * (l_u * force[0] + l_v * force[1]);
+    rate[0] = -u;
+    rate[1] = -(v * v * per_r - per_r * per_r + push * force[0]);
+    rate[2] = u * v * per_r - push * force[1];
+    rate[3] = -per_r * (per_r * (l_u * v * v - l_v * u * v - 2.0 * l_u * per_r) + 2.0 * work);
+    rate[4] = l_r - l_v * v * per_r;
+    rate[5] = per_r * (2.0 * l_u * v - l_v * u);
+}
+
+/* One step from `unknown`, whose rates are the first of the stages; returned is the estimate of its error. */
+static double step_by(const sailnet_arc *arc, const double *unknown, double step, double stage[STAGES][UNKNOWNS],
+                      double *reached)
+{
+    for (int32_t i = 0; i < (STAGES - 1); i++) {
+        (void)memcpy(reached, unknown, UNKNOWNS * sizeof reached[0]);
+        for (int32_t j = 0; j <= i; j++) {
+            const double share = step * stage_weights[i][j];
+            for (int32_t n = 0; n < UNKNOWNS; n++) {
+                reached[n] += share * stage[j][n];
+            }
+        }
+        rates(arc, reached, stage[i + 1]);
+    }
+    double size = 0.0;
+    for (int32_t n = STATES; n < UNKNOWNS; n++) {
+        size += sailnet_absolute(unknown[n]);
+    }
+    double error = 0.0;
+    for (int32_t n = 0; n < UNKNOWNS; n++) {
+        double sum = 0.0;
+        for (int32_t j = 0; j < STAGES; j++) {
+            sum += error_weights[j] * stage[j][n];
+        }
+        const double own = sailnet_absolute(step * sum);
+        /* Relative to the size of all costates; what is not a number stays none. */
+        const double counted = n < STATES ? own : own / size;
+        error = counted <= error ? error : counted;
+    }
+    return error;
+}
+
+/*
+ * The two functions that end an arc where they become negative: of the bound, and in the plane of the side there. In
+ * space the thrust turns about the Sun line without a jump.
+ */
+static double guard(const sailnet_arc *arc, const double *unknown, int32_t which)
+{
+    const double inside = inner(arc->problem, unknown);
+    double value = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        value = arc->bound != 0 ? -arc->side * unknown[LAMBDA_V] : 1.0;
+    }
+    return value;
+}
+
+/* Its slope: every guard is linear in the costates, but for the size of what is across the Sun line. */
+static double guard_slope(const sailnet_arc *arc, const double *unknown, const double *rate, int32_t which)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double change = unknown[LAMBDA_V] < 0.0 ? -rate[LAMBDA_V] : rate[LAMBDA_V];
+    const double inside = rate[LAMBDA_U] * problem->edge_radial - change * problem->edge_lateral;
+    double slope = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        slope = arc->bound != 0 ? -arc->side * rate[LAMBDA_V] : 0.0;
+    }
+    return slope;
+}
+
+/* The share of a step after which a guard is negative: by the cubic of its values and slopes at both ends. */
+static double share_until(double g0, double slope0, double g1, double slope1)
+{
+    double low = 0.0;
+    double high = 1.0;
+    for (int32_t i = 0; i < HALVINGS; i++) {
+        const double x = 0.5 * (low + high);
+        const double q = 1.0 - x;
+        const double value =
+            q * q * ((1.0 + 2.0 * x) * g0 + x * slope0) + x * x * ((3.0 - 2.0 * x) * g1 - q * slope1);
+        if (value < 0.0) {
+            high = x;
+        } else {
+            low = x;
+        }
+    }
+    return high;
+}
+
+/* Which arc begins at `unknown`. */
+static void begin_arc(sailnet_arc *arc, const double *unknown)
+{
+    arc->bound = inner(arc->problem, unknown) > 0.0 ? 0 : 1;
+    arc->side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/* Which guard a step ends with, and when; -1 if it ends none. */
+static int32_t event_in(const sailnet_arc *arc, const double *before, const double *after,
+                        double stage[STAGES][UNKNOWNS], double *step)
+{
+    int32_t which = -1;
+    const double whole = *step;
+    for (int32_t i = 0; i < (SAILNET_IN_SPACE ? 1 : 2); i++) {
+        const double g1 = guard(arc, after, i);
+        if (g1 < 0.0) {
+            /* Where the arc has just begun rounding may have left it a little below 0. */
+            const double g0 = guard(arc, before, i);
+            const double slope0 = guard_slope(arc, before, stage[0], i) * whole;
+            const double slope1 = guard_slope(arc, after, stage[STAGES - 1], i) * whole;
+            const double at = whole * share_until(g0 > 0.0 ? g0 : 0.0, slope0, g1, slope1);
+            if ((which < 0) || (sailnet_absolute(at) < sailnet_absolute(*step))) {
+                *step = at;
+                which = i;
+            }
+        }
+    }
+    return which;
+}
+
+/* The fifth root of a positive number, to 3.4 %: of its bits, which are nearly its logarithm, and of which the upper half
+   is divided by 5. */
+static double about_fifth_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x3325CFAACD9E8600) + (bits >> 32) * UINT64_C(0x33333333);
+    (void)memcpy(&root, &bits, sizeof root);
+    return root;
+}
+
+/* What the next step is multiplied by. */
+static double factor_of(double tolerance, double error)
+{
+    double factor = SHRINK;
+    if (error <= 1e-6 * tolerance) {
+        factor = GROW;
+    } else if (error == error) {
+        factor = 0.9 * about_fifth_root(tolerance / error);
+    } else {
+        /* It is not a number: much shorter. */
+    }
+    factor = factor > SHRINK ? factor : SHRINK;
+    return factor < GROW ? factor : GROW;
+}
+
+/* A step, or the longest that the primer leaves. */
+static double limited_step(const double *unknown, const double *rate, double step)
+{
+    double primer = 0.0;
+    double change = 0.0;
+    double limited = step;
+    const int32_t first = LAMBDA_U;
+    for (int32_t n = first; n < UNKNOWNS; n++) {
+        primer += unknown[n] * unknown[n];
+        change += rate[n] * rate[n];
+    }
+    if (!(step * step * change <= OF_PRIMER * OF_PRIMER * primer)) {
+        const double longest = OF_PRIMER * sailnet_root(primer / change);
+        limited = longest > SHORTEST_STEP ? longest : SHORTEST_STEP;
+    }
+    return limited < step ? limited : step;
+}
+
+/* The first trial of `step` from `unknown` that ends an arc, or none: as in event_in; and to the event itself. */
+static int32_t end_at_event(const sailnet_arc *arc, const double *unknown, double stage[STAGES][UNKNOWNS],
+                            double *reached, double left, double *step)
+{
+    const int32_t which = event_in(arc, unknown, reached, stage, step);
+    if (which >= 0) {
+        (void)step_by(arc, unknown, *step, stage, reached);
+        /* By one step of Newton's method. */
+        const double slope = guard_slope(arc, reached, stage[STAGES - 1], which);
+        const double more = slope != 0.0 ? -guard(arc, reached, which) / slope : 0.0;
+        if ((sailnet_absolute(more) < 0.1 * sailnet_absolute(*step)) && (sailnet_absolute(*step + more) < left)) {
+            *step += more;
+            (void)step_by(arc, unknown, *step, stage, reached);
+        }
+    }
+    return which;
+}
+
+/*
+ * An end of an extremal, `span` [TU] farther from arrival; nearer, if that is negative. Its rates are computed.
+ * Returns the steps it took; 0 if it did not get there.
+ */
+static int32_t fly(const sailnet_problem *problem, double span, double tolerance, sailnet_end *end)
+{
+    sailnet_arc arc = {problem, {0.0, 0.0}, 0, 1.0};
+    double *const unknown = end->value;
+    double stage[STAGES][UNKNOWNS];
+    double reached[UNKNOWNS];
+    const double sign = span < 0.0 ? -1.0 : 1.0;
+    double left = sailnet_absolute(span);
+    double wanted = FIRST_STEP;
+    int32_t steps = 0;
+    force_at(problem, problem->bound_cosine, problem->bound_sine, arc.at_bound);
+    begin_arc(&arc, unknown);
+    rates(&arc, unknown, stage[0]);
+    while ((left > 0.0) && (steps < SAILNET_MOST_STEPS)) {
+        const double longest = limited_step(unknown, stage[0], wanted);
+        double step = sign * (longest < left ? longest : left);
+        const double error = step_by(&arc, unknown, step, stage, reached);
+        steps++;
+        wanted = sign * step * factor_of(tolerance, error);
+        if (error <= tolerance) {
+            const int32_t which = end_at_event(&arc, unknown, stage, reached, left, &step);
+            (void)memcpy(unknown, reached, sizeof reached);
+            left = sign * step < left ? left - sign * step : 0.0;
+            if (which == 0) {
+                arc.bound = 1 - arc.bound;
+                arc.side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+            } else if (which > 0) {
+                arc.side = -arc.side;
+            } else {
+                /* The same arc goes on. */
+            }
+            if (which >= 0) {
+                wanted = FIRST_STEP;
+                rates(&arc, unknown, stage[0]);
+            } else {
+                (void)memcpy(stage[0], stage[STAGES - 1], sizeof stage[0]);
+            }
+        }
+    }
+    (void)memcpy(end->rate, stage[0], sizeof end->rate);
+    return left > 0.0 ? 0 : steps;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end)
+{
+    (void)memset(end->value, 0, sizeof end->value);
+    end->value[0] = problem->target_radius;
+    end->value[STATES - 1 - SAILNET_IN_SPACE] = sailnet_reciprocal_root(problem->target_radius);
+    (void)memcpy(&end->value[STATES], direction, (size_t)STATES * sizeof direction[0]);
+    return fly(problem, tau > 0.0 ? tau : 0.0, tolerance, end);
+}
+
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end)
+{
+    return fly(problem, -lapse, tolerance, end);
+}
+
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude)
+{
+    double unknown[UNKNOWNS] = {0.0};
+    (void)memcpy(&unknown[STATES], costate, (size_t)STATES * sizeof costate[0]);
+    const double lateral = lateral_of(unknown);
+    if (inner(problem, unknown) > 0.0) {
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &attitude->cosine, &attitude->sine);
+    } else {
+        attitude->cosine = problem->bound_cosine;
+        attitude->sine = problem->bound_sine;
+    }
+    attitude->across[0] = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/*
+ * Newton's method that keeps a plan at the state of the sail.
+ */
+#ifndef SAILNET_PLAN_H
+#define SAILNET_PLAN_H
+
+
+
+/* The largest residual of a plan that counts as solved [AU, AU/TU], by the time to go [TU]: towards arrival an error of
+   the state takes a time that grows as its root. */
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go);
+
+/* Whether a plan passes through the state that it was last corrected for. */
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan);
+
+/* A budget is never larger, whatever is asked for. */
+#define SAILNET_MOST_EXTREMALS 64
+
+/* The problem of the vehicle that a plan is for; of `problem` the rest is used. */
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan);
+
+/*
+ * Correct a plan by damped Newton steps until its extremal of `problem` passes through `state`. The plan is replaced by a
+ * trial only if that has a smaller residual. What is not converged goes on in the next call.
+ *
+ * most: extremals that may be computed, at least 1; so many more than the components of a state are one step with new
+ *     derivatives.
+ * Returns how many extremals were computed: from 1 to `most`.
+ */
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan);
+
+/*
+ * Correct a plan, with its vehicle moved towards that of `problem`: beta by at most the share `largest` of it, and the
+ * force along the surface by at most as much. Where no extremal is found for that, the plan is corrected for its vehicle as
+ * it was: beyond the edge of what the sail can reach the last plan that exists is better than another revolution.
+ *
+ * The rest is as for sailnet_correct_plan.
+ */
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan);
+
+/* Whether a plan is for the vehicle of `problem`. */
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem);
+
+/* Bring the end of a plan to the present, and with it its residual: by how much it misses the state. */
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan);
+
+/* The attitude of a plan, `ahead` [TU] later than the state that `end` is of, and its costates there, scaled to H = 0. */
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude);
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+/* What is unknown of a plan: all components of the direction but one, and the time to go. */
+#define TIME (STATES - 1)
+
+/* Longest step of Newton's method: of the direction, per its largest component, and of the time to go [TU]. */
+#define LARGEST_TURN 0.2
+#define LARGEST_SHIFT 0.1
+/* By how much the direction is changed to differentiate by it. */
+#define DIFFERENCE 1e-5
+/* A shorter step is given up: derivatives are renewed, or there is no way. */
+#define SHORTEST_SHARE 1e-3
+/* Of the residual: derivatives that leave more of it are renewed. */
+#define STALE 0.5
+/* Of the goal: a residual in which integration errors are a part. */
+#define FLOOR 0.1
+/* A component that was the largest is replaced when it is less than so much of the one that is. */
+#define STILL_LARGE 0.4
+#define LEAST_TIME 1e-4
+/* The goal far from arrival [AU, AU/TU], and its smallest share. */
+#define LARGEST_GOAL 4e-6
+#define SMALLEST_SHARE 1e-4
+/* Of the goal: the local error of extremals. */
+#define TOLERANCE 0.03
+/* A residual of what cannot be flown. */
+#define NOWHERE 1e9
+
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go)
+{
+    const double square = time_to_go * time_to_go;
+    const double share = square < 1.0 ? square : 1.0;
+    return LARGEST_GOAL * (share > SMALLEST_SHARE ? share : SMALLEST_SHARE);
+}
+
+/* A plan that is tried. */
+typedef struct {
+    double direction[STATES];
+    double time_to_go;
+    double error[STATES];
+    double residual;
+    sailnet_end end;
+} trial;
+
+static void compare(const double state[STATES], trial *tried)
+{
+    double worst = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        tried->error[n] = state[n] - tried->end.value[n];
+        /* What is not a number leads nowhere. */
+        const double size = sailnet_absolute(tried->error[n]);
+        const double counted = size < NOWHERE ? size : NOWHERE;
+        worst = counted > worst ? counted : worst;
+    }
+    tried->residual = worst;
+}
+
+static void fly_back(const sailnet_problem *problem, const double state[STATES], trial *tried)
+{
+    const double tolerance = TOLERANCE * sailnet_plan_goal(tried->time_to_go);
+    const int32_t steps = sailnet_extremal(problem, tried->direction, tried->time_to_go, tolerance, &tried->end);
+    compare(state, tried);
+    tried->residual = steps > 0 ? tried->residual : NOWHERE;
+}
+
+/* Another direction: its components, per the largest, plus a share of a step. */
+static void turn_direction(const double from[STATES], int32_t largest, const double step[STATES], double share,
+                           double to[STATES])
+{
+    const double per = 1.0 / sailnet_absolute(from[largest]);
+    double square = 0.0;
+    int32_t k = 0;
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] = from[n] * per;
+        if (n != largest) {
+            to[n] += share * step[k];
+            k++;
+        }
+        square += to[n] * to[n];
+    }
+    const double scale = sailnet_reciprocal_root(square);
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] *= scale;
+    }
+}
+
+/* By which component the others are divided: the largest, or still the one that was. */
+static void choose_largest(sailnet_plan *plan)
+{
+    int32_t largest = 0;
+    for (int32_t n = 1; n < STATES; n++) {
+        if (sailnet_absolute(plan->direction[n]) > sailnet_absolute(plan->direction[largest])) {
+            largest = n;
+        }
+    }
+    const int32_t known = ((plan->largest >= 0) && (plan->largest < STATES)) ? plan->largest : largest;
+    const double size = sailnet_absolute(plan->direction[known]);
+    if ((known != plan->largest) || !(size >= STILL_LARGE * sailnet_absolute(plan->direction[largest]))) {
+        plan->largest = largest;
+        plan->differentiated = 0;
+    }
+}
+
+/* The derivatives by differences. */
+static void differentiate(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, const trial *at)
+{
+    trial near = *at;
+    plan->differentiated = 1;
+    for (int32_t k = 0; k < TIME; k++) {
+        double step[STATES] = {0.0};
+        step[k] = DIFFERENCE;
+        turn_direction(at->direction, plan->largest, step, 1.0, near.direction);
+        fly_back(problem, state, &near);
+        if (near.residual >= NOWHERE) {
+            plan->differentiated = 0;
+        }
+        for (int32_t n = 0; n < STATES; n++) {
+            plan->jacobian[n][k] = (near.end.value[n] - at->end.value[n]) / DIFFERENCE;
+        }
+    }
+}
+
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan)
+{
+    sailnet_problem own = *problem;
+    own.beta = plan->beta;
+    sailnet_push_aside(&own, plan->across - problem->across);
+    return own;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem)
+{
+    return ((plan->beta == problem->beta) && (plan->across == problem->across)) ? 1 : 0;
+}
+
+/* The derivative by what differs of another vehicle, `change`; of a plan that cannot be flown by that it is none. */
+static void differentiate_by_one(const sailnet_problem *other, const double state[STATES], double change,
+                                 sailnet_plan *plan, double derivative[STATES])
+{
+    trial near;
+    (void)memset(&near, 0, sizeof near);
+    (void)memcpy(near.direction, plan->direction, sizeof near.direction);
+    near.time_to_go = plan->time_to_go;
+    fly_back(other, state, &near);
+    if (near.residual >= NOWHERE) {
+        plan->differentiated = 1;
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        derivative[n] = (near.end.value[n] - plan->end.value[n]) / change;
+    }
+}
+
+/* Both derivatives by the vehicle: two extremals. */
+static void differentiate_by_vehicle(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    sailnet_problem stronger = own;
+    sailnet_problem aside = own;
+    const double change = DIFFERENCE * plan->beta;
+    stronger.beta += change;
+    sailnet_push_aside(&aside, DIFFERENCE);
+    plan->differentiated = 2;
+    differentiate_by_one(&stronger, state, change, plan, plan->per_beta);
+    differentiate_by_one(&aside, state, DIFFERENCE, plan, plan->per_across);
+}
+
+/* Newton's step: solve jacobian step = error by elimination with pivots; 0 if there is no solution. */
+static int32_t solve(const sailnet_plan *plan, const double error[STATES], double step[STATES])
+{
+    double m[STATES][STATES + 1];
+    int32_t solved = 1;
+    for (int32_t i = 0; i < STATES; i++) {
+        (void)memcpy(m[i], plan->jacobian[i], sizeof plan->jacobian[i]);
+        m[i][STATES] = error[i];
+    }
+    for (int32_t c = 0; c < STATES; c++) {
+        int32_t pivot = c;
+        for (int32_t i = c + 1; i < STATES; i++) {
+            pivot = sailnet_absolute(m[i][c]) > sailnet_absolute(m[pivot][c]) ? i : pivot;
+        }
+        solved = sailnet_absolute(m[pivot][c]) > 0.0 ? solved : 0;
+        for (int32_t j = 0; j <= STATES; j++) {
+            const double other = m[c][j];
+            m[c][j] = m[pivot][j];
+            m[pivot][j] = other;
+        }
+        for (int32_t i = 0; i < STATES; i++) {
+            const double factor = i != c ? m[i][c] / m[c][c] : 0.0;
+            for (int32_t j = c; j <= STATES; j++) {
+                m[i][j] -= factor * m[c][j];
+            }
+        }
+    }
+    for (int32_t i = 0; i < STATES; i++) {
+        step[i] = m[i][STATES] / m[i][i];
+        solved = step[i] == step[i] ? solved : 0;
+    }
+    return solved;
+}
+
+/* The share of a step of Newton's method that is within bounds. */
+static double share_within(const double step[STATES])
+{
+    double square = 0.0;
+    for (int32_t k = 0; k < TIME; k++) {
+        square += step[k] * step[k];
+    }
+    const double turned = square > 0.0 ? square * sailnet_reciprocal_root(square) : 0.0;
+    const double by_turn = turned > LARGEST_TURN ? LARGEST_TURN / turned : 1.0;
+    const double shift = sailnet_absolute(step[TIME]);
+    const double by_shift = shift > LARGEST_SHIFT ? LARGEST_SHIFT / shift : 1.0;
+    return by_turn < by_shift ? by_turn : by_shift;
+}
+
+/* Broyden's update: derivatives that say of the last step what it did, and of the change of the vehicle, by beta and by
+   the force along the surface, which what was before has in it as predicted. */
+static void mend(sailnet_plan *plan, const trial *before, const trial *after, const double step[STATES], double share,
+                 const double change[2])
+{
+    double moved[STATES];
+    double square = change[0] * change[0] + change[1] * change[1];
+    for (int32_t k = 0; k < STATES; k++) {
+        moved[k] = k < TIME ? share * step[k] : after->time_to_go - before->time_to_go;
+        square += moved[k] * moved[k];
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        double innovation = after->end.value[n] - before->end.value[n];
+        for (int32_t k = 0; k < STATES; k++) {
+            innovation -= plan->jacobian[n][k] * moved[k];
+        }
+        for (int32_t k = 0; k < STATES; k++) {
+            plan->jacobian[n][k] += innovation * moved[k] / square;
+        }
+        plan->per_beta[n] += innovation * change[0] / square;
+        plan->per_across[n] += innovation * change[1] / square;
+    }
+}
+
+/* The next trial, and what comes of it. */
+static void try_step(const sailnet_problem *problem, const double state[STATES], const sailnet_plan *plan,
+                     const trial *from, const double step[STATES], double share, trial *tried)
+{
+    const double later = from->time_to_go + share * step[TIME];
+    tried->time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
+    turn_direction(from->direction, plan->largest, step, share, tried->direction);
+    fly_back(problem, state, tried);
+}
+
+/* Take one damped step; 0 if it came no nearer. */
+static int32_t advance(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, trial *best,
+                       const double step[STATES], double share)
+{
+    static const double unchanged[2] = {0.0, 0.0};
+    trial tried;
+    try_step(problem, state, plan, best, step, share, &tried);
+    const int32_t nearer = tried.residual < best->residual ? 1 : 0;
+    if (nearer != 0) {
+        mend(plan, best, &tried, step, share, unchanged);
+        *best = tried;
+    }
+    return nearer;
+}
+
+static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
+{
+    for (int32_t n = 0; n < STATES; n++) {
+        plan->jacobian[n][TIME] = end->rate[n];
+    }
+}
+
+/* The first trial: a whole step from where the plan is predicted to be now, or the plan as it is. Returned are the
+   extremals that were computed. */
+static int32_t begin(const sailnet_problem *problem, const double state[STATES], int32_t most, sailnet_plan *plan,
+                     trial *best)
+{
+    const double change[2] = {problem->beta - plan->beta, problem->across - plan->across};
+    const double floor = FLOOR * sailnet_plan_goal(plan->time_to_go);
+    int32_t count = 0;
+    (void)memcpy(best->direction, plan->direction, sizeof best->direction);
+    best->time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
+    choose_largest(plan);
+    if ((plan->differentiated != 0) && (most > 1)) {
+        trial tried;
+        double step[STATES];
+        sailnet_bring_up(problem, state, plan);
+        best->end = plan->end;
+        for (int32_t n = 0; n < STATES; n++) {
+            best->end.value[n] += plan->per_beta[n] * change[0] + plan->per_across[n] * change[1];
+        }
+        compare(state, best);
+        differentiate_by_time(plan, &best->end);
+        if (solve(plan, best->error, step) != 0) {
+            const double share = share_within(step);
+            try_step(problem, state, plan, best, step, share, &tried);
+            count = 1;
+            if (tried.residual <= floor) {
+                *best = tried;
+            } else if (tried.residual < best->residual) {
+                const int32_t stale = tried.residual > STALE * best->residual ? 1 : 0;
+                mend(plan, best, &tried, step, share, change);
+                plan->differentiated = stale != 0 ? 0 : plan->differentiated;
+                *best = tried;
+            } else {
+                plan->differentiated = 0;
+                fly_back(problem, state, best);
+                count = 2;
+            }
+        }
+    }
+    if (count == 0) {
+        fly_back(problem, state, best);
+        count = 1;
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    trial now;
+    int32_t steps = 1;
+    if (plan->age > 0.0) {
+        const double tolerance = TOLERANCE * sailnet_plan_goal(plan->time_to_go);
+        steps = sailnet_move_end(&own, plan->age, tolerance, &plan->end);
+        plan->age = 0.0;
+    }
+    now.end = plan->end;
+    compare(state, &now);
+    plan->residual = steps > 0 ? now.residual : NOWHERE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan)
+{
+    trial best;
+    double step[STATES] = {0.0};
+    const double goal = sailnet_plan_goal(plan->time_to_go);
+    double damped = 1.0;
+    int32_t fresh = 0;
+    int32_t going = 1;
+    const int32_t limit = most < SAILNET_MOST_EXTREMALS ? most : SAILNET_MOST_EXTREMALS;
+    int32_t count = begin(problem, state, limit, plan, &best);
+    while ((going != 0) && (count < limit) && ((best.residual > goal) || (plan->differentiated == 0)) &&
+           (best.residual < NOWHERE)) {
+        choose_largest(plan);
+        const int32_t renewed = plan->differentiated == 0 ? TIME : 0;
+        going = count < (limit - renewed) ? 1 : 0;
+        if ((going != 0) && (renewed != 0)) {
+            differentiate(problem, state, plan, &best);
+            count += TIME;
+            fresh = 1;
+        }
+        differentiate_by_time(plan, &best.end);
+        if ((going != 0) && (plan->differentiated != 0)) {
+            going = solve(plan, best.error, step);
+            plan->differentiated = going != 0 ? plan->differentiated : 0;
+        }
+        going = plan->differentiated != 0 ? going : 0;
+        if (going != 0) {
+            const double before = best.residual;
+            const double share = damped * share_within(step);
+            count++;
+            if (advance(problem, state, plan, &best, step, share) != 0) {
+                plan->differentiated = ((best.residual > STALE * before) && (fresh == 0)) ? 0 : plan->differentiated;
+                fresh = 0;
+                damped = damped < 0.5 ? 2.0 * damped : 1.0;
+            } else if (fresh == 0) {
+                plan->differentiated = 0;
+            } else {
+                damped *= 0.25;
+                going = damped > SHORTEST_SHARE ? 1 : 0;
+            }
+        }
+    }
+    (void)memcpy(plan->direction, best.direction, sizeof best.direction);
+    plan->time_to_go = best.time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = best.residual;
+    plan->end = best.end;
+    plan->age = 0.0;
+    plan->differentiated = best.residual < NOWHERE ? plan->differentiated : 0;
+    /* It is no more than the limit: the comparison shows that to an analyser. */
+    return count < limit ? count : limit;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan)
+{
+    return plan->residual <= sailnet_plan_goal(plan->time_to_go) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan)
+{
+    const double stronger = problem->beta - plan->beta;
+    const double aside = problem->across - plan->across;
+    const double by_beta = sailnet_absolute(stronger) / plan->beta;
+    const double by_aside = sailnet_absolute(aside);
+    const double by = by_beta > by_aside ? by_beta : by_aside;
+    int32_t count = 0;
+    int32_t moves = by > 0.0 ? most - 2 : 0;
+    if (moves > 0) {
+        sailnet_problem next = *problem;
+        if (by > largest) {
+            const double share = largest / by;
+            next.beta = plan->beta + share * stronger;
+            sailnet_push_aside(&next, (share - 1.0) * aside);
+        }
+        if ((plan->differentiated == 1) && (moves > 3)) {
+            sailnet_bring_up(problem, state, plan);
+            differentiate_by_vehicle(problem, state, plan);
+            count = 2;
+        }
+        sailnet_plan moved = *plan;
+        count += sailnet_correct_plan(&next, state, moves - count, &moved);
+        if (sailnet_plan_is_solved(&moved) != 0) {
+            *plan = moved;
+        } else {
+            moves = 0;
+        }
+    }
+    if (moves <= 0) {
+        const sailnet_problem own = sailnet_problem_of(problem, plan);
+        count += sailnet_correct_plan(&own, state, most - count, plan);
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude)
+{
+    double product = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = end->value[STATES + n] - ahead * end->rate[STATES + n];
+        /* Rates are by the time to go. */
+        product += end->value[STATES + n] * end->rate[n];
+    }
+    sailnet_optimal_attitude(problem, costates, attitude);
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = product != 0.0 ? costates[n] / product : 0.0;
+    }
+}
+
+/*
+ * The tracker: the plan that is flown, when it is corrected, and when a plan of the networks replaces it.
+ */
+#ifndef SAILNET_TRACKER_H
+#define SAILNET_TRACKER_H
+
+
+
+/* The guidance period of `held` [TU] is over. */
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
+
+/* Whether the networks are to be evaluated, for sailnet_propose. */
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker);
+
+/*
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time to go
+ * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ */
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[SAILNET_STATES], double time_to_go);
+
+/* Fly by a plan from elsewhere, of the same numbers, if it converges to pass through the state; 0 if it does not. */
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[SAILNET_STATES],
+                                              const double direction[SAILNET_STATES], double time_to_go);
+
+/*
+ * Correct the plan, and the candidate, with at most `most` extremals in all; the command is the attitude in the middle
+ * of the next `hold` [TU].
+ *
+ * problem: of the vehicle to plan for.
+ * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
+ *     flown only while its beta moves.
+ * Returns 1; 0 if there is no plan that passes through the state.
+ */
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[SAILNET_STATES], double estimated, double hold,
+                                           int32_t most, sailnet_planned *planned);
+
+#endif
+
+#include <string.h>
+
+/* A plan is corrected after so much of its time to go, and at the latest after so long [TU]; in every guidance period while
+   it is not solved for the vehicle. While another attitude than its own is flown it stays, since it measures the time lost
+   by that. */
+#define CORRECT_AFTER 0.007
+#define CORRECT_AT_LATEST 0.1
+/* By how much a plan's vehicle moves in a correction, as a share of its force: at most, and at least. A step that fails
+   makes the next one shorter. */
+#define LARGEST_STRIDE 0.01
+#define SMALLEST_STRIDE 1e-4
+#define SHORTER 0.25
+#define LONGER 2.0
+/* The networks are evaluated for a plan once in so long [TU]. */
+#define SEARCH_EVERY 0.1
+/* A faster plan saves at least so much of the time to go: what networks err by. */
+#define FASTER 0.01
+/* A plan that was not solved for the vehicle for so long [TU] has failed: its family of extremals has ended, and any other
+   is better. */
+#define FAILED_AFTER 0.2
+/* Extremals that a candidate may take until it is given up. */
+#define CANDIDATE_EXTREMALS 80
+/* A plan that misses the state by more [AU, AU/TU] is not flown. */
+#define USABLE 1e-3
+#define UNSOLVED 1e9
+/* Hysteresis: an attitude is kept until that has lost so much of the time to go, and not while the plan misses the state by
+   more [AU, AU/TU]. A plan that misses by more and is not solved spends the thrust margin. */
+#define OF_TIME_TO_GO 1.6e-2
+#define STILL_NEAR 4e-4
+/* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
+   the side of the thrust. */
+#define TURN_COSINE 0.939
+#define LATE 1.0
+
+#define STATES SAILNET_STATES
+
+/* A time that has passed [TU]; of what is none, as long as counts. */
+static double passed(double before, double held)
+{
+    const double now = before + held;
+    return ((now >= 0.0) && (now < 1.0)) ? now : 1.0;
+}
+
+static void grow_older(sailnet_plan *plan, double held)
+{
+    plan->time_to_go -= held;
+    plan->age = passed(plan->age, held);
+}
+
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held)
+{
+    grow_older(&tracker->plan, held);
+    grow_older(&tracker->candidate, held);
+    tracker->since = passed(tracker->since, held);
+    tracker->searched = passed(tracker->searched, held);
+}
+
+/* Whether there is no plan, or none that will be flown on. */
+static int32_t has_failed(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER)) ? 1 : 0;
+}
+
+/* Whether a plan of so long a time to go is better than the one that is flown. */
+static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
+{
+    return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker)
+{
+    const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
+    return tracker->searching <= 0 ? due : 0;
+}
+
+/* A plan that is not corrected yet. */
+static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
+                       sailnet_plan *plan)
+{
+    (void)memset(plan, 0, sizeof *plan);
+    (void)memcpy(plan->direction, direction, sizeof plan->direction);
+    plan->largest = -1;
+    plan->time_to_go = time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = UNSOLVED;
+}
+
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[STATES], double time_to_go)
+{
+    tracker->searched = 0.0;
+    if (is_better(tracker, time_to_go) != 0) {
+        begin_plan(problem, direction, time_to_go, &tracker->candidate);
+        tracker->searching = CANDIDATE_EXTREMALS;
+    }
+}
+
+/* Fly by a plan that is solved. */
+static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
+{
+    tracker->plan = *plan;
+    tracker->since = 0.0;
+    tracker->stride = LARGEST_STRIDE;
+    tracker->planned = 1;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[STATES], const double direction[STATES],
+                                              double time_to_go)
+{
+    sailnet_plan plan;
+    begin_plan(problem, direction, time_to_go, &plan);
+    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
+    const int32_t solved = sailnet_plan_is_solved(&plan);
+    if (solved != 0) {
+        adopt(tracker, &plan);
+        tracker->searching = 0;
+    }
+    return solved;
+}
+
+/* Correct the candidate, and fly it if it is better. */
+static void advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                              int32_t most)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, &tracker->candidate);
+    const int32_t computed = sailnet_correct_plan(&own, state, most, &tracker->candidate);
+    tracker->computed += computed;
+    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
+    tracker->searching = left - computed;
+    if (sailnet_plan_is_solved(&tracker->candidate) != 0) {
+        tracker->searching = 0;
+        if (is_better(tracker, tracker->candidate.time_to_go) != 0) {
+            adopt(tracker, &tracker->candidate);
+        }
+    } else if (!(tracker->candidate.residual < UNSOLVED)) {
+        /* It leads nowhere. */
+        tracker->searching = 0;
+    } else {
+        /* It goes on in the next period. */
+    }
+}
+
+/* Keep the attitude while another hardly gains: noise would else turn the sail far again and again. */
+static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                          double hold, sailnet_planned *planned)
+{
+    const sailnet_attitude *const before = &tracker->flown;
+    sailnet_attitude *const attitude = &planned->attitude;
+    double alike = 0.0;
+    double size2 = 0.0;
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        alike += attitude->across[i] * before->across[i];
+        size2 += before->across[i] * before->across[i];
+    }
+    const double turn_cosine = attitude->cosine * before->cosine + attitude->sine * before->sine * alike;
+    /* Nothing else than unit vectors are directions. */
+    const double square = before->cosine * before->cosine + before->sine * before->sine;
+    const int32_t known = ((sailnet_absolute(size2 - 1.0) < 1e-6) && (sailnet_absolute(square - 1.0) < 1e-6)) ? 1 : 0;
+    double regret = 0.0;
+    if ((known != 0) && (turn_cosine < TURN_COSINE) && ((alike < 0.0) || (planned->time_to_go < LATE))) {
+        const double per_r = 1.0 / state[0];
+        const double loss = sailnet_work(problem, planned->costates, before) -
+                            sailnet_work(problem, planned->costates, attitude);
+        regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
+    }
+    const double share = OF_TIME_TO_GO * planned->time_to_go;
+    const int32_t near = tracker->plan.residual < STILL_NEAR ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (near != 0)) ? 1 : 0;
+    tracker->regret = keep != 0 ? regret : 0.0;
+    if (keep != 0) {
+        *attitude = *before;
+    }
+    tracker->flown = *attitude;
+}
+
+/* The next step of the plan's beta, by whether the last one found a plan. */
+static void keep_stride(sailnet_tracker *tracker, int32_t moved)
+{
+    const double next = (moved != 0 ? LONGER : SHORTER) * tracker->stride;
+    tracker->stride = next > SMALLEST_STRIDE ? next : SMALLEST_STRIDE;
+    tracker->stride = tracker->stride < LARGEST_STRIDE ? tracker->stride : LARGEST_STRIDE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[STATES], double estimated, double hold, int32_t most,
+                                           sailnet_planned *planned)
+{
+    sailnet_plan *const plan = &tracker->plan;
+    tracker->computed = 0;
+    if (tracker->planned != 0) {
+        sailnet_bring_up(problem, state, plan);
+    }
+    /* A plan that is not solved, or has failed, leaves the budget to the candidate. */
+    const int32_t first = ((tracker->planned == 1) && (has_failed(tracker) == 0)) ? 1 : 0;
+    if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
+        const sailnet_problem before = sailnet_problem_of(problem, plan);
+        int32_t corrected = 1;
+        if ((tracker->planned > 1) && (plan->residual > STILL_NEAR)) {
+            /* What no plan for less leads through, one for all that the vehicle has may. */
+            sailnet_problem all = *problem;
+            all.beta = estimated;
+            tracker->computed = sailnet_track(&all, state, LARGEST_STRIDE, most, plan);
+        } else if (tracker->planned > 1) {
+            tracker->computed = sailnet_correct_plan(&before, state, most, plan);
+        } else if (!(tracker->regret > 0.0) &&
+                   (!(tracker->since < CORRECT_AFTER * plan->time_to_go) || !(tracker->since < CORRECT_AT_LATEST))) {
+            const int32_t there = sailnet_is_for(plan, problem);
+            tracker->computed = sailnet_track(problem, state, tracker->stride, most, plan);
+            keep_stride(tracker, ((there != 0) || (sailnet_is_for(plan, &before) == 0)) ? 1 : 0);
+        } else {
+            corrected = 0;
+        }
+        if (corrected != 0) {
+            tracker->planned = 2 - sailnet_plan_is_solved(plan);
+            if ((tracker->planned == 1) && (plan->beta <= estimated)) {
+                /* On its way to another vehicle it goes on at once. */
+                const int32_t under_way = sailnet_is_for(plan, &before) + sailnet_is_for(plan, problem);
+                tracker->since = under_way == 0 ? CORRECT_AT_LATEST : 0.0;
+            }
+        }
+    }
+    if ((tracker->searching > 0) && (tracker->computed < (most - 1))) {
+        advance_candidate(problem, tracker, state, most - tracker->computed);
+    }
+    /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
+    const double stronger = (1.0 + LARGEST_STRIDE) * estimated;
+    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= LARGEST_STRIDE)) ? 1 : 0;
+    const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
+    if (flown != 0) {
+        const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
+        planned->time_to_go = plan->time_to_go;
+        sailnet_planned_attitude(problem, &plan->end, 0.5 * (hold < left ? hold : left), planned->costates,
+                                 &planned->attitude);
+        keep_attitude(problem, tracker, state, hold, planned);
+    } else {
+        (void)memset(&tracker->flown, 0, sizeof tracker->flown);
+        tracker->regret = 0.0;
+    }
+    return flown;
+}
+
+/* The direction of the arrival costates by the networks, of any size, from a state that is finite. */
+
+/* The time scale of the approach below which costates of position are scaled down [TU]. */
+#define SAILNET_ARRIVAL_SCALE R(1.0)
+/* Stage "plan": arrival_lambda_r [20, 20, 20], arrival_lambda_u [20, 20, 20], arrival_lambda_v [20, 20, 20]. */
+#define STAGE(name) sailnet_plan_##name
+#define STAGE_NETWORKS 3
+#define STAGE_INPUTS 5
+#define STAGE_EVEN_INPUTS 6
+#define STAGE_DEPTH 3
+#define STAGE_ROWS 20
+#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)
+#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == 16
+#define STAGE_SIDE_BY_SIDE 1
+#define STAGE_SHARE 5
+#define STAGE_PARTS 4
+#define STAGE_PART SAILNET_LANES
+#define STAGE_OUTPUTS STAGE_ROWS
+#define STAGE_OUTPUT SAILNET_PER_16_BYTES
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0), (n0_1), (n1_1), (n2_1), (n0_2), (n1_2), (n2_2), (n0_3), (n1_3), (n2_3), (n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5), (n0_6), (n1_6), (n2_6), (n0_7), (n1_7), (n2_7), (n0_8), (n1_8), (n2_8), (n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10), (n0_11), (n1_11), (n2_11), (n0_12), (n1_12), (n2_12), (n0_13), (n1_13), (n2_13), (n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15), (n0_16), (n1_16), (n2_16), (n0_17), (n1_17), (n2_17), (n0_18), (n1_18), (n2_18), (n0_19), (n1_19), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0)}, {(n0_1), (n1_1), (n2_1)}, {(n0_2), (n1_2), (n2_2)}, {(n0_3), (n1_3), (n2_3)}, {(n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5)}, {(n0_6), (n1_6), (n2_6)}, {(n0_7), (n1_7), (n2_7)}, {(n0_8), (n1_8), (n2_8)}, {(n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10)}, {(n0_11), (n1_11), (n2_11)}, {(n0_12), (n1_12), (n2_12)}, {(n0_13), (n1_13), (n2_13)}, {(n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15)}, {(n0_16), (n1_16), (n2_16)}, {(n0_17), (n1_17), (n2_17)}, {(n0_18), (n1_18), (n2_18)}, {(n0_19), (n1_19), (n2_19)}}
+#else
+#define STAGE_SIDE_BY_SIDE 0
+#define STAGE_PARTS STAGE_NETWORKS
+#define STAGE_PART STAGE_WIDTH
+#define STAGE_OUTPUTS STAGE_NETWORKS
+#define STAGE_OUTPUT STAGE_WIDTH
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#endif
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_lower[STAGE_INPUTS] =
+{R(0.135136), R(0.0007845669293952582), R(-0.9999478401920996), R(-0.9999986491289118), R(-0.4999999999999031)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_min[STAGE_INPUTS] =
+{R(8.326672684688674e-17), R(-27.678145679298243), R(-4.968737291137555), R(-4.99999573738558), R(-2.4968836303106965)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_max[STAGE_INPUTS] =
+{R(0.3378399999999999), R(41.51917993627085), R(4.953236336226084), R(4.99999698325609), R(2.4953254454662868)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-56.49042706753627), R(-0.37356986945190773), R(2.9919411383533343), R(-45.89288028850098), R(1.4162134535548063), R(-5.182782222612073), R(6.947544146309292), R(0.271438379618057), R(14.715089718310502), R(-21.414741823363357), R(-3.5112253916541847), R(-6.661128535067419), R(6.4498383577815), R(18.535472975645934), R(18.632801542299045), R(2.7856250775646334), R(33.94098603216747), R(47.84571382111075), R(10.383734367563509), R(15.253210587883736), R(-17.49698955168376), R(-0.45607468930388506), R(7.541677126507726), R(-1.4575277450594804), R(1.6306918160621915), R(0.953811826468616), R(-0.4699322503595572), R(-2.477182308711123), R(3.862833630065176), R(-25.041534714088844), R(-16.498000143725854), R(-7.545036270740675), R(-2.4206152839718946), R(16.62141846692458), R(-0.38723869839079766), R(3.5709290336343806), R(27.429869327290387), R(42.5449146967761), R(2.930812489843146), R(1.9343351834884221), R(-7.978392073937585), R(-15.84393808996494), R(-10.525552003935301), R(15.147329060026724), R(-3.639702014299727), R(202.37271908938067), R(100.82327833553616), R(-7.382437288273048), R(35.4110641407064), R(-45.73140163607833), R(-15.699868919391132), R(-13.809853024758006), R(18.81459447614571), R(12.003721273522983), R(19.19751200277821), R(-8.540286741802461), R(31.50987569645149), R(-8.174893704189529), R(-1.622243679031311), R(6.968482440153702)),
+STAGE_ROW(R(0.40173441635629764), R(-0.3654758039178569), R(1.428704414722708), R(0.47111789030605533), R(0.2007071312416274), R(2.1015396322072166), R(-0.22165486354429295), R(-0.511162241839604), R(1.3164896885320787), R(-0.1715113883369313), R(-1.11073822129346), R(-1.2356838864997397), R(0.15223584407570626), R(-0.5047416387739053), R(-1.320165217925915), R(2.456022537113498), R(-0.06501792817694109), R(1.3397180456701872), R(0.04042151518141909), R(0.7050111936522098), R(-0.9357677554073757), R(-0.2693561590192908), R(-2.4469427607250647), R(0.5545137767687564), R(0.17203510032662908), R(1.070022009624155), R(0.5366278657414911), R(-0.9759844462627776), R(2.667090961164033), R(0.17845731023758316), R(-0.3165540559281005), R(0.04850520494724486), R(2.2475403757878696), R(0.3058446478213157), R(1.3044853275674246), R(0.8387438581604489), R(-0.33997167337581635), R(-0.17048590246953096), R(0.5550662199409744), R(-0.33207536439670327), R(-3.7667662566791447), R(0.24218827862676962), R(0.12896614376212745), R(0.675354126624987), R(0.317636175459527), R(1.5427585284001577), R(0.2139047232914517), R(-0.5200944148376241), R(1.7976114684826023), R(-1.241967696464029), R(-0.5752940582431293), R(-1.103157564673671), R(-0.4002605837254665), R(1.56820715339749), R(-0.7654421114215413), R(1.3608811424936387), R(0.8260415448380424), R(0.8771396431037037), R(0.5101722419643072), R(-0.4755378742664357)),
+STAGE_ROW(R(0.06420590342061816), R(-1.1141669304696316), R(11.243149366412888), R(0.3640347762093477), R(-5.649556172097948), R(1.8790888577396088), R(-2.081210868413741), R(2.31170621823157), R(3.7279110235501576), R(-3.3532429514643574), R(2.0663686125670657), R(-1.0649418071237569), R(-9.207891457788259), R(-2.769915530738095), R(2.376616021157228), R(-2.633471592890715), R(0.024348024615805187), R(-1.839848462980496), R(1.807200730400513), R(-1.4555259974373191), R(-8.515190866423481), R(-1.544234765984042), R(9.08518630035803), R(-1.993886890221617), R(-1.5441367905664536), R(-0.476312812675929), R(-1.7528436445771085), R(3.952471201904067), R(2.8973520765010057), R(0.9101462645997297), R(1.9767536468804252), R(-1.6829706087540177), R(-6.00909179649211), R(0.15000732008350384), R(4.630866358449279), R(0.6911497614651633), R(-0.631519574142535), R(-2.9602657297306045), R(3.6520845941186244), R(-2.0424498248020653), R(8.594672932940124), R(-6.916167816658903), R(-2.4831410854340867), R(-3.1166779647249707), R(-3.0527384798001984), R(20.59282706364234), R(6.1477785297968905), R(5.160031325237083), R(2.975663597913058), R(20.289029473795782), R(1.6491912908102448), R(-2.7908029658119298), R(-4.786994286903407), R(4.276153959210469), R(-9.08927420759009), R(-1.5224223738425418), R(-1.4598400281552055), R(-1.2771842043934383), R(3.3229150002866423), R(-3.112741769949255)),
+STAGE_ROW(R(-1.7945433968439164), R(1.758085869140466), R(-1.4052481387410631), R(2.8410567573455188), R(-1.6463276308083477), R(-3.3610637837508506), R(3.005695879875935), R(3.7499700823009574), R(-5.153693022602305), R(-4.3242558917333636), R(0.7577902889857793), R(1.9926693872239978), R(-4.238056874087705), R(0.25622885441329896), R(-1.6327383022762885), R(0.4524289005044723), R(-0.7881398190102702), R(1.7355039640554955), R(3.81320980622757), R(-2.7095498459772904), R(4.99199985995174), R(0.01324347243831033), R(1.2937889898043935), R(1.8784008824199416), R(-1.7092178667638152), R(-5.826690589687307), R(4.293202031071542), R(2.393791036231256), R(-2.6025835372736483), R(-1.9378936186280173), R(-0.5063391041344727), R(-2.672895038274503), R(0.2192224103115459), R(6.792777366165656), R(-1.3364207169594515), R(1.2205765521642504), R(-0.47255519470088203), R(0.4260734930605483), R(1.305692015994442), R(-1.0444165517791808), R(0.7586499893133115), R(9.125474670654405), R(-0.22409501978135668), R(-1.6702080257055458), R(-6.259882003144246), R(3.5372821551917495), R(7.274521252711101), R(4.928822998107905), R(3.426186686391507), R(-6.4363033625220805), R(1.0145417349452155), R(1.5133217858982657), R(5.483256627242431), R(9.048586188303661), R(0.06848885112859648), R(1.972882969870886), R(-0.8578161540348006), R(5.983362618328178), R(1.7859184874511638), R(-0.8066218816163068)),
+STAGE_ROW(R(5.24504693088697), R(-6.393094566296576), R(1.2520387156845476), R(-7.557309866241201), R(-5.8744001735896285), R(-4.531419885782671), R(0.16136772191462959), R(6.025888378839696), R(-2.4264274924467797), R(6.156011157104756), R(11.431232532818857), R(-6.106925943818057), R(-1.4381685528248693), R(-2.335177262866201), R(3.589219014342854), R(-43.62659867630369), R(-5.433696638692718), R(-3.5304524892009743), R(3.530690327291103), R(-0.4472473435837678), R(-3.250533279379446), R(-5.9224105192038925), R(-13.960607012643573), R(-3.867955366942106), R(-7.259055970900473), R(-2.177755399424187), R(0.4129397882698924), R(6.666120005861916), R(1.1928392375783858), R(4.27974412775983), R(5.356678105742184), R(-5.232676062616631), R(-34.54181668285877), R(3.328160702888712), R(0.1432807526878559), R(-45.233026326535395), R(-3.3066891702080135), R(-5.4184555805872625), R(2.4990556545303013), R(3.47161387840067), R(8.98742839569455), R(-4.010674222626658), R(-0.316544405377435), R(3.133545229583985), R(-5.40985713859905), R(10.217721717048322), R(2.1269575354892036), R(15.272916350644977), R(3.9325019677818185), R(11.69053624012613), R(6.809538761012515), R(-6.268421844480158), R(-8.551663169000516), R(-3.6330698358466065), R(13.573985961386365), R(-42.36663354175435), R(1.8172485094294946), R(-11.472668962907912), R(3.732182056226041), R(-0.2675140873235915))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-3.9320175460633884), R(7.825650239123753), R(-13.652308098338302), R(2.0367940076163435), R(8.664152350517986), R(4.104697669593045), R(-0.2747640653673013), R(-7.125487838598782), R(0.27916798871708204), R(1.0574469699712523), R(-1.9474179088999666), R(7.549419809280601), R(7.46097233594922), R(-8.262096936545001), R(-6.432146251171493), R(9.9481681632706), R(2.379991456054468), R(-11.666958133390624), R(-5.150452679085952), R(4.421547457299146), R(-4.44761937760447), R(8.467135833729879), R(-5.690958120743859), R(3.3042962484796283), R(7.306277145731635), R(4.99110295077866), R(0.5534994098443021), R(-4.4519856144523215), R(-1.2987494084190407), R(0.43929213553933916), R(-1.8293959290081834), R(8.726898230676364), R(4.7170832686915505), R(-6.492937189405305), R(-7.099290785051853), R(1.7202385770514534), R(2.149456672908379), R(-3.3456027920874596), R(-5.236121602491038), R(4.736147162610343), R(-2.5220558980439036), R(10.110118736258839), R(-13.752581780869914), R(0.15878449360321206), R(8.92777212428401), R(15.940858247392331), R(3.2844928427842257), R(-16.95770461470402), R(0.8584703698485778), R(5.7139104919619195), R(-1.4178027476230437), R(9.696295855365372), R(8.146228466514188), R(-5.3775817368927905), R(-1.2363603774394194), R(5.87505361393721), R(-4.4904453929473185), R(-6.923848766041881), R(-6.51743262753536), R(6.668283518299401)),
+STAGE_ROW(R(20.13976558014277), R(7.741219772362355), R(6.535509399963441), R(2.462043651274927), R(90.09460060870781), R(-12.587908092807877), R(-174.36429915971271), R(-0.12561304081753463), R(-3.4384233979812837), R(-20.490539939832647), R(2.688547728171851), R(5.75718214828655), R(3.5648605211139017), R(3.0464212059738287), R(-94.71874426141545), R(-6.508313035168392), R(-9.95175862971154), R(-46.58429836186065), R(38.25964115442337), R(24.637954392262223), R(31.141892089834705), R(17.077981444863468), R(-3.32463129426888), R(4.862972791538373), R(165.9745613357472), R(-8.930873556510221), R(97.59265382850322), R(2.239370421032724), R(-23.771429930243645), R(-14.184090474516882), R(0.530247728515983), R(12.027543533772656), R(0.12185133228225772), R(-7.820651371907721), R(-250.63761465263863), R(-4.604654753727112), R(-6.068201223649234), R(-3.580053361577284), R(-12.531332806419892), R(9.033840503052195), R(-27.307282435341005), R(38.55616826553052), R(13.129332859146208), R(-9.195915324462199), R(117.23249352270956), R(11.49688532755073), R(80.03695101334479), R(-7.384303742098087), R(-10.662661495258886), R(4.210075007866882), R(15.292676479985559), R(12.591589196038125), R(3.418325625557303), R(0.7808573450553614), R(-184.05055065382444), R(4.551150769529281), R(-22.219490373272237), R(22.51692850242792), R(123.04816100639779), R(14.965348787019058)),
+STAGE_ROW(R(6.848241730647343), R(-2.566029531473149), R(0.29030833520551574), R(14.86063016954572), R(2.2574406623533703), R(-4.9670787656513005), R(-0.08144594789263333), R(18.135731399172887), R(19.43921127967795), R(6.759891225118982), R(1.06924662731735), R(30.37482031604281), R(-6.029421977751753), R(6.340592816576204), R(-8.462016669300676), R(0.9658830363559481), R(58.09880097391085), R(-14.518172442764083), R(15.284628980048964), R(-3.3815144194351605), R(9.49832362728311), R(-10.808521190670236), R(-6.717223772015761), R(-12.969281155206065), R(-0.24325445580723992), R(2.9180325021943396), R(-4.60692932185719), R(7.884522002504069), R(24.742708499756038), R(-5.4607555989427485), R(-3.6141314907755095), R(-36.7892626584329), R(-6.748003181174439), R(-7.010866000588027), R(8.723397548459133), R(-10.2153237988294), R(-99.00200522922708), R(0.669849466165942), R(5.572385868953027), R(1.6266114300817056), R(0.22643338380217723), R(-9.118887007121694), R(-2.769456355386268), R(-32.0742079876622), R(7.1299812510391565), R(-0.6860868554106522), R(-14.70742441079915), R(14.410072999511197), R(12.723692871107696), R(-4.638760037726255), R(2.064957799787875), R(23.317671251511225), R(-16.221660160287072), R(0.7732216702015413), R(12.082165742274077), R(-7.155621793189772), R(184.553856684956), R(-0.30352915741328274), R(-3.3294013096649553), R(-6.865307130480749))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_hidden[2][STAGE_ROWS][STAGE_PARTS][STAGE_PART] =
+{
+{
+STAGE_ROW(R(-0.5590450160905093), R(-1.3623614984630201), R(-0.1691315590230288), R(0.16184268668586313), R(1.6415190750350368), R(0.9575895831403705), R(0.809325025137433), R(0.6737795486289462), R(0.6668367572132118), R(0.5116502987520295), R(0.2848661217205276), R(0.24135331958934728), R(-0.19936001422455055), R(-0.5352307369111063), R(-1.4452324858567764), R(-0.6023788097405526), R(-0.012126965067445525), R(-6.00891977257378), R(1.324528043906328), R(0.47554621805621816), R(-1.6455329403648735), R(-0.5349972560125746), R(-0.8148680954638468), R(-0.5565664139278957), R(6.530022049133289), R(0.6636826109570191), R(-1.4638426218333955), R(0.06300899704528845), R(-0.01234200022254282), R(1.225579566026179), R(0.5316946097423203), R(0.7039311187462939), R(0.6134935362329877), R(-0.00020968291405561922), R(-11.049420681377882), R(-0.9105309532274435), R(-0.42044784972064114), R(-0.17239530423076518), R(1.0519496084322066), R(0.4158987865216647), R(-1.482123462582471), R(0.9325411695343613), R(0.3605357511318673), R(-0.5088472705826123), R(3.038258752283552), R(4.721492690248202), R(2.4729805622158407), R(0.8694674433705117), R(-1.2305472672733997), R(0.817127331561917), R(0.8941259078071502), R(0.4607842389417354), R(-0.06107662300163111), R(2.909913188248927), R(-3.7582979167590063), R(0.05658544244102921), R(-1.9206272251425445), R(0.6061313620637763), R(2.8348345059530344), R(3.018236243921272)),
+STAGE_ROW(R(3.173181445516903), R(14.500640329058678), R(0.12510116822862768), R(2.220207202371136), R(29.42329419759043), R(-3.6284541405216917), R(-17.935261081031392), R(-11.564196950363417), R(-18.928924964054296), R(-1.374073072280489), R(-7.828382779908801), R(-3.260783291874011), R(1.186158274546157), R(6.815012292908601), R(-43.534807904311975), R(1.6561980732924382), R(-4.561781330830976), R(-7.7946267350141465), R(3.7561121012435565), R(0.41106702507179943), R(0.9693406783193199), R(4.308579403928824), R(-0.7054074069377768), R(2.464689059662534), R(18.563723971307844), R(2.4435901734719643), R(35.472800438348706), R(-2.5801060227989665), R(1.8237290231997056), R(5.938263895488679), R(-9.45311578482618), R(0.5865498410116077), R(-0.36381743056482274), R(-0.04438155121559867), R(-44.847548524931334), R(-1.1745979656035046), R(-6.759202308835325), R(-10.15460444055828), R(-1.5017179239565035), R(-2.389745621960818), R(-0.7287938726669669), R(-1.8279700604370845), R(3.6915797034581006), R(2.033781585596539), R(39.723751433446544), R(4.32582481301016), R(-12.872412206743283), R(-6.515595958389712), R(1.365604942925343), R(0.8205623879501748), R(0.04583667129987166), R(3.0434090948016586), R(-0.3459506078388259), R(-1.2213377742299927), R(-15.309965539673668), R(2.6632738320846476), R(-6.56447657529007), R(0.6604840170764193), R(10.858186805572533), R(2.5597100682329175)),
+STAGE_ROW(R(2.1759231802128833), R(3.8733377329280523), R(-0.2526827769566623), R(0.05293681075636918), R(0.6895121985287578), R(-0.6870473263916195), R(-0.32547463971472884), R(-0.09334826974519764), R(-0.04085338524881413), R(-1.9809646313170997), R(-0.9944513534835842), R(0.13221933321748677), R(0.1885514052742598), R(-1.3774711508522632), R(-1.6941843779000785), R(-0.3482644811094215), R(0.6667483291457861), R(-10.215445390291022), R(0.9134600586099504), R(1.541723388300146), R(-0.6230400195614685), R(1.528473929536593), R(-0.3576956439098276), R(-0.15537749623579622), R(2.7987945086268553), R(0.007890248819401601), R(0.7964085312707148), R(0.02939748797762827), R(0.5583444628673521), R(0.9002504462865678), R(0.46407126084140904), R(0.6601931080369122), R(0.22016689132772663), R(-0.32399398400817175), R(-5.913747294131552), R(0.507086873095038), R(0.7107252083937323), R(0.8769428667958686), R(-0.036149908315436755), R(0.5659802528369015), R(-1.817670437827815), R(2.0817007877417106), R(-0.16904255335133983), R(-0.7298459137847826), R(1.1719865990548624), R(-0.6980397515229942), R(2.401361833724201), R(-1.4585324136050803), R(-0.4579817762791374), R(-1.3512560289256785), R(0.45641890037646365), R(0.5604013038856749), R(0.2216506927555884), R(0.13120467268538794), R(-5.177835663438688), R(0.3246990425024549), R(-0.06071967402315051), R(1.1313255630684018), R(1.6531616863843461), R(1.6002683073336854)),
+STAGE_ROW(R(-3.5796146596676794), R(4.030984703042998), R(-0.06972558516360387), R(0.28152486472877486), R(5.174327206880185), R(-0.07685538053286944), R(2.1293069053416924), R(-2.0698472238612635), R(1.0152763658269839), R(1.193946004404203), R(0.05902562437544427), R(-0.6395306974490901), R(0.09662649980322703), R(0.7445968412751438), R(-12.560982553005784), R(-1.0730466357956703), R(-0.40956502638934306), R(-5.094498083355697), R(0.23734134787139727), R(-1.1825142792318875), R(-1.218591568457559), R(1.7651102062075872), R(-0.08338035067241154), R(-3.0909581211403867), R(12.588688254798274), R(0.422769912824428), R(37.2727377014789), R(0.21003674764316038), R(-0.7382416790831363), R(-2.846616803458381), R(-1.8092380332333662), R(-5.282256453514258), R(1.1297056631969986), R(0.19379033627140882), R(-25.22797206025042), R(-0.8956063514392739), R(-1.4112348303064368), R(3.1779590335784604), R(-0.8658257466313785), R(-1.3117565803332403), R(-3.3377695456809997), R(5.44085891189837), R(1.2639241331877078), R(-0.28680428873389785), R(14.93069106059293), R(-3.2193334117397328), R(7.884595239957711), R(0.955227376772914), R(0.5261248401717947), R(-3.5959147632980453), R(1.0196021160889068), R(0.26587205877427134), R(1.2006061423807364), R(-2.4236082510412023), R(-7.474172344723853), R(-0.6156758984893046), R(0.04846227278648797), R(-3.7387066565417273), R(1.9856254314421944), R(2.4438283714545603)),
+STAGE_ROW(R(5.411675260111623), R(4.418189313042229), R(0.9580990815289677), R(-1.9177419690377782), R(10.686078446370445), R(-0.7819183028993698), R(0.6358892216956691), R(-0.626684751002734), R(-0.38945834837068166), R(1.58142426083626), R(-1.3444540382357117), R(-2.1482997091681795), R(0.18749642789875748), R(2.3043811200052113), R(-16.58629621810445), R(2.27647858510536), R(-4.596524175676071), R(11.062757370229056), R(2.24465861282747), R(-0.8645458221926653), R(5.68789824322713), R(1.5763939238285736), R(-1.134248407175554), R(0.9660370185630611), R(11.032739908686501), R(1.0408887579404134), R(21.244499247932048), R(1.2445411038732503), R(4.040365951305587), R(-1.0563348068696623), R(-2.5389802230247756), R(-3.293002656269298), R(0.8080312677250874), R(0.9963824821666678), R(-29.27251680307738), R(-0.17199022072009104), R(-2.3428399283205303), R(-4.961432220958112), R(4.706010874734945), R(-1.1282268366061934), R(-3.2638412330376925), R(-0.4341033656156241), R(0.6214601737200691), R(-0.2601382503162465), R(12.88740223805485), R(-3.9924487574377463), R(9.606080202307124), R(-0.9915959355382571), R(0.7839866987562815), R(-5.394700124395312), R(2.4919601094118677), R(-0.7015465539156202), R(-0.06745652021697517), R(3.1545160665699847), R(-18.713863770217227), R(0.8327148928736463), R(0.9105920349108397), R(-1.6540004924927227), R(3.7341367651637833), R(-0.20514230513645526)),
+STAGE_ROW(R(6.744458924648325), R(1.2971713607514648), R(6.335582745085754), R(-2.25524474570336), R(7.501175383439425), R(-12.836515609322733), R(-5.743974787697294), R(0.5659970090959825), R(2.198205314707115), R(-4.0204309682184665), R(2.3895675372812573), R(6.5825928223534955), R(1.3662951612872969), R(-0.756642207250532), R(-5.341068905729754), R(-3.636232614090397), R(-7.595331179270527), R(28.072219635018634), R(0.3854961550125495), R(4.096195012408038), R(-0.8922635535695773), R(-0.15661769503578107), R(-1.186451828054607), R(-0.6827567388260483), R(8.240781763531084), R(-1.1752915958929762), R(0.5489057973295708), R(0.8015064528621464), R(1.2813761229143605), R(0.6701500923333257), R(-0.7886774236455809), R(-1.1827957061651195), R(-1.099095185446119), R(-0.18359057732053388), R(-3.3782428102730777), R(-2.172906354823736), R(0.11243079863222209), R(2.7221664464274724), R(-0.9620921155131555), R(2.129027651116898), R(0.9370800375323599), R(-0.727000351846711), R(-0.5020860601672674), R(-0.6799200880204694), R(8.75021332394758), R(-0.7617532758311882), R(4.525897733857728), R(0.03287881747513736), R(0.2666263415434359), R(-0.3780222054809399), R(0.33690353030835335), R(-0.9895918333823028), R(-0.5434860770627439), R(-0.26433652774079797), R(-9.050902824971558), R(-0.6289863064389565), R(-0.6271558609694702), R(-1.4858250891509133), R(3.122976747261867), R(0.5259166507926774)),
+STAGE_ROW(R(-3.0869614714046265), R(-0.6921154718880693), R(-0.025252888676230965), R(-0.08400707918540709), R(0.9758586707361198), R(1.4798251519096919), R(3.6099980156983653), R(2.244113132991672), R(0.8798818067554772), R(-0.9112619321504143), R(-2.3970680747170987), R(-0.3895966288100859), R(-0.26412172293391495), R(-2.0766988478107105), R(-0.7632056220599629), R(0.3922844500859229), R(1.170731213533903), R(-6.026012112921938), R(1.3367640242352732), R(-1.7019207647226902), R(-5.393884053197563), R(-0.8994335994073132), R(-2.1719579699619547), R(1.418457217811662), R(9.477091210086614), R(1.8888339400954905), R(-0.3383506217066397), R(-3.516695939049118), R(-3.0698204418692336), R(-4.504877643453592), R(-1.6944965388472928), R(6.179825567377511), R(-0.48918194953518795), R(-0.8618158733149409), R(-39.80491121310174), R(-1.5219832147272867), R(0.7082062100772366), R(-3.597888747535489), R(-7.0606971842997295), R(-2.134642475400611), R(-1.4644238357574557), R(-0.4619167954181529), R(-0.7988985218902271), R(0.36399982962900207), R(2.3095082375081355), R(-1.2792039519682505), R(9.07062245659375), R(-0.4089290143820667), R(0.4870083703441498), R(-1.222915393278511), R(-0.36088175715440374), R(8.983099407305868), R(-0.19523863842784214), R(-0.8402617165055247), R(11.061686642950646), R(0.9195939954316121), R(-3.1839028776200458), R(-0.7537642474351797), R(6.669697944782116), R(-0.7111373899578572)),
+STAGE_ROW(R(-6.339854872650791), R(0.8950257719635081), R(-1.972921344342642), R(1.3328631670947162), R(1.2169085324760045), R(2.1505494019952343), R(5.1053806993895945), R(5.260280070784686), R(6.172551122732204), R(-3.8825165032929365), R(2.230387000963047), R(3.170508371857639), R(1.8250779886319315), R(-2.226060790105015), R(-2.7100685387765155), R(-0.7800423402249688), R(4.7303820178075435), R(-8.565578964173072), R(2.4261777375721603), R(0.33956912599475964), R(-0.38898365663719014), R(2.251784708880472), R(-0.33601745025401414), R(0.0053052271443465426), R(4.280024785196073), R(-2.232951657532594), R(1.0757165638268043), R(1.3369210677105132), R(-0.38986124825786517), R(-2.885326913812442), R(3.1026071089514806), R(1.4020651651097928), R(1.069847990939621), R(-1.1778343523537504), R(-9.026423026324096), R(0.45964507566103846), R(2.383247633894983), R(2.5011568797447072), R(-0.8148286046849871), R(1.0894172473631811), R(-2.572609171172147), R(2.2899329218381133), R(1.0759899196852218), R(0.44443559582543846), R(1.8482468140542663), R(11.112395284773715), R(2.496409654831115), R(-0.3818396327354439), R(0.9766751288749517), R(-5.345288961996501), R(0.9272738433682444), R(4.003775233700473), R(0.6178946849620114), R(-2.4947550326959322), R(-9.166306696611535), R(1.2378656963185377), R(0.7104956076503854), R(1.3534139762579318), R(2.827918788150967), R(6.202173360646191)),
+STAGE_ROW(R(4.868193535289757), R(2.8444619523279666), R(1.51962018303698), R(-0.4467475574702895), R(0.6509168740140798), R(-1.2496490714131565), R(-3.2505684960765886), R(-0.1368126995959277), R(-0.5584448274746774), R(1.1120877658436885), R(0.8619255726271151), R(2.4322062840693652), R(-0.5377286783659855), R(-0.8187202063666853), R(1.262005676525986), R(-3.0236095066189175), R(-0.5335849455106813), R(-3.2248241680157013), R(3.196299646420282), R(2.4891433436984918), R(6.869628329778933), R(2.1544652799864834), R(-0.3203733537022135), R(-0.8812227751626757), R(2.434616621886344), R(-1.6976327443719168), R(-5.012438215260136), R(1.5309749977207725), R(-5.025201164072761), R(-2.7987359535086074), R(-0.8422749539258545), R(-3.2270981323140986), R(-0.03885487444411948), R(-2.2491451227007326), R(11.290827554743528), R(-0.09575125644955278), R(0.6227500890449869), R(1.761041047770701), R(1.7083072868695497), R(-0.5670089116717408), R(-0.0156812578144084), R(1.219954501783382), R(0.6847667016991956), R(-0.7282934676353564), R(0.9273515080423742), R(-0.2987909348420253), R(6.129698221418538), R(0.4111576470203905), R(0.2016883144547306), R(-0.4934001459731206), R(-0.39818675179193624), R(0.4115676710966692), R(-0.3190561399461199), R(-0.25740615867150335), R(-9.332417321627725), R(-0.12861596696308336), R(0.28703838052108915), R(0.04482323598571385), R(3.043679965834868), R(-0.32898965457162516)),
+STAGE_ROW(R(-4.975343974191299), R(-1.1760421346668963), R(-1.5885169123132796), R(0.9177645965816112), R(3.567258988777596), R(0.956256694910791), R(2.3520471990860234), R(2.807145147934797), R(0.25046015380570846), R(0.7572808690208797), R(1.5008834671562026), R(3.842780338109708), R(-0.5178523934046205), R(-0.9885227126843109), R(-1.7580811805656231), R(1.4092887391493325), R(2.568983747057418), R(-2.9576302462287867), R(7.066319401781454), R(-0.22855117744527237), R(6.260309645342896), R(-0.023421748258816266), R(1.3024729878487908), R(0.2452027826240718), R(7.266031835370614), R(-0.5742601205848787), R(-1.5436149496714395), R(-0.01270911299961768), R(-2.705288254753485), R(2.81327057415623), R(1.2845411806596498), R(0.9247664028612752), R(-0.57575882646325), R(0.7382991939381459), R(-9.539816165196536), R(-1.0867675630420437), R(-0.16235857783332622), R(-1.1085406624809186), R(7.618785999940301), R(0.7151221112348892), R(-2.0272713634597546), R(1.1206551525702786), R(-0.5688052483443542), R(1.9761144643735649), R(2.2292980513014493), R(9.470457854765055), R(-0.19989097461284394), R(2.983242530744167), R(-1.1046733865372789), R(12.207733349562847), R(2.5484225638792175), R(3.17990762022312), R(-0.7126769970260147), R(-0.42685341315098146), R(-6.942422155085077), R(0.07862186956257308), R(-0.5812650932288762), R(8.897592715589033), R(9.632209625971873), R(-3.518190565520182)),
+STAGE_ROW(R(22.688077741671755), R(-14.948982470527913), R(-0.7497528838008832), R(-3.32783280164896), R(3.839707392961948), R(-0.12650596593980573), R(-156.5261888857984), R(3.5490728279932977), R(-0.5880577724981865), R(-7.336787192559668), R(-1.4354448989153274), R(1.0955797459060637), R(-1.1508824550848191), R(-0.33185907092057315), R(-0.1707225674890632), R(-0.9988378312884713), R(-0.7809914163136317), R(-31.28840687577839), R(13.784299008501378), R(18.008226193555274), R(-14.722211147733885), R(2.8907031213628622), R(0.935410059479949), R(-2.648442510389802), R(8.114658513169795), R(-3.3628387867032368), R(2.8040435066846228), R(0.38055821039044607), R(-7.808277768779591), R(-4.955353414878725), R(9.183903173372537), R(4.7540269865370055), R(-0.43924776551830635), R(-0.44578762771074254), R(-14.19729056790474), R(0.41762213642514223), R(-0.963116096786149), R(2.34408130225038), R(-6.040397450357409), R(3.674170558319617), R(1.9703842794952733), R(2.362052270992234), R(9.533144149998101), R(-2.448881254831445), R(5.552658782925517), R(-0.5134146553663288), R(6.616947355677041), R(-0.46942239549465353), R(-4.935977784341336), R(3.9580344905085347), R(0.08841936318764304), R(-1.357360459914554), R(-0.009871672463760093), R(4.542757885119425), R(-4.931721833179868), R(-3.1607731341130516), R(-3.268780597840506), R(0.7859339898787114), R(21.64786535005076), R(15.955337908701269)),
+STAGE_ROW(R(6.884924003163755), R(-2.2531553445717787), R(1.3215175877712764), R(1.1558242667440972), R(1.4153212902795569), R(-1.1664064615354364), R(-9.762994971845865), R(0.2711767905892428), R(-3.906894216208241), R(1.3917510420259969), R(1.7480252879758558), R(-1.2125459261496576), R(-1.0452916876660383), R(2.851389599806041), R(-2.7142175302890923), R(1.0702281707511687), R(-2.6037565887478404), R(26.108122440755576), R(4.446903310805803), R(0.6570827667472271), R(1.6996335339570454), R(1.236349453366734), R(0.19254435130566883), R(0.5680807466722344), R(10.314653482572748), R(-1.2068168504224086), R(-3.3037043196181646), R(-0.06427338631339005), R(1.2859079547531547), R(-0.0729797967262974), R(-3.7964766505537986), R(2.958259593627165), R(-0.3640147395880635), R(-0.5254061271036764), R(-11.049924759376852), R(0.8302674175185424), R(0.01312159001990784), R(-3.0474907633691966), R(1.5950972392516167), R(0.18675595908741544), R(-5.102577112862087), R(0.21242421456555716), R(-3.58723670525789), R(1.058613703031329), R(2.8681485197097256), R(-3.034839287206168), R(-4.599938989728306), R(-0.2998532011517467), R(-4.365421648462632), R(3.5052996245103243), R(3.721673779956565), R(-6.690062424769557), R(0.0592316151346764), R(-5.15436059146694), R(-5.605431245259245), R(1.2224306817194748), R(-3.102353423793114), R(-0.993030913667008), R(9.179645230851277), R(-7.043615929734305)),
+STAGE_ROW(R(-1.0430334783817856), R(1.3996580828101177), R(0.6683602516880425), R(-0.7662018212011619), R(4.65540044263589), R(-2.417506849223932), R(-2.1100049990435603), R(-2.0205664176046536), R(-2.1503166584847686), R(-2.770123405149392), R(-0.8819101292973957), R(-3.2593293467869624), R(0.020546376384003893), R(-0.45651690698166336), R(-2.225951551431834), R(-0.16279893698891046), R(-2.8700313536014885), R(0.08745670553933453), R(0.25250587002552394), R(-0.3372377102143591), R(0.7748361764140855), R(-0.6681697051216182), R(-1.434120047904336), R(2.776568037702681), R(6.408881303510372), R(-0.13308845800778474), R(-6.371008530968927), R(0.46160109488733797), R(-0.3522939957681465), R(0.3828628843125679), R(-0.13443521140415157), R(-4.851891877857739), R(-0.16781942238737171), R(0.41912195924348655), R(-10.244122236163559), R(-0.9789233852598523), R(1.8368677358138306), R(-1.0173347404478377), R(-0.2257343532024081), R(-0.26952704499477353), R(-0.4499116003607366), R(0.8618001966408494), R(-1.7036010714064853), R(1.813909626735791), R(3.3732441323236597), R(-5.390171576116607), R(-0.5162816810785985), R(2.461439337117137), R(-2.791542245803981), R(-4.917963733342874), R(-0.07041809532843944), R(-1.908449178983827), R(-0.00455440730891057), R(-1.069116864579332), R(-4.0660534864264255), R(-0.63592007537794), R(-1.9308687823854758), R(-2.0064001697221348), R(1.9663872033585534), R(-3.5332076219729225)),
+STAGE_ROW(R(-1.015430373971609), R(1.163674829364067), R(-0.6119028151908225), R(0.44757210660118574), R(0.31352800722309837), R(0.018221076835354132), R(0.3486431717452715), R(0.3235885377010799), R(0.30064446787286947), R(0.18824357944612596), R(-0.5510957949278158), R(0.48345816463999014), R(-0.3936778786475294), R(-0.15120146094102696), R(-3.8074555617518078), R(0.03934581720516863), R(1.3146650817622476), R(-2.833188840848528), R(0.931497430466624), R(-0.881180575633144), R(-1.6017150700719656), R(0.8944299363727755), R(-1.0059153895394244), R(1.9299180318121876), R(2.643573631160483), R(-0.9647222808417455), R(4.8084351667910425), R(-0.983272564808227), R(0.4978530103648325), R(-0.15179358553509636), R(0.42035235354148753), R(3.155726192983542), R(0.06753806238691457), R(-0.8918687743627862), R(-10.9976436828331), R(0.36827065491832867), R(0.3065110437688669), R(0.18884875685881813), R(0.3214776308188192), R(-0.4492443839800318), R(-2.164648800649529), R(1.6885032639762174), R(-0.30826543829410297), R(-0.7348185746364371), R(0.47115320687649476), R(-0.6188671928926085), R(8.314628947136798), R(-0.06631031549196788), R(-0.7065834774683765), R(1.4715914402346242), R(-0.34468208768512815), R(1.3348956094188138), R(-0.40716950407450997), R(-0.5468658551735512), R(-6.9818633084247015), R(2.1107029932030725), R(1.4911619407470291), R(-0.149039990208307), R(1.7462296792414633), R(-0.5412572603290638)),
+STAGE_ROW(R(3.7625761873253443), R(1.3327000054209692), R(-0.34243229301047245), R(0.8890846842855012), R(0.6459019676990677), R(2.061192146370573), R(1.6631580775627415), R(-0.022866636181934172), R(-0.7918120022019456), R(0.9034933498230222), R(-0.08748426186199026), R(1.1119201764716737), R(-1.3154297288243746), R(0.33900830848036545), R(-4.120194612802357), R(-0.8922191501393703), R(0.7186168804295668), R(10.040987865860865), R(-0.11838126216168456), R(0.5644213075090637), R(-1.0783938929479897), R(-0.03126849855710417), R(-0.13529960794401835), R(-1.0081636725557472), R(3.293231390867783), R(1.7501038671766267), R(7.900220735974903), R(2.5348144292376626), R(-2.3467563719653364), R(-3.253677215971851), R(2.767498449747492), R(3.8055839952441906), R(-1.0670103264646082), R(1.1310097932912235), R(4.216841137928075), R(-0.5930471733504187), R(0.03763306970171531), R(2.163876747795533), R(-2.204447570889007), R(-0.587698346898524), R(-3.156374558297137), R(2.774275414449801), R(-1.6781307160596315), R(0.4504189916249384), R(0.6396350895019172), R(5.912678183233873), R(6.155350954451176), R(1.8780660739433548), R(0.05303304588694845), R(4.9718427226995665), R(-0.16604988004285104), R(0.3992997571736646), R(-0.5147727709808785), R(2.801705608350447), R(-20.3642986215826), R(0.40415802929547956), R(-0.33208433311137076), R(3.1410301096729727), R(-1.853274619957344), R(-2.325421930594447)),
+STAGE_ROW(R(-1.7460060724234259), R(-6.5321212577081615), R(-0.73372563554515), R(0.779251989029559), R(-0.5054024706118522), R(-0.005546702541801846), R(0.6519101614864694), R(0.3046485910210538), R(-0.2883416856695273), R(-1.8798094412406177), R(0.9302600815781545), R(1.1658102665192667), R(0.06885667997224756), R(1.5237769872889748), R(-5.98134269467734), R(-0.5252916826131394), R(1.0489193294835681), R(-5.227017118261555), R(0.6582841781558523), R(-0.4512435903070956), R(-1.02358774556644), R(-2.388002175033592), R(-0.41463239512374944), R(-0.003917006072835844), R(2.8987726572348222), R(-0.47586838488837846), R(-6.671631154314211), R(0.9712433468064152), R(-0.11217125168476036), R(0.8975627796803413), R(-1.1102576542721805), R(-0.5525025331566139), R(-0.020225561427398335), R(0.9486745314960615), R(-4.949286164284242), R(-0.3328187206474466), R(1.0718630648949148), R(-0.8205816707911474), R(-0.8024491030438792), R(-0.3001610861995594), R(-2.5097814505394216), R(0.6990579671411697), R(-0.855928187853993), R(0.303590323499023), R(0.7096285367490168), R(-4.747089969463548), R(2.5616394674619514), R(1.3729172021041045), R(0.0584351767959883), R(-0.7066442878724482), R(1.0758697355567437), R(0.7694982269725743), R(-0.39755114836757577), R(-1.9456542162196246), R(-8.440583162998244), R(-1.1894410075073167), R(0.2750785288044725), R(-0.5550204205337516), R(1.3780814959092513), R(-4.528891040746248)),
+STAGE_ROW(R(0.07585419707154713), R(2.6229582509339835), R(0.38459517038062396), R(-0.48307631759904385), R(0.41095344328585837), R(-1.2154660506208987), R(-1.8578572687725317), R(-0.423815967622525), R(-1.6357711308071285), R(2.6087001515242125), R(-0.026951992068775212), R(0.3223078104442421), R(-0.8116927378463378), R(1.3553614452223517), R(-1.5113964084278848), R(-0.9961231726773062), R(-1.0296968918813423), R(6.497495995786754), R(0.9223811174467881), R(0.580690893492676), R(0.4262221468688951), R(0.21605505596771404), R(1.1935868608145832), R(-1.1242599255842405), R(3.161426212434364), R(-0.7846194426374157), R(-4.771039919620361), R(0.22061492361727691), R(1.5324512956329561), R(0.7764975002154181), R(0.25557564991448545), R(1.3152743826729423), R(-0.5098990259740586), R(0.43877275395099297), R(-8.321112741879817), R(-0.6399736016643393), R(0.6714912134570113), R(-2.1876248083928522), R(0.11308576653844502), R(0.38724092260476584), R(-1.1504168445099574), R(0.8714849982494427), R(2.5112981631893403), R(-1.1674989745018385), R(0.7934521368446743), R(-6.347062316637286), R(0.8101498577586422), R(-2.88916467160866), R(-0.8367322408821729), R(-7.598725349726476), R(0.5901599075529169), R(-1.7548061706675029), R(-0.9135230108757928), R(-0.1762911016676564), R(-6.074924577865679), R(0.26422382970311425), R(0.7177775937098669), R(1.54231631730921), R(2.4316362228259423), R(6.328088716969138)),
+STAGE_ROW(R(-0.992319102280193), R(3.7562250907585892), R(-0.2981338201693382), R(0.3780808432420317), R(1.3408743421354714), R(-0.19234595156746018), R(1.1553073138644296), R(1.1023111082482322), R(0.8544746535696114), R(0.16687542422766335), R(0.23584992181602155), R(-0.47092012586823667), R(0.5905512773094584), R(0.8486393967666821), R(-2.740573555448911), R(-1.4939119011872177), R(-1.0449975926782284), R(-2.3579818045019505), R(1.2235841638090879), R(-0.8589302057942944), R(-1.0007312194908187), R(-0.34169258065394054), R(-0.034000117825774966), R(0.07371655727127994), R(3.207152551488922), R(-0.26403537002487865), R(-0.7698673229014287), R(0.618599955341211), R(0.5351449741877021), R(-0.2628401738863337), R(1.0555144052995107), R(0.04918272988892754), R(0.7847096228235557), R(0.23254783880306074), R(-7.412971341007974), R(-0.9687187402173097), R(-0.3856959145176443), R(0.11618939495406035), R(1.1183268704198024), R(-0.5963464835996016), R(-2.4982527291486636), R(1.3186963711765103), R(-0.31651741468968997), R(-0.1458206023946543), R(1.4433380589628562), R(-2.541129695249749), R(3.6033362144256667), R(-0.5307955341904289), R(0.13908368916505545), R(-3.810592990327102), R(1.0510869588818952), R(-0.7586285177751001), R(0.9094437086844882), R(1.9680617370623845), R(-6.280529329251252), R(-0.43807315064626046), R(-0.7034907637244353), R(-0.4574982516600578), R(1.9941155062172105), R(1.4007143876576087)),
+STAGE_ROW(R(-6.856508545798797), R(-3.7597944189916204), R(-2.2605682245201644), R(-0.1404526933946352), R(4.856055528944314), R(3.8347271805169387), R(4.92926814216644), R(6.932358039055312), R(4.639260460120102), R(-11.302426925477727), R(2.1899687825818726), R(3.4467266987428156), R(0.1809082396489444), R(-3.433172857893706), R(-11.613224327241191), R(-5.456352042443375), R(3.2185491600786613), R(-10.644817896912608), R(0.22805429954643824), R(-0.47563284134180117), R(-1.0760753748213356), R(4.452030759828154), R(-1.5193368764892685), R(3.7031064845922623), R(6.667351323371047), R(-0.5050439801841261), R(16.028210022574285), R(3.2790854387514963), R(-12.632084212698881), R(-4.2797116781459374), R(3.382665678550331), R(3.525379016932439), R(-0.10623143733465693), R(0.022426025536661075), R(-15.198863178779837), R(0.7275058770283017), R(-0.37892969623962003), R(7.77636857711114), R(-2.5492819388454517), R(0.7546119840417295), R(-9.152698437568947), R(12.287942972186894), R(2.556965360553397), R(-1.4205930351930243), R(5.408132413142347), R(7.592996975129166), R(18.07148600342237), R(-1.4337722982994674), R(0.5989881327881014), R(0.5258846655791817), R(0.3203032833867617), R(4.877369121686311), R(0.8940515745011336), R(2.1751621165095476), R(-37.42670419191868), R(0.18150927017598625), R(1.7095338488589302), R(0.551960547952414), R(-3.1436006927617615), R(1.1551222890382327)),
+STAGE_ROW(R(-14.26160819863937), R(-5.200568848467985), R(-0.01942865026600034), R(2.9799003967735067), R(5.3047107738048656), R(0.6349123428179002), R(-0.4584415747624459), R(-2.806012399369338), R(4.335848958793244), R(3.153777615453428), R(5.506198875647188), R(-2.6354015380248095), R(2.4245417272173118), R(1.1453972715501464), R(28.589230579073547), R(5.274881660793738), R(0.10221288124854475), R(-21.057096092792964), R(-11.321204226891945), R(-1.7823774498067413), R(30.757830656924195), R(-1.4960741791004064), R(-0.26734961531713564), R(1.4676455166677436), R(26.546738717114682), R(-2.390098717320497), R(2.853058482347635), R(1.0448117883561348), R(-4.362799866383245), R(-3.3686942621124527), R(-1.1665275429321167), R(4.238368334038419), R(-1.224095309927732), R(-3.534568121850243), R(5.34225400103637), R(1.881556991048793), R(-0.2983675874964815), R(1.2020570944749507), R(-11.80996987121131), R(4.120382178569078), R(7.157022820740685), R(2.8394191822655626), R(-4.593818649036702), R(-7.62646400399927), R(1.21601001710171), R(4.578624627748481), R(2.956358741958538), R(5.2540421390003695), R(-3.3086617265081917), R(10.479551677829724), R(-0.45529900233234805), R(1.8792355780607153), R(2.122625458914194), R(1.8264111626117505), R(-1.1261443403053693), R(-0.8186389904624257), R(-3.8393907649744117), R(16.358309963042867), R(35.404649077640364), R(-10.291533821283876))
+},
+{
+STAGE_ROW(R(0.5668528268387714), R(-8.916708725656175), R(-0.14915021633810008), R(5.31814246252673), R(-1.7865796335290622), R(-4.351332511552578), R(-3.847580273935936), R(7.456373609947157), R(4.3519407149479825), R(5.001018201518898), R(0.29071697483009185), R(10.587971968201252), R(-5.43331121205836), R(-9.176615603441446), R(2.3095852909950776), R(4.620493681696102), R(2.004452771319566), R(-1.9883907901986304), R(12.021612576038368), R(2.408218089317326), R(-0.12133566395493635), R(2.796014466076526), R(-1.2631180893198684), R(0.7317004418825771), R(0.18159753376043777), R(-0.14639137669542254), R(-0.4623116869719355), R(0.01397108214442397), R(2.5378453058988866), R(-1.2476143657778451), R(0.9514769753143231), R(10.990787084383735), R(-0.31401733725966774), R(-0.7262500257352325), R(-3.3092674018206694), R(1.688635457286836), R(-7.626401865049838), R(-1.3769065274392716), R(2.626446455479177), R(0.8334890260364465), R(-0.031254920487651085), R(0.6529445594813602), R(-0.6539154709017758), R(-2.0586767661012355), R(0.958055556065424), R(1.3680346900339808), R(-0.49264879392417565), R(1.8870110808792326), R(1.986109762533343), R(0.4584385010639191), R(0.4741371784420608), R(1.496061515500565), R(-1.3997612186073403), R(0.5515688604182332), R(0.9449237627138916), R(0.3961437207958087), R(6.60080198788852), R(-0.48978655362507423), R(0.046340262421870615), R(-0.35032906661059665)),
+STAGE_ROW(R(0.2666881362677588), R(2.2835842197752023), R(-1.1581849214465743), R(1.7829370842247627), R(1.9573467567224518), R(3.790320667823054), R(0.9166661199060074), R(9.896206245012838), R(13.654406373058018), R(0.14633073518898862), R(0.04465221129110773), R(2.4931710392798574), R(1.1911321747905794), R(0.8453606565110242), R(-0.2968703838418181), R(-0.3558117180047408), R(4.237231946678734), R(-11.015981675685113), R(8.940566759486206), R(5.814467728738361), R(0.4632626662357661), R(-20.404356878037053), R(-2.147827519133991), R(-6.145789534896771), R(-0.8197328511497809), R(4.309710774716543), R(-1.3684040993475166), R(0.2548354279434247), R(2.482637541709037), R(-0.0875862311049397), R(0.9221309166680203), R(-28.220046751794065), R(-5.029689954364231), R(-5.794700852377547), R(2.010019510615369), R(-2.4887633054695883), R(-147.04975280701814), R(-2.4960431375793166), R(8.931541842308146), R(0.6268806539008964), R(0.9258430849946242), R(-0.7240492208517761), R(-0.9954336608162093), R(-3.2461979995686514), R(-0.17557419088534448), R(-0.19178621450445335), R(-0.19740265525750406), R(1.6249719238449785), R(-0.15005957757564728), R(-0.17045984059295538), R(-0.03179222962681387), R(0.9609344722929747), R(0.38101621251148754), R(-0.05233385859971815), R(0.7138462786013628), R(-0.26821040077596825), R(15.444088430817473), R(-0.7424052185505979), R(1.2320902073591327), R(-0.15295985093030956)),
+STAGE_ROW(R(1.7452887503176138), R(-2.610623446479277), R(-0.5842716444751448), R(1.7516573805161513), R(-0.42678994101434153), R(-0.3183940211430309), R(-5.639359300536769), R(4.316068835844662), R(6.373542273295666), R(0.8175396030787798), R(-0.699377431350111), R(3.770548077876626), R(1.244319236876523), R(-1.668536711479159), R(-1.0510442207864614), R(1.3832602765099073), R(-0.7453288435468269), R(-2.717115525871171), R(1.4250133675585765), R(-0.8742538400453801), R(0.44457015993969057), R(0.8093210437804337), R(-1.5464673591532143), R(-1.8824940335930498), R(-0.7937622369235294), R(0.9401998488457641), R(0.45885936714335196), R(0.3471095812697664), R(9.877134151989127), R(0.26417985383377046), R(-0.25204275339464594), R(-10.027962889775209), R(0.27068566520650034), R(-0.5743715477961591), R(-0.2462561529361525), R(0.8346911835206536), R(-17.081463318466135), R(1.2025026708008193), R(1.1563802350347017), R(1.375408036007687), R(0.20723036095323366), R(-2.651730200864698), R(-0.37035316187847095), R(-2.4520730012725913), R(0.33067441460045655), R(-4.194582437325486), R(-12.902716085783185), R(-1.8139597414477682), R(1.2456276416118168), R(-2.9515706267033797), R(0.7920975608272084), R(0.672232181458957), R(1.888296193099464), R(0.3723448277726033), R(-1.0994021272121124), R(-0.015035157292859177), R(11.724457693201344), R(0.03541698530973049), R(0.6130687803410626), R(-0.036778736091977765)),
+STAGE_ROW(R(0.5799625866979666), R(-3.2768115104663615), R(1.0580949993455697), R(4.909143877223911), R(-0.09335312556503117), R(-16.80643151082212), R(3.4072160645050396), R(3.7468101275785033), R(-1.080873033376835), R(0.44373694307431305), R(1.8053208366682834), R(1.297573175284853), R(-1.1706906689779757), R(-3.6051253886944403), R(-0.2928953380599392), R(-1.9400994547761468), R(7.1748635701837165), R(-0.18280553179943976), R(5.097291667967922), R(2.041636512149676), R(1.3778766651073608), R(2.1181940930916796), R(0.7882850269219916), R(-5.1121051306395), R(0.42940687639454717), R(-1.2383660807684724), R(-2.7815687338884088), R(0.3294010581448106), R(1.8835330434201831), R(-1.4820043099557887), R(-0.03131609462988792), R(7.865286180136686), R(-0.6302194203896604), R(-0.8749528772705274), R(11.283440561229492), R(-6.425389946686754), R(20.575231346455567), R(2.177537458662112), R(-4.231128973184827), R(0.5547735867533812), R(-0.3261473928890265), R(0.15574452147167053), R(0.588212213054588), R(-0.6258729166725872), R(0.4964123235850314), R(0.9979219717766648), R(0.7031134960810631), R(1.7875949267135225), R(1.2385856378973332), R(-1.6021718064126154), R(1.3535293627912677), R(0.6899625471552138), R(-5.085727647634243), R(-0.10484517903700935), R(1.8395517097474603), R(-0.6521514519543747), R(4.780601294497262), R(0.20227424854087064), R(1.197177373574224), R(-1.3302705513004918)),
+STAGE_ROW(R(-0.14693761962803606), R(0.9359255548789949), R(0.6394214708509384), R(-0.26927622866185263), R(-0.4398263122504625), R(-0.11762847058095509), R(-0.7759114700629698), R(0.7551665465476846), R(0.06315747138738698), R(0.39567829689428363), R(-0.6743262158576625), R(-0.29603588081408605), R(0.2723671177875361), R(0.4035215478914962), R(0.7214044227378265), R(-0.04348131884817257), R(2.7088749546445015), R(-0.22465425461970817), R(-0.5231647770736124), R(0.5560158026086195), R(-0.15023144501852798), R(1.2602094269839053), R(0.727730386748347), R(0.34938722938834893), R(-0.44615643715259934), R(-0.16012767022126015), R(-0.7219651485096823), R(0.7216117020260491), R(-0.0014596366266607695), R(0.3867607000230351), R(-0.6576184049822955), R(-0.4273615077058726), R(0.23168990179429444), R(0.3828845238939981), R(0.6784463864471546), R(-0.03439922592370367), R(4.7843866669589525), R(-0.2727963230742894), R(-0.2095605592938746), R(0.551706454913916), R(-0.14039392145167998), R(0.7424532629997546), R(0.5865052738393108), R(-1.1489024442555218), R(-0.4273816698362189), R(-0.1819050704196279), R(-0.7960941839949701), R(0.7575448152342755), R(0.15011135713998647), R(0.4180709622312603), R(-0.6847609449240059), R(-0.15005076220125851), R(0.2668089483855833), R(0.41884892084831543), R(0.7106359761653115), R(-0.04666468985819399), R(2.8193141771900923), R(-0.20600382647672216), R(-0.6027912092441025), R(0.5592317616333606)),
+STAGE_ROW(R(0.04348707159388015), R(3.178686000581175), R(0.6302089714212853), R(-1.0510341203636957), R(2.0179804718069443), R(-0.9655932653135201), R(0.30106133469973567), R(1.0281001781468044), R(0.7135664433347861), R(-0.33379958660574044), R(-0.3214053678424538), R(-2.0849285665300976), R(-0.36443817881918966), R(1.9463471999154784), R(-1.1852489133490283), R(0.09669039062184694), R(1.80358963118563), R(-0.26673148085621856), R(-0.9908473920759916), R(-0.2604785736827811), R(0.6467841066046559), R(0.9742604725845782), R(0.7063688234414073), R(0.9919934413197382), R(1.5035554595301028), R(-0.7511410724325819), R(1.0503069959817508), R(0.0642857818075399), R(-2.570027502287029), R(1.1580792400506579), R(-1.2106619288117186), R(2.441849223912008), R(-0.8286972051750163), R(-0.5063233521891186), R(-0.09858014417904894), R(0.6266113174323604), R(-4.0836294925028005), R(-0.38581626199571245), R(-0.5512704827364646), R(-0.2841044800317898), R(-2.6729181741278847), R(-0.4842749980975972), R(-0.0598121267709072), R(-0.3508220665953094), R(1.4384091173843603), R(-0.31844113872570484), R(16.215013129160702), R(0.27087759766779607), R(-0.5523503955157198), R(0.6314158132855199), R(-0.8874555165216973), R(0.52951171709798), R(-3.1612913560078377), R(-1.2950878975721256), R(0.6453260476106436), R(-0.6092184396113204), R(4.013481517921636), R(0.3749348169881008), R(-2.4580220791841643), R(0.7631354925052527)),
+STAGE_ROW(R(1.4785912097578802), R(7.206392960258399), R(-0.9466430177716391), R(-0.29682919822057113), R(-1.5334504030360327), R(5.611899575466558), R(0.5907725755320212), R(-3.780960927592973), R(0.5233166757058656), R(2.346508656085124), R(-1.2124641410883372), R(-1.1603750803624218), R(0.751857297219451), R(8.714799646203305), R(1.544553226962505), R(-0.07185608068781672), R(4.298946156914622), R(2.6608712254931577), R(-2.238555137391425), R(1.6570884871689062), R(0.4684195189981501), R(0.08171076062455368), R(-2.215625800407987), R(-1.6861533058608453), R(0.036350457800202414), R(0.15851474572200272), R(-2.047322966722507), R(0.15396309839567007), R(0.6138538282137886), R(1.4245490945828205), R(-0.4077509365409231), R(-14.37261194067629), R(1.8746765135384216), R(1.188332511765093), R(0.9633829013844304), R(-3.030652526648722), R(27.781370663560807), R(-3.88337558664206), R(-0.7067215803293095), R(2.211213319683904), R(0.5653583436956919), R(1.724314665368501), R(-0.5264026376722543), R(-0.915806318436357), R(-0.3755372491663562), R(0.9754676762269994), R(-0.4159052823342022), R(-0.0656136186290337), R(0.4754711495112185), R(0.37522306488574136), R(-0.29846686133757533), R(-0.20487483649122712), R(0.2051563888350159), R(0.9228725789873288), R(-0.08594688416987803), R(0.4096852584705582), R(7.970205173653612), R(-0.24591613398167697), R(-0.1734303284103368), R(0.5841345368584141)),
+STAGE_ROW(R(0.18084850028921132), R(2.727131851361377), R(1.7475605040293414), R(1.1490210097243794), R(-1.1632011400536002), R(-0.2657685650001525), R(2.5457748020847233), R(-1.7462394250747497), R(-3.955543518567515), R(2.232992504404461), R(-0.7799605189351442), R(-1.443156178222776), R(0.07498031335849277), R(1.727663560347501), R(-3.3776735863257), R(-1.332601131370454), R(2.6518718180348793), R(1.844169440961507), R(-2.372646299690838), R(-1.4992459679976382), R(0.09786691225231381), R(12.770255102371816), R(1.07672744404366), R(-10.110053376511093), R(0.5803348694749689), R(-0.4331727664362521), R(1.1527108587644634), R(0.30166329344022824), R(-6.783793609736882), R(1.5234953586561137), R(0.28122444819853465), R(-2.109445599074242), R(-1.9739449821322095), R(0.2203860739035092), R(-3.1401802827994705), R(-1.4721454611033187), R(-48.67395640789253), R(-2.124844867717376), R(-7.316300371015579), R(-0.7983774834829163), R(-1.3706013183359749), R(-0.09995891343334604), R(0.31605705049328403), R(-2.0656218974130165), R(0.3557137414839241), R(-0.07055358993635923), R(0.7749315603669418), R(2.9104887592326296), R(0.9001646805528674), R(-0.8455471864031117), R(0.5078303272683202), R(1.1362513966385384), R(-5.6298763745941), R(-0.04629257340797117), R(0.458580087956459), R(-1.5363225712716704), R(7.975417134716483), R(0.32443420041602), R(1.3173659298737028), R(-1.3280205694343226)),
+STAGE_ROW(R(1.7479826728792218), R(6.154382982652913), R(0.019689296096528787), R(1.4340823739649355), R(-1.4035080618611349), R(1.4165202615337473), R(-0.6045920527021207), R(-4.898756631414212), R(-4.143573954774802), R(1.5056714760779983), R(0.9069063284851012), R(4.041526598053524), R(-1.1272136776615558), R(7.683246410310878), R(-2.989505213370501), R(-1.5696546574853119), R(4.765821536329359), R(4.177098490157049), R(-4.459511616766671), R(-3.1484712995736204), R(0.5204450015375853), R(0.4227244834628297), R(-0.5973187022503377), R(-1.8352510442861494), R(-0.9865323650656793), R(-0.6901616679302953), R(-0.5032694223846965), R(1.2293189580137873), R(1.913844461353557), R(0.7474308273400707), R(0.049398861792095336), R(-3.1321641703478713), R(-0.20380837469422475), R(0.87461393266217), R(0.02571391254245248), R(-0.4222311433910865), R(8.619401621119987), R(0.8462817494596742), R(-1.5151650686109503), R(-0.417069786455703), R(1.2789724366992643), R(-0.2675318604348233), R(-0.6124636668156461), R(-1.0695863377944097), R(-0.15889268832233583), R(0.5696354477899741), R(-1.552139507697649), R(1.6616680841247506), R(1.7451603431199725), R(1.7808316292688686), R(-0.1759006565098568), R(0.9524659670551999), R(-0.33081356124516514), R(0.2702529000987896), R(0.2428961984379208), R(0.039688794687103984), R(5.5859677157782315), R(0.8685579151373765), R(-0.4459788672202104), R(-0.3317408274620672)),
+STAGE_ROW(R(-1.5647954936105657), R(-0.7141221643883292), R(-0.5365523645528332), R(0.0283059040159502), R(0.843130563837788), R(0.40277938420658715), R(2.691310542288204), R(1.0703818056252992), R(-1.485803597413449), R(-0.6261201720905247), R(0.7104603236022436), R(-1.1643295508301885), R(0.3148368741450742), R(0.5120949732971712), R(-0.26019436114445393), R(-0.7055470135239263), R(0.24886785777387047), R(1.9429930298974973), R(0.5871312841636623), R(0.7401976124891079), R(-1.0290541212362811), R(-0.13077641236158455), R(-0.6245942610278009), R(7.915840961312484), R(-0.97585690925983), R(-1.1830712451621914), R(-0.0630156856204351), R(0.004940150032849221), R(1.988552181024796), R(-2.184850976270841), R(0.7958304608279491), R(-3.5227252201285872), R(1.3280547391833137), R(0.5871688071513226), R(0.6821818520754975), R(-1.8908006292128965), R(-21.6920718173758), R(-0.2929875966951834), R(1.859666831869198), R(1.4897312824365214), R(-2.6436390907915084), R(0.1782922896027084), R(0.3748322801301459), R(-0.9939458338593947), R(-0.28959837121332954), R(0.5976340134976208), R(2.966010451275004), R(1.1646731921441025), R(0.902712642268856), R(-0.31451890984981024), R(0.4792317837080631), R(-0.41388049047128767), R(-2.301839402145413), R(0.8382800473021638), R(1.014728277420812), R(-0.9168247900861696), R(-0.4494827005993669), R(1.6652197561754694), R(-1.015654197263098), R(-0.0601500707305273)),
+STAGE_ROW(R(-0.5737591932476347), R(-0.3319929621214654), R(-2.9008745920595387), R(-1.6898008435711012), R(0.4888792176937606), R(1.568511485847915), R(-2.336874143327254), R(-5.166361638293702), R(-0.18389606066219374), R(-1.6255154929652562), R(-0.1920146733475837), R(-7.1621432198231645), R(-0.2917786785483183), R(-2.409708989335624), R(0.4625089088447383), R(0.46640706883825805), R(1.1750020574025337), R(-1.3075906662393326), R(-4.402608097964236), R(0.30724671358601613), R(0.24299721863457313), R(-1.6571905341329143), R(-2.6646124287824873), R(-3.4968118877050873), R(0.04886632911083876), R(3.4044076092166136), R(1.1336500763390758), R(0.8420652222256653), R(13.148007091473879), R(-0.893972770151614), R(-0.43815924456062066), R(-3.84052101560271), R(-1.953257740322366), R(0.2954714918175498), R(4.672312685540676), R(1.782520129473095), R(-46.110722191976556), R(4.60347131511445), R(-1.3747644107554244), R(-1.5359694801044077), R(-0.4807700010109858), R(1.1714827367772316), R(-0.9166251260171658), R(-1.739237518643873), R(0.32046574655107735), R(-0.42796718312413146), R(-0.3222912311828289), R(0.26780413292177613), R(0.4155927448564601), R(-0.5106705747528463), R(0.4578996865776376), R(1.37401605060762), R(-0.8388142249508679), R(0.007418269700188378), R(1.0542580157767727), R(0.5909774029750923), R(8.804323590480433), R(-1.5528781511805154), R(0.1783390878889783), R(-0.07015446025460816)),
+STAGE_ROW(R(0.7760177910220463), R(2.3490233491165378), R(-0.9625048213479833), R(-0.8923718053204326), R(-0.46042509300717777), R(-0.31743321424065685), R(-1.0622282221437254), R(0.1743824723357423), R(5.5497549459577975), R(0.44615288450305335), R(0.40632544198919546), R(-5.9143238064598), R(0.7062023810754087), R(-2.1848713264861805), R(-0.749189912825843), R(-1.5827465384280799), R(5.088777329643997), R(-1.065130211489788), R(-3.5013648257476513), R(-1.6346558303316503), R(0.059301765185874517), R(-2.8136345163358616), R(-1.5851396222856853), R(-0.560093595256384), R(-1.0075036784338163), R(-0.6175954426568684), R(-0.925310148777386), R(1.4701921797023014), R(5.140946352044539), R(2.199232343431501), R(0.49765899412700587), R(-1.9098762677023378), R(0.6354605320491437), R(-0.9091310127869431), R(1.7522422377071354), R(-0.7008994379038611), R(16.453554007617566), R(1.7956907492251328), R(-2.2661509790334224), R(1.3716613569804768), R(1.38110260209169), R(-4.69954878113069), R(-1.9204581075242748), R(-0.5737471806214327), R(0.16939565019961855), R(0.8819111252522784), R(-2.5110097170653205), R(1.5433598944394296), R(0.9629940852963653), R(2.909659287941475), R(0.07578039399343175), R(0.899082265735271), R(1.175530673474499), R(-0.948688262399295), R(0.791141978120833), R(-1.4211428918372848), R(8.01000756859617), R(0.6628678181358465), R(-2.379655194046613), R(0.01805403622544847)),
+STAGE_ROW(R(-0.6403391098679703), R(1.2631178622987016), R(-0.0193975037668679), R(-4.449128450786536), R(0.750109673141928), R(5.608263667501413), R(-2.3108603543490442), R(1.0478989881750556), R(-0.8308892865851221), R(-2.936354341719871), R(2.654619968750455), R(5.180738632641022), R(-0.09833682859945365), R(-0.7156954630096323), R(4.169143298541496), R(0.2510752074326768), R(3.7911710945858825), R(-0.5431893181175551), R(0.5190385902606485), R(-1.4487354395591159), R(-0.4892815376165712), R(-5.066579352673116), R(1.690128798334475), R(-3.918818800239523), R(-1.423004768365667), R(-1.9047486976146963), R(-0.057921705787084665), R(0.2721850347451005), R(-0.6994496586308901), R(-0.19217793980723094), R(1.9157130570036438), R(-7.533109423158467), R(0.7698533122800554), R(-2.442644057856135), R(-0.409571111684481), R(2.550639024841111), R(30.537247628370878), R(-0.5132948926333), R(1.862999216327269), R(0.4218133076636407), R(-0.7049019505176819), R(-0.7881885684964447), R(0.29321907235120953), R(-2.466093663186302), R(-0.4145548061469237), R(-0.5195243351416179), R(0.37402779866220803), R(0.887030225922526), R(0.7349135860547992), R(-0.09519154579858827), R(0.7162845623085748), R(1.5603914014890705), R(0.19920932540614006), R(-1.0013195417779261), R(0.5499782318295523), R(-0.48349482719512765), R(10.108190482523174), R(0.6706010505645703), R(-6.250151098492101), R(0.14085198821801329)),
+STAGE_ROW(R(0.8109509884139892), R(2.8333782867822475), R(0.459129116285008), R(1.4925764348187713), R(4.240097996785915), R(1.411368956087141), R(3.0737820409212033), R(-0.14666671190865402), R(1.429083004237763), R(-0.09694403689453647), R(-0.5916883015611907), R(2.1025842576403), R(-0.24226782564905275), R(4.993566745916136), R(-0.44620184577143057), R(0.7618993815669661), R(3.661161794163798), R(-1.7690233991851911), R(-0.3564903017453029), R(0.3512134087156408), R(1.5294615094040813), R(1.5536949775119735), R(0.30441051149145537), R(4.784897010853086), R(2.6501327152102094), R(1.3571066129326497), R(0.19286101501460204), R(1.3541910349862953), R(-5.2734487899161655), R(2.4474930310245546), R(-2.6928357319224028), R(3.835424641421277), R(-0.6778092480741996), R(1.706095752896518), R(0.54163288917253), R(0.8141538566527798), R(27.107386180242568), R(-0.3905782294615294), R(-2.8258644968787734), R(-0.19367672076920894), R(1.1728379907493156), R(-1.0195716582433465), R(1.1449050187060545), R(-0.7881354081110662), R(0.5135176189636005), R(-5.129898314639914), R(-1.1227771308744598), R(-0.08051503724554555), R(-0.9336532410966666), R(-0.9333301618744636), R(-1.6371840983967378), R(0.5236395306658069), R(0.33135555109985304), R(-0.5371790361931401), R(0.03892706330563296), R(-0.3603185377483275), R(3.6415636877881212), R(1.549843445138027), R(-1.509125318498278), R(-0.23249981850801463)),
+STAGE_ROW(R(-1.0016178783711012), R(-0.9465625614798802), R(0.0772111881649861), R(-0.5071819981311635), R(1.3164591195923763), R(-1.5393804485901463), R(0.009317496301373096), R(1.2391016379972293), R(0.19519497732340085), R(-0.4105923879417478), R(0.7901550611991152), R(1.2447414745147638), R(-0.6144204450563412), R(0.400196407630213), R(0.2632973914077988), R(0.2139443538601188), R(2.258954473490504), R(-1.0831299347090526), R(0.6999404442343341), R(0.9170893352119884), R(-0.7181992606982708), R(0.6133654148684066), R(0.0689584730427633), R(0.6144601219238356), R(0.9323067282081389), R(-0.8340498968179413), R(-0.3286278870529987), R(1.2184973878890424), R(-0.7562409485688846), R(-0.03176036007585007), R(0.5372549694034786), R(0.08147743968269766), R(-0.5709609967866528), R(0.31461161051614644), R(-0.003966559031529235), R(0.011558746544787434), R(4.227244631119514), R(0.06059232355441955), R(0.6272397092919778), R(0.4972385315700937), R(-1.097199369222643), R(0.49854249204980877), R(-0.14015814315418543), R(-0.23320979032966008), R(1.4637241311497415), R(0.09502895952119174), R(-0.5479215953417558), R(1.933758892194479), R(0.9226401309678149), R(-0.1686753670419111), R(0.7773747863961167), R(-0.29974853257637235), R(-0.9487297927212404), R(0.7675237120052647), R(0.37317181126346827), R(-0.7008428293628622), R(3.678464860120852), R(0.5728557348520942), R(0.4415725202742217), R(0.2226587220059199)),
+STAGE_ROW(R(-0.2880702699230074), R(-1.3925785453425505), R(-0.009503543576282872), R(2.5237847638432833), R(1.5176116670880027), R(0.7164190023982576), R(1.6262648872087495), R(1.3166807169974617), R(1.8308540420853168), R(-0.2261801766499045), R(-0.5131491340950695), R(-0.9990468568905008), R(-0.26520721761768173), R(0.6720126497649895), R(-2.188537284164738), R(-1.322534855894853), R(2.743688844352808), R(0.4304018491059335), R(-0.033182669371193255), R(0.7319430491026403), R(-0.18371652054654258), R(-0.5178617665299845), R(-0.7553033582062672), R(-1.590921349274279), R(0.9680768828244496), R(0.9755764196973713), R(0.8674894330155468), R(-0.29931646203482287), R(-1.0136168280994557), R(-0.4415628797457624), R(-0.33865316365863657), R(5.935769970040305), R(-0.5720573078053997), R(0.4756607947001683), R(0.11822656415685208), R(-0.3961949208071313), R(4.052490981279869), R(1.5742257302457026), R(0.1886105696911758), R(0.7909480785174918), R(-0.7896508774702643), R(-1.474740295120491), R(-0.6701604932158239), R(-0.3165126800826447), R(1.0701183160419998), R(0.3793089678399592), R(1.2614244485786348), R(-0.20876506448364082), R(-0.37791098490556874), R(-2.3999860133006456), R(0.38958853995150977), R(0.40389569180581786), R(-0.18350171811946187), R(-0.43139278451577373), R(0.4893643531357853), R(-0.947513311399064), R(4.011453955638824), R(-1.111961729897959), R(-0.11516426991443761), R(0.3884479130243183)),
+STAGE_ROW(R(0.07971369054141617), R(4.865062883936374), R(-0.6491821490546932), R(1.2481279216566434), R(0.3926329877905612), R(0.4397920644655727), R(-1.955734408749319), R(-1.1824013280297199), R(2.6899701822456263), R(0.14246814846684147), R(-0.4580119030661546), R(2.549209713113866), R(0.7413679030694347), R(0.1819094799889155), R(-3.302825180936592), R(-1.0286272840696742), R(3.969315322711861), R(-1.6506798789268016), R(-1.2023574852754528), R(0.5278140480143508), R(0.3975711278684704), R(-2.111599365696092), R(-0.5730917855962716), R(-0.421918986483327), R(-0.04512923641891182), R(0.4969513898037507), R(1.1586922304699425), R(0.3291446610193122), R(3.1505841481589605), R(-0.5903820896166744), R(-0.5165106733438709), R(-4.506046649228722), R(-0.00150958308360791), R(-0.20452325169093288), R(-0.537916322292639), R(-1.8349971571635066), R(9.873656318334918), R(-0.05126512910786003), R(-1.217052552372835), R(0.9857931928795196), R(-0.12093863949255358), R(-1.5070133540410207), R(-0.3148200112571544), R(-1.8104037717459305), R(0.291071136819123), R(1.1206189591591897), R(-1.4720374578794935), R(0.2772722882544062), R(1.5508293742705561), R(0.22343260245719096), R(-0.08208962895145772), R(1.8112156318343904), R(0.5103619002307156), R(-0.04352646556223891), R(-0.2194302289364465), R(-0.48008611160041864), R(10.742226761696424), R(-0.18553228204690153), R(-0.7235762125417153), R(0.24500955394306448)),
+STAGE_ROW(R(-1.6048479187346503), R(-1.734112814427929), R(-0.5756839304364292), R(1.6003805982352448), R(-0.49736299592181876), R(1.1113865002100185), R(4.68018021621235), R(1.5824952741944707), R(-5.7884312527019555), R(-1.7713031481538315), R(-0.5662411516948599), R(-2.6557390167608115), R(-0.8367020464877974), R(-0.9033164759080996), R(-1.0564366030336776), R(0.6900168613161614), R(3.119413478022602), R(4.337481867302377), R(0.761862206860565), R(0.21961221702749903), R(-0.7945671043442136), R(-2.4878265379994122), R(-1.0394183966245527), R(5.316239747142777), R(-0.6252482955280292), R(-2.203583802293145), R(-0.6394197985580163), R(1.0078273815122465), R(1.3092598611477668), R(-1.6982515503976099), R(-0.03390576005880169), R(4.0834152209206565), R(-1.3077619929481576), R(-2.3420520862518317), R(-1.6297525060009426), R(1.09365574659935), R(12.015883899978585), R(0.05800764507117605), R(0.8261182857775964), R(0.572156270964649), R(-0.8532054487406089), R(1.7372439274833757), R(-1.138088070697589), R(-0.27064705452513016), R(-0.23758422118101175), R(-0.5907069836248223), R(0.7943055515895873), R(0.6730897909757775), R(0.28655106597174473), R(-2.025810523957629), R(0.49963971841270954), R(0.21454149609969153), R(-0.6817344512041884), R(-1.148637317038339), R(-0.5487289619373981), R(0.144314042641659), R(4.841444109202231), R(-0.868577117744675), R(2.853488128294151), R(0.605132449483061)),
+STAGE_ROW(R(0.1050124477266002), R(-0.6081519972597292), R(0.5593041071975279), R(1.4439963622654663), R(0.6477684268650163), R(0.1605049211323777), R(0.5067898537758349), R(-0.034071447614787205), R(-0.12398081410149234), R(-0.7009768477566237), R(0.18567659307223858), R(-0.3043236389238969), R(-0.46533088908512843), R(0.7354531247929987), R(0.6198838022134099), R(0.7029597767482013), R(-0.5967349601706861), R(0.8999067665608051), R(0.41033346133704435), R(-0.7197858402762627), R(0.6881134359109127), R(2.2127315329147503), R(1.3614686891303782), R(2.528702051576231), R(1.5392156609633507), R(0.5273277283908193), R(0.45331373471713043), R(0.8531219228646172), R(2.6248850188450326), R(-3.3433538267241714), R(-1.0293605367945085), R(-6.745299153018725), R(-0.14876459753352755), R(1.8581543521092545), R(-0.17639603152886943), R(0.48334629239462296), R(-80.37935743048692), R(3.09676757291745), R(0.7890398815427555), R(-2.29770570902099), R(0.6443680231329035), R(-0.09595312195373393), R(-0.022657821861623455), R(-7.6657215831074925), R(1.2036331217850758), R(0.9359960907811524), R(1.2930598939242497), R(2.265628515494397), R(2.25128529969121), R(-0.005079201923114325), R(-0.2684675273471966), R(5.191804088108769), R(-1.0889513087067981), R(1.2159521655896766), R(1.9713898499976692), R(0.1191487616854329), R(44.771097640771245), R(1.6247261690933332), R(-1.610431821663864), R(-0.1275851637323854)),
+STAGE_ROW(R(-1.1152899290994684), R(-13.583735143198956), R(1.174479523282881), R(-1.158223230724736), R(-4.9199187257740835), R(-2.7568664946287695), R(-4.860650724933129), R(3.9171938803173756), R(2.6096782761591664), R(3.762698136319105), R(0.6346672908865386), R(13.836147052804437), R(-1.9533238675673956), R(-2.545348719829541), R(-4.441631200057534), R(0.5449789173270145), R(0.7977188454707604), R(-0.21172807775724445), R(-1.804562615092959), R(-6.334676408245143), R(0.1126790214353446), R(-2.020433564831773), R(-0.8418730968208215), R(-1.9881857932399667), R(-1.9938786246357636), R(-0.5525978366250994), R(-3.4490053418395954), R(0.27488238575653157), R(0.33517927520765606), R(-2.390990769339054), R(-0.22183277136255777), R(10.102914955045984), R(0.7141980962237399), R(-1.0902495913177537), R(-6.907065590382305), R(-2.190271230148765), R(100.49373409310081), R(1.4048968149267882), R(2.436006106013697), R(-0.48453671401033105), R(0.07962844422358338), R(-2.7846393169073496), R(0.289328568065688), R(-2.4631452992551064), R(-0.34176687683561285), R(-0.47418462267150924), R(-18.600069281207823), R(-1.88750506660781), R(0.6832963020964397), R(1.8386128135968038), R(0.966391660793011), R(2.8197352108253715), R(-0.6327774875924613), R(-0.30427270535506773), R(-0.9371766840586324), R(0.17531213811995203), R(14.242018961488567), R(0.029583288595494042), R(-0.2217494421750934), R(-1.261188824717363))
+}
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(-0.6344901257729726), R(-0.9994553516485797), R(0.6281728150269863), R(0.4872876008265533), R(-0.7323342952724488), R(-0.641985900319806), R(-0.47970638484291944), R(-1.1182485131966327), R(-0.2678049726996388), R(-0.520999955521739), R(0.5575125798907217), R(-0.25515958508581343), R(0.5682211908409387), R(-2.2116029042795446), R(-0.2757036298300108), R(0.517493063707271), R(-0.0004943778222009824), R(-0.4656217772250354), R(1.6670869106583854), R(-0.6799896258684927), R(-0.3744229788020772), R(-0.4831838486551058), R(0.588786553236559), R(0.5609093094162392), R(-0.5172720699062029), R(-0.19974605152668531), R(-0.44334373681593503), R(-0.07065400710437916), R(-0.7144541785080695), R(-0.33612642230006445), R(0.5018887539032919), R(-0.08827655703725036), R(0.4139241694555686), R(-0.47427128637357313), R(-0.2300508493708589), R(0.4580046600274745), R(0.01771260899455194), R(-0.43554463038518826), R(0.6642109438621135), R(-0.4191442967730114), R(-0.47793819095966006), R(-0.20847353014061965), R(0.46736010053275095), R(0.16924028501611948), R(-0.34476354248446645), R(-0.18452199027474644), R(-0.9758756065454544), R(-0.0803515444239388), R(-0.077904226542416), R(-0.4010537095162617), R(0.460351438107808), R(-0.02593150784948494), R(0.4256640230809289), R(-0.3594566450323525), R(-0.1335084983116358), R(0.3812623694476176), R(0.0038759987417352057), R(-0.16473681666807588), R(0.507168797855682), R(-0.28105924139913946));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output_bias[STAGE_NETWORKS] =
+{R(-5.303858434134999), R(-2.0444156449141606), R(-1.804009127940751)};
+#define STAGE_DEPTHS {3, 3, 3}
+
+
+/*
+ * A stage: networks evaluated in step. Its tables, which come before this, define its sizes, STAGE_..., and the names
+ * of its tables and functions: STAGE(networks) computes it.
+ */
+#if STAGE_SIDE_BY_SIDE
+/*
+ * A stage on vectors of 16 numbers: its networks side by side. Lane l of part m is neuron STAGE_SHARE m +
+ * l / STAGE_NETWORKS of network l % STAGE_NETWORKS, and lanes left over are zeros. Sums are added up in the order of
+ * the other form of a stage, to the same bits.
+ */
+
+/* In each lane what its network has of neuron q of a part. */
+SAILNET_INLINE sailnet_lanes STAGE(neuron)(sailnet_lanes part, int32_t q)
+{
+    const sailnet_mask network = {
+        0 % STAGE_NETWORKS,  1 % STAGE_NETWORKS,  2 % STAGE_NETWORKS,  3 % STAGE_NETWORKS,
+        4 % STAGE_NETWORKS,  5 % STAGE_NETWORKS,  6 % STAGE_NETWORKS,  7 % STAGE_NETWORKS,
+        8 % STAGE_NETWORKS,  9 % STAGE_NETWORKS,  10 % STAGE_NETWORKS, 11 % STAGE_NETWORKS,
+        12 % STAGE_NETWORKS, 13 % STAGE_NETWORKS, 14 % STAGE_NETWORKS, 15 % STAGE_NETWORKS,
+    };
+    return _mm512_maskz_permutexvar_ps(0xFFFF, (__m512i)(network + q * STAGE_NETWORKS), part);
+}
+
+SAILNET_INLINE void STAGE(begin)(int32_t layer, sailnet_lanes sums[2][STAGE_PARTS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[0][m] = sailnet_at(STAGE(biases)[layer][m]);
+        sums[1][m] = nothing;
+    }
+}
+
+/* Two sums for each neuron: in one, an addition would wait for the one before it. */
+SAILNET_INLINE void STAGE(add)(sailnet_lanes a, const sailnet_real weights[STAGE_PARTS][STAGE_PART],
+                                      sailnet_lanes sums[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[m] += a * sailnet_at(weights[m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(activate)(sailnet_lanes sums[2][STAGE_PARTS], sailnet_lanes neurons[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        neurons[m] = sailnet_sigmoid(sums[0][m] + sums[1][m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    sailnet_lanes sums[2][STAGE_PARTS];
+    sailnet_lanes neurons[STAGE_PARTS];
+    STAGE(begin)(0, sums);
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_lanes clamped =
+            sailnet_lanes_clamped(nothing + input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        STAGE(add)(clamped - STAGE(lower)[i], STAGE(first)[i], sums[i % 2]);
+    }
+    STAGE(activate)(sums, neurons);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(begin)(layer, sums);
+        SAILNET_UNROLLED
+        for (int32_t i = 0; i < STAGE_ROWS; i++) {
+            STAGE(add)(STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE),
+                              STAGE(hidden)[layer - 1][i], sums[i % 2]);
+        }
+        STAGE(activate)(sums, neurons);
+    }
+    sailnet_16_bytes products[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_ROWS; i++) {
+        const sailnet_lanes neuron = STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE);
+        const void *const weights = STAGE(output)[i];
+        sailnet_16_bytes first;
+        (void)memcpy(&first, &neuron, sizeof first);
+        products[i % 4] += first * *(const sailnet_16_bytes *)weights;
+    }
+    const sailnet_16_bytes sum = (products[0] + products[2]) + (products[1] + products[3]);
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = sum[k] + STAGE(output_bias)[k];
+    }
+}
+#else
+/*
+ * A stage: STAGE_NETWORKS network(s) with the same STAGE_INPUTS inputs, layer by layer. STAGE_DEPTH
+ * hidden layers of at most STAGE_ROWS neurons; a shallower network uses the first ones.
+ */
+
+/* Physical input, clamped to the widened range it had in training, less the lower end of that range. */
+SAILNET_INLINE void STAGE(shifted)(const sailnet_real input[STAGE_INPUTS],
+                                          sailnet_real shifted[STAGE_EVEN_INPUTS])
+{
+    shifted[STAGE_EVEN_INPUTS - 1] = R(0.0);
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_real clamped =
+            sailnet_clamped(input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        shifted[i] = clamped - STAGE(lower)[i];
+    }
+}
+
+#define STAGE_VECTORS (STAGE_WIDTH / SAILNET_LANES)
+/* Sums of one network that registers hold, twice; and of how many networks they hold as many. */
+#if STAGE_VECTORS % 6 == 0
+#define STAGE_BLOCK 6
+#elif STAGE_VECTORS % 5 == 0
+#define STAGE_BLOCK 5
+#elif STAGE_VECTORS % 4 == 0
+#define STAGE_BLOCK 4
+#elif STAGE_VECTORS % 3 == 0
+#define STAGE_BLOCK 3
+#elif STAGE_VECTORS % 2 == 0
+#define STAGE_BLOCK 2
+#else
+#define STAGE_BLOCK 1
+#endif
+#if 2 * STAGE_BLOCK * STAGE_NETWORKS < SAILNET_REGISTERS
+#define STAGE_TOGETHER STAGE_NETWORKS
+#else
+#define STAGE_TOGETHER 1
+#endif
+
+/*
+ * activations becomes the sigmoids of biases + weights a, for each network: a[k] are the inputs of network k, an even
+ * number, and a[0] of all if `each` is 0.
+ */
+SAILNET_INLINE void STAGE(layer)(const sailnet_real *a, int32_t each, int32_t inputs,
+                                        const sailnet_real biases[STAGE_NETWORKS][STAGE_WIDTH],
+                                        const sailnet_real weights[][STAGE_NETWORKS][STAGE_WIDTH],
+                                        sailnet_real activations[STAGE_NETWORKS][STAGE_WIDTH])
+{
+    SAILNET_ROLLED
+    for (int32_t network = 0; network < STAGE_NETWORKS; network += STAGE_TOGETHER) {
+        SAILNET_ROLLED
+        for (int32_t block = 0; block < STAGE_WIDTH; block += STAGE_BLOCK * SAILNET_LANES) {
+            /* Two sums for each neuron: in one, an addition would wait for the one before it. */
+            sailnet_lanes even[STAGE_TOGETHER][STAGE_BLOCK];
+            sailnet_lanes odd[STAGE_TOGETHER][STAGE_BLOCK];
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const int32_t k = network + n;
+                    const int32_t j = block + m * SAILNET_LANES;
+                    even[n][m] = sailnet_at(&biases[k][j]) + a[k * each] * sailnet_at(&weights[0][k][j]);
+                    odd[n][m] = a[k * each + 1] * sailnet_at(&weights[1][k][j]);
+                }
+            }
+            SAILNET_ROLLED
+            for (int32_t i = 2; i < inputs; i += 2) {
+                SAILNET_UNROLLED
+                for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                    SAILNET_UNROLLED
+                    for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                        const int32_t k = network + n;
+                        const int32_t j = block + m * SAILNET_LANES;
+                        even[n][m] += a[k * each + i] * sailnet_at(&weights[i][k][j]);
+                        odd[n][m] += a[k * each + i + 1] * sailnet_at(&weights[i + 1][k][j]);
+                    }
+                }
+            }
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const sailnet_lanes sigmoids = sailnet_sigmoid(even[n][m] + odd[n][m]);
+                    (void)memcpy(&activations[network + n][block + m * SAILNET_LANES], &sigmoids, sizeof sigmoids);
+                }
+            }
+        }
+    }
+}
+
+/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
+SAILNET_INLINE sailnet_real STAGE(product)(const sailnet_real *a, const sailnet_real *b, int32_t count)
+{
+#ifdef SAILNET_VECTORS
+    sailnet_16_bytes sums = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
+    }
+#else
+    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
+            sums[lane] += a[j + lane] * b[j + lane];
+        }
+    }
+#endif
+#ifdef SAILNET_FLOAT64
+    return sums[0] + sums[1];
+#else
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+#endif
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    static const int32_t depth[STAGE_NETWORKS] = STAGE_DEPTHS;
+    SAILNET_ALIGNED sailnet_real layers[STAGE_DEPTH][STAGE_NETWORKS][STAGE_WIDTH];
+    sailnet_real shifted[STAGE_EVEN_INPUTS];
+    STAGE(shifted)(input, shifted);
+    STAGE(layer)(shifted, 0, STAGE_EVEN_INPUTS, STAGE(biases)[0], STAGE(first), layers[0]);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(layer)(layers[layer - 1][0], STAGE_WIDTH, STAGE_ROWS, STAGE(biases)[layer],
+                            STAGE(hidden)[layer - 1], layers[layer]);
+    }
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = STAGE(product)(layers[depth[k] - 1][k], STAGE(output)[k], STAGE_ROWS) +
+                    STAGE(output_bias)[k];
+    }
+}
+#endif
+#undef STAGE
+#undef STAGE_NETWORKS
+#undef STAGE_INPUTS
+#undef STAGE_EVEN_INPUTS
+#undef STAGE_DEPTH
+#undef STAGE_DEPTHS
+#undef STAGE_ROWS
+#undef STAGE_WIDTH
+#undef STAGE_SIDE_BY_SIDE
+#undef STAGE_SHARE
+#undef STAGE_PARTS
+#undef STAGE_PART
+#undef STAGE_OUTPUTS
+#undef STAGE_OUTPUT
+#undef STAGE_ROW
+#undef STAGE_OUTPUT_ROW
+#undef STAGE_VECTORS
+#undef STAGE_BLOCK
+#undef STAGE_TOGETHER
+
+SAILNET_PART void sailnet_direction(const sailnet_state *state, sailnet_real beta, double direction[SAILNET_STATES])
+{
+    const sailnet_real known = sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real now[3] = {state->r, state->u, state->v};
+    sailnet_real output[3];
+    const sailnet_real s = sailnet_approach(now, known, input, factors);
+    sailnet_plan_networks(input, output);
+    for (int32_t i = 0; i < 3; i++) {
+        direction[i] = (double)output[i];
+    }
+    /* The networks give the costates of position by the scale of the approach; nothing is divided by it. */
+    const sailnet_real scale = s / (s + SAILNET_ARRIVAL_SCALE);
+    for (int32_t i = SAILNET_STATES / 2; i < SAILNET_STATES; i++) {
+        direction[i] *= (double)scale;
+    }
+}
+
 /* ================================ Steering ================================ */
 
 /* Runge and Kutta's method of fourth order: where in the step its stages are, and what they weigh. */
@@ -1149,14 +2873,14 @@ typedef struct {
 } sailnet_change;
 
 /* One such step of Eq. (1), under a constant force. */
-SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
+SAILNET_PART void sailnet_predict(const sailnet_estimate *estimate, sailnet_change *change)
 {
-    const sailnet_state *const before = &memory->state;
-    sailnet_cosine_sine(memory->attitude, &change->cosine, &change->sine);
+    const sailnet_state *const before = &estimate->state;
+    sailnet_cosine_sine(estimate->attitude, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real push = memory->beta * cosine;
-    const sailnet_real across = SAILNET_FORCE_ACROSS + memory->tangential;
+    const sailnet_real push = estimate->beta * cosine;
+    const sailnet_real across = SAILNET_FORCE_ACROSS + estimate->tangential;
     change->normal = (SAILNET_FORCE_SQUARE * cosine + SAILNET_FORCE_LINEAR) * cosine;
     const sailnet_real radial = push * (change->normal + across * sine * sine) - R(1.0);
     const sailnet_real transverse =
@@ -1164,14 +2888,14 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     sailnet_state rate = {R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
-        const sailnet_real step = sailnet_stages[i][0] * memory->held;
+        const sailnet_real step = sailnet_stages[i][0] * estimate->held;
         const sailnet_real per_r = R(1.0) / (before->r + step * rate.r);
         const sailnet_real u = before->u + step * rate.u;
         const sailnet_real v = before->v + step * rate.v;
         rate.r = u;
         rate.u = (radial * per_r + v * v) * per_r;
         rate.v = (transverse * per_r - u * v) * per_r;
-        const sailnet_real share = sailnet_stages[i][1] * memory->held;
+        const sailnet_real share = sailnet_stages[i][1] * estimate->held;
         change->by.r += share * rate.r;
         change->by.u += share * rate.u;
         change->by.v += share * rate.v;
@@ -1179,111 +2903,209 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
 }
 
 /* The weight of a period in the mean of all at first, later of those not forgotten after a time. */
-SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_estimate *estimate, sailnet_real time)
 {
-    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-    const sailnet_real recent = memory->held * (R(1.0) / time);
+    const sailnet_real all = R(1.0) / ((sailnet_real)estimate->samples + R(1.0));
+    const sailnet_real recent = estimate->held * (R(1.0) / time);
     return recent > all ? recent : all;
 }
 
 /*
  * What one more period tells, by how much further the velocity changed than predicted: beta along the normal, the
- * tangential force across it, and how far such surprises differ. Changes are rounded finer than states. What is not
+ * tangential force across it, and how far such innovations differ. Changes are rounded finer than states. What is not
  * finite counts for nothing, what is large for the bound.
  */
-SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
+SAILNET_PART void sailnet_learn(sailnet_estimate *estimate, const sailnet_state *now, const sailnet_change *change)
 {
-    const sailnet_real held = memory->held;
-    const sailnet_state *const before = &memory->state;
+    const sailnet_real held = estimate->held;
+    const sailnet_state *const before = &estimate->state;
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
+    const sailnet_real turned = estimate->slewing * estimate->slewing * SAILNET_SLEW_RATE;
     /* Not held, or turned, or not seen before: that says nothing. */
-    int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
+    int32_t telling = ((held > R(0.0)) && (estimate->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
     telling &= (change->normal >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
-    const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
-    const sailnet_real surprise_v = (now->v - before->v) - change->by.v;
+    const sailnet_real innovation_u = (now->u - before->u) - change->by.u;
+    const sailnet_real innovation_v = (now->v - before->v) - change->by.v;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
     const sailnet_real per = distance * distance / (held * change->normal);
-    const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
-    const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
+    const sailnet_real along = (innovation_u * cosine + innovation_v * sine) * per;
+    const sailnet_real across = (innovation_v * cosine - innovation_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
-        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+        const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
-        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
+        estimate->beta += sailnet_weight(estimate, SAILNET_MEMORY) * counted;
         /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
-        memory->tangential -= R(2.0) * weight * sine * cosine * aside;
-        memory->variance += weight * (relative * relative - memory->variance);
-        memory->slow += weight * (relative * memory->surprise - memory->slow);
-        memory->surprise = relative;
+        estimate->tangential -= R(2.0) * weight * sine * cosine * aside;
+        if (estimate->samples > 0u) {
+            estimate->variance += weight * (relative * relative - estimate->variance);
+            estimate->autocovariance += weight * (relative * estimate->innovation - estimate->autocovariance);
+            estimate->innovation = relative;
+        }
+        /* The first says by how much the vehicle differs from the mission's, not how it varies. */
+        if (estimate->samples < UINT32_MAX) {
+            estimate->samples++;
+        }
     }
 }
 
 /* The share of beta that is not planned with. */
-SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
+SAILNET_PART sailnet_real sailnet_reserve(const sailnet_estimate *estimate, const sailnet_real *time_of_flight,
+                                          sailnet_real hold)
 {
-    const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
+    const sailnet_real tau = sailnet_limited(time_of_flight, SAILNET_OF_TIME_TO_GO);
     /* What white noise leaves in a mean of few products. */
-    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
-    const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
-    const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
-    const sailnet_real rest = memory->variance - slow;
+    const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
+    const sailnet_real chance = estimate->variance * weight * sailnet_per_root(&weight);
+    const sailnet_real slow = sailnet_clamped(estimate->autocovariance - chance, R(0.0), R(1.0));
+    const sailnet_real rest = estimate->variance - slow;
     /* Of its variance the mean of the periods left keeps so much. */
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
     const sailnet_real reserve =
         SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
-    const sailnet_real bounded = sailnet_clamped(reserve, SAILNET_LEAST_RESERVE, SAILNET_LARGEST_RESERVE);
+    const sailnet_real bounded = sailnet_clamped(reserve, R(0.0), SAILNET_LARGEST_RESERVE);
     return bounded * sailnet_clamped(tau * (R(1.0) / SAILNET_LET_GO), R(0.0), R(1.0));
 }
 
 /*
- * How late the sail is: by how much its time to go did not fall as time passed, less what of that is forgotten. And how
- * long it still waits.
+ * The tracker, see sailnet_tracker.h: what it is of this mission, a plan by the networks, and the command.
  */
-SAILNET_INLINE void sailnet_time_passes(sailnet_memory *memory, const sailnet_command *command)
+static const sailnet_problem sailnet_transfer = {
+    0.16892, /* beta */
+    1.524, /* target radius */
+    1.0059945648104511, /* square */
+    -0.005994564810451031, /* linear */
+    0.09513783975440347, /* across */
+    0.5000000000000001, /* bound cosine */
+    0.8660254037844386, /* bound sine */
+    -0.6688191380078302, /* edge radial */
+    -0.5662881707548043, /* edge lateral */
+};
+
+/* Extremals that are computed in a guidance period at most. What has not converged then goes on in the next one. */
+#define SAILNET_EXTREMALS_PER_PERIOD 8
+
+/* The transfer of a vehicle of `beta`, as it was learnt: light pushes it along its surface by more than the mission's, or
+   less. */
+SAILNET_INLINE sailnet_problem sailnet_own_problem(const sailnet_memory *memory, double beta)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    memory->wait = sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT);
-    /* What came of something else says nothing. */
-    const sailnet_real behind =
-        held > R(0.0) ? (command->time_of_flight - memory->time_of_flight) + held : R(0.0);
-    const sailnet_real late = (memory->late - held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late) + behind;
-    memory->late = sailnet_limited(&late, SAILNET_OF_PERIOD);
+    sailnet_problem own = sailnet_transfer;
+    own.beta = beta;
+    sailnet_push_aside(&own, (double)sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL));
+    return own;
 }
 
-/*
- * The sign of the command. Where both are almost equally fast the sail keeps its side until that has cost more than a
- * reversal is worth. The other loses time at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian. A sail that
- * is late has turned over in vain: after every other reversal it waits, for on both sides alike it would circle.
- */
-SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
+/* The networks know the mission's optics alone: beta of such a sail that is as fast. */
+SAILNET_INLINE sailnet_real sailnet_for_networks(const sailnet_memory *memory, sailnet_real beta)
 {
-    const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
-    const sailnet_real facing = ratio * change->cosine;
-    const sailnet_real share = (SAILNET_FORCE_SQUARE - SAILNET_FORCE_ACROSS) * change->cosine + SAILNET_FORCE_LINEAR;
-    const sailnet_real regret = memory->regret + R(2.0) * memory->held * memory->stake * facing * (ratio * share) *
-                                                     sailnet_size(change->sine);
-    memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
-    memory->stake = -sailnet_size(command->lambda_v);
-    sailnet_time_passes(memory, command);
-    const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);
-    if ((command->cone_angle * memory->cone_angle < R(0.0)) && (step > SAILNET_REVERSAL)) {
-        if ((memory->regret < SAILNET_PATIENCE) || (memory->wait > R(0.0))) {
-            command->cone_angle = -command->cone_angle;
-            memory->stake = -memory->stake;
-        } else {
-            memory->wait = R(0.0);
-            if ((memory->late > SAILNET_LATE_TOLERATED) && (memory->waited <= R(0.0))) {
-                memory->wait = sailnet_clamped(SAILNET_WAIT * memory->late, R(0.0), SAILNET_LARGEST_WAIT);
-            }
-            memory->waited = memory->wait;
-            memory->regret = R(0.0);
+    const sailnet_real tangential = sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL);
+    const sailnet_real lost = tangential > R(0.0) ? SAILNET_TANGENTIAL_LOSS * tangential : R(0.0);
+    const sailnet_real asked = beta * (R(1.0) - lost);
+    return sailnet_limited(&asked, SAILNET_OF_BETA);
+}
+
+/* Whether the state is within the arrival tolerance of the target: 0, or SAILNET_THERE. */
+SAILNET_INLINE uint32_t sailnet_there(const sailnet_state *state)
+{
+    const sailnet_real known[3] = {state->r, state->u, state->v};
+    const int32_t components = 3;
+    uint32_t there = SAILNET_THERE;
+    for (int32_t i = 0; i < components; i++) {
+        const sailnet_real *const limit = sailnet_limits[SAILNET_OF_STATE + 3 * i + 2];
+        if (!((known[i] >= limit[0]) && (known[i] <= limit[1]))) {
+            there = 0u;
         }
     }
+    return there;
+}
+
+/* A state as the tracker has it. */
+SAILNET_PART void sailnet_to_tracker(const sailnet_state *state, double numbers[SAILNET_STATES])
+{
+    numbers[0] = (double)state->r;
+    numbers[1] = (double)state->u;
+    numbers[2] = (double)state->v;
+}
+
+sailnet_status sailnet_propose_plan(const sailnet_state *state, sailnet_real beta, sailnet_arrival *arrival)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+#if SAILNET_PLANS
+    sailnet_command command;
+    if ((arrival != NULL) && ((sailnet_law(state, beta, &command) & ~SAILNET_THERE) != (uint32_t)SAILNET_INVALID_INPUT)) {
+        sailnet_direction(state, command.beta, arrival->direction);
+        arrival->time_to_go = (double)command.time_of_flight;
+        arrival->beta = (double)command.beta;
+        status = SAILNET_OK;
+    }
+#else
+    (void)state;
+    (void)beta;
+    (void)arrival;
+#endif
+    return status;
+}
+
+/* Whether all numbers of what a plan commands are numbers, and no larger than SAILNET_OF_PLAN has it. */
+SAILNET_PART int32_t sailnet_are_numbers(const sailnet_planned *planned)
+{
+    double numbers[sizeof(sailnet_planned) / sizeof(double)];
+    const double largest = (double)sailnet_limits[SAILNET_OF_PLAN][1];
+    int32_t are = 1;
+    (void)memcpy(numbers, planned, sizeof numbers);
+    for (uint32_t i = 0u; i < (sizeof numbers / sizeof numbers[0]); i++) {
+        if (!((numbers[i] >= -largest) && (numbers[i] <= largest))) {
+            are = 0;
+        }
+    }
+    return are;
+}
+
+/* The same as a number of the command: the clamp tells an analyser that it is one. */
+SAILNET_PART sailnet_real sailnet_of_plan(double number)
+{
+    const sailnet_real value = (sailnet_real)number;
+    return sailnet_limited(&value, SAILNET_OF_PLAN);
+}
+
+/* The command by the plan; 0 if there is none that passes through the state: then the networks' is to be flown. */
+SAILNET_PART int32_t sailnet_tracks(sailnet_memory *memory, const sailnet_state *known, sailnet_real beta,
+                                    sailnet_real estimated, sailnet_real hold, sailnet_command *command)
+{
+    sailnet_tracker *const tracker = &memory->tracker;
+    sailnet_planned planned;
+    double state[SAILNET_STATES];
+    sailnet_to_tracker(known, state);
+    sailnet_time_passes(tracker, (double)memory->estimate.held);
+    const sailnet_problem own = sailnet_own_problem(memory, (double)beta);
+    sailnet_arrival arrival;
+    if ((sailnet_needs_proposal(tracker) != 0) &&
+        (sailnet_propose_plan(known, sailnet_for_networks(memory, beta), &arrival) == SAILNET_OK)) {
+        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go);
+    }
+    int32_t flown = sailnet_follow(&own, tracker, state, (double)estimated, (double)hold,
+                                   SAILNET_EXTREMALS_PER_PERIOD, &planned);
+    /* The memory may have held any bits. */
+    if ((flown != 0) && (sailnet_are_numbers(&planned) == 0)) {
+        flown = 0;
+    }
+    if (flown != 0) {
+        const double unit = (double)beta / (sailnet_transfer.target_radius * sailnet_transfer.target_radius);
+        const sailnet_real along = sailnet_of_plan(planned.attitude.cosine);
+        const sailnet_real beside = sailnet_of_plan(planned.attitude.sine);
+        const sailnet_real size = sailnet_angle(&along, &beside);
+        command->hold = R(0.0);
+        command->beta = beta;
+        command->time_of_flight = sailnet_of_plan(planned.time_to_go);
+        command->lambda_v = sailnet_of_plan(unit * planned.costates[SAILNET_STATES - SAILNET_ACROSS]);
+        const sailnet_real angle = planned.attitude.across[0] < 0.0 ? -size : size;
+        command->cone_angle = sailnet_limited(&angle, SAILNET_OF_CONE_ANGLE);
+    }
+    return flown;
 }
 
 /* How the flight goes on with a command: the status, and how long to hold it at most. */
@@ -1297,11 +3119,11 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
     if ((inside != 0) && (tau <= longest)) {
         *hold = sailnet_limited(&longest, SAILNET_OF_PERIOD);
         status = SAILNET_ARRIVED;
-    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) &&
+    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->estimate.periods > 0u) &&
                (tau >= memory->time_of_flight)) {
         *hold = R(0.0);
         status = SAILNET_ARRIVED;
-    } else if (memory->unseen > R(0.0)) {
+    } else if (memory->estimate.unseen > R(0.0)) {
         status = SAILNET_RECKONED;
     } else if ((SAILNET_READS_BETA != 0) && (inside != 0) && (plan < SAILNET_BETA_MIN)) {
         status = SAILNET_AT_LIMIT;
@@ -1315,16 +3137,16 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
  * For how long to hold the last command: on the straight line of one predicted step, until the target is nearest. By
  * then the time of flight is below what the networks know it to.
  */
-SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
+SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_estimate *estimate)
 {
     sailnet_change change;
-    sailnet_predict(memory, &change);
-    const sailnet_state *const from = &memory->state;
+    sailnet_predict(estimate, &change);
+    const sailnet_state *const from = &estimate->state;
     const sailnet_state *const by = &change.by;
     const sailnet_real forward =
         (SAILNET_TARGET_R - from->r) * by->r + (SAILNET_TARGET_U - from->u) * by->u + (SAILNET_TARGET_V - from->v) * by->v;
     const sailnet_real share = forward / (by->r * by->r + by->u * by->u + by->v * by->v);
-    return memory->held * sailnet_clamped(share, R(0.0), R(1.0));
+    return estimate->held * sailnet_clamped(share, R(0.0), R(1.0));
 }
 
 void sailnet_start(sailnet_memory *memory)
@@ -1332,48 +3154,49 @@ void sailnet_start(sailnet_memory *memory)
     if (memory != NULL) {
         /* Of a real, too, bits that are all 0 are 0. */
         (void)memset(memory, 0, sizeof *memory);
-        memory->beta = SAILNET_BETA;
+        memory->estimate.beta = SAILNET_BETA;
     }
 }
 
 /* The command by which a cone angle comes true. */
-SAILNET_PART sailnet_real sailnet_told(const sailnet_memory *memory, sailnet_real cone_angle)
+SAILNET_PART sailnet_real sailnet_told(const sailnet_estimate *estimate, sailnet_real cone_angle)
 {
-    const sailnet_real told = cone_angle - memory->offset;
+    const sailnet_real told = cone_angle - estimate->offset;
     return sailnet_limited(&told, SAILNET_OF_CONE_ANGLE);
 }
 
 void sailnet_measured(sailnet_memory *memory, sailnet_real cone_angle)
 {
     if ((memory != NULL) && (sailnet_is_finite(cone_angle) != 0)) {
-        const sailnet_real turn = cone_angle - memory->measured;
-        const sailnet_real askew = cone_angle - sailnet_told(memory, memory->cone_angle);
+        sailnet_estimate *const estimate = &memory->estimate;
+        const sailnet_real turn = cone_angle - estimate->measured;
+        const sailnet_real askew = cone_angle - sailnet_told(estimate, estimate->cone_angle);
         /* Farther off it lags. */
         if (askew * askew <= SAILNET_LARGEST_OFFSET * SAILNET_LARGEST_OFFSET) {
-            memory->offset += sailnet_weight(memory, SAILNET_SURPRISE_MEMORY) * (askew - memory->offset);
+            estimate->offset += sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY) * (askew - estimate->offset);
         }
-        memory->measured = cone_angle;
-        memory->attitude = cone_angle;
+        estimate->measured = cone_angle;
+        estimate->attitude = cone_angle;
         /* A mean tells the force if the sail hardly turned. */
-        memory->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : memory->held;
+        estimate->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : estimate->held;
     }
 }
 
 /* The state to steer by: the one shown, or where the sail must be; null if neither is known. */
-SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
+SAILNET_PART const sailnet_state *sailnet_known(sailnet_estimate *estimate, const sailnet_state *shown,
                                                 sailnet_change *change)
 {
     const sailnet_state *known = NULL;
     if ((shown != NULL) && (sailnet_is_state(shown) != 0)) {
-        sailnet_learn(memory, shown, change);
-        memory->unseen = R(0.0);
+        sailnet_learn(estimate, shown, change);
+        estimate->unseen = R(0.0);
         known = shown;
     } else {
-        memory->unseen += memory->held;
-        change->by.r += memory->state.r;
-        change->by.u += memory->state.u;
-        change->by.v += memory->state.v;
-        if ((memory->held > R(0.0)) && (memory->unseen <= SAILNET_LONGEST_RECKONING) &&
+        estimate->unseen += estimate->held;
+        change->by.r += estimate->state.r;
+        change->by.u += estimate->state.u;
+        change->by.v += estimate->state.v;
+        if ((estimate->held > R(0.0)) && (estimate->unseen <= SAILNET_LONGEST_RECKONING) &&
             (sailnet_is_state(&change->by) != 0)) {
             known = &change->by;
         }
@@ -1388,60 +3211,150 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         (void)sailnet_law(NULL, SAILNET_BETA, command);
         return SAILNET_INVALID_INPUT;
     }
+    sailnet_estimate *const estimate = &memory->estimate;
     sailnet_change change;
     const sailnet_state *known = NULL;
     sailnet_real hold = R(0.0);
     /* The memory may have held any bits. */
-    memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);
-    memory->attitude = sailnet_limited(&memory->attitude, SAILNET_OF_ATTITUDE);
-    memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);
+    estimate->cone_angle = sailnet_limited(&estimate->cone_angle, SAILNET_OF_CONE_ANGLE);
+    estimate->attitude = sailnet_limited(&estimate->attitude, SAILNET_OF_ATTITUDE);
+    estimate->offset = sailnet_limited(&estimate->offset, SAILNET_OF_OFFSET);
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
-        sailnet_predict(memory, &change);
-        known = sailnet_known(memory, state, &change);
+        sailnet_predict(estimate, &change);
+        known = sailnet_known(estimate, state, &change);
     }
-    memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
-    memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
-    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
-    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
-    const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
-    sailnet_real share = R(1.0) - lost;
+    estimate->beta = sailnet_limited(&estimate->beta, SAILNET_OF_BETA);
+    estimate->tangential = sailnet_limited(&estimate->tangential, SAILNET_OF_TANGENTIAL);
+    estimate->variance = sailnet_limited(&estimate->variance, SAILNET_OF_SHARE);
+    estimate->autocovariance = sailnet_limited(&estimate->autocovariance, SAILNET_OF_SHARE);
+    sailnet_real own = estimate->beta;
 #if SAILNET_AGES
     if (known != NULL) {
-        share *= sailnet_aged(memory, known);
+        own *= sailnet_aged(estimate, memory->time_of_flight, known);
     }
 #endif
-    const sailnet_real plan = memory->beta * share * (R(1.0) - sailnet_reserve(memory, hold));
-    const uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
-    command->beta = memory->beta;
+    const sailnet_real plan = own * (R(1.0) - sailnet_reserve(estimate, &memory->time_of_flight, hold));
+    const sailnet_real beta = sailnet_limited(&plan, SAILNET_OF_BETA);
+    const sailnet_real estimated = sailnet_limited(&own, SAILNET_OF_BETA);
+    uint32_t seen = 0u;
+    if ((known == NULL) || (sailnet_tracks(memory, known, beta, estimated, hold, command) == 0)) {
+        seen = sailnet_law(known, sailnet_for_networks(memory, beta), command);
+        memory->source = (uint32_t)SAILNET_FROM_NETWORKS;
+    } else {
+        seen = sailnet_there(known);
+        memory->source = (uint32_t)SAILNET_FROM_PLAN;
+    }
+    command->beta = estimate->beta;
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (known == NULL) {
         /* What was learnt stays, but the next state is not what came of the last command. */
-        memory->held = R(0.0);
+        estimate->held = R(0.0);
+        memory->source = (uint32_t)SAILNET_FROM_NOTHING;
     } else {
-        sailnet_keep_side(memory, &change, command);
         status = sailnet_ends(memory, seen, plan, command, &hold);
-        if (memory->periods > 0u) {
-            const sailnet_real left = memory->slewing - memory->held;
-            const sailnet_real turn = sailnet_size(command->cone_angle - memory->cone_angle);
-            memory->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
+        const sailnet_real turn = sailnet_size(command->cone_angle - estimate->cone_angle);
+        if (estimate->periods > 0u) {
+            const sailnet_real left = estimate->slewing - estimate->held;
+            estimate->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
         }
-        memory->state = *known;
-        memory->cone_angle = command->cone_angle;
-        command->cone_angle = sailnet_told(memory, command->cone_angle);
-        memory->attitude = command->cone_angle + memory->offset;
-        memory->held = hold;
+        estimate->state = *known;
+        estimate->cone_angle = command->cone_angle;
+        command->cone_angle = sailnet_told(estimate, command->cone_angle);
+        estimate->attitude = command->cone_angle + estimate->offset;
+        estimate->held = hold;
         if ((status == SAILNET_ARRIVED) && (hold > R(0.0))) {
-            hold = sailnet_until_nearest(memory);
-            memory->held = hold;
+            hold = sailnet_until_nearest(estimate);
+            estimate->held = hold;
         }
         memory->time_of_flight = command->time_of_flight;
-        if (memory->periods < UINT32_MAX) {
-            memory->periods++;
+        if (estimate->periods < UINT32_MAX) {
+            estimate->periods++;
         }
     }
     command->hold = hold;
     return status;
+}
+
+/* What is saved over a reboot, and the report of the plan. */
+
+/* A checksum of all that is before it: CRC-32 of IEEE 802.3, bit by bit. */
+SAILNET_PART uint32_t sailnet_checksum(const sailnet_memory *memory)
+{
+    const unsigned char *const bytes = (const unsigned char *)memory;
+    uint32_t remainder = UINT32_MAX;
+    for (uint32_t i = 0u; i < (uint32_t)offsetof(sailnet_memory, checksum); i++) {
+        remainder ^= bytes[i];
+        for (int32_t bit = 0; bit < 8; bit++) {
+            remainder = (remainder >> 1) ^ (((remainder & 1u) != 0u) ? 0xEDB88320u : 0u);
+        }
+    }
+    return ~remainder;
+}
+
+void sailnet_seal(sailnet_memory *memory)
+{
+    if (memory != NULL) {
+        memory->version = (uint32_t)SAILNET_API_VERSION;
+        memory->checksum = sailnet_checksum(memory);
+    }
+}
+
+sailnet_status sailnet_restore(sailnet_memory *memory)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if (memory != NULL) {
+        if ((memory->version == (uint32_t)SAILNET_API_VERSION) && (memory->checksum == sailnet_checksum(memory))) {
+            status = SAILNET_OK;
+        } else {
+            sailnet_start(memory);
+        }
+    }
+    return status;
+}
+
+/* Whether a text is the digest of this mission. */
+SAILNET_PART int32_t sailnet_is_mission(const char *digest)
+{
+    static const char own[] = SAILNET_MISSION_DIGEST;
+    int32_t same = 1;
+    for (uint32_t i = 0u; (same != 0) && (i < sizeof own); i++) {
+        same = digest[i] == own[i] ? 1 : 0;
+    }
+    return same;
+}
+
+sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_digest, const sailnet_state *state,
+                                   const sailnet_arrival *plan)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if ((memory != NULL) && (mission_digest != NULL) && (state != NULL) && (plan != NULL) &&
+        (sailnet_is_mission(mission_digest) != 0) && (sailnet_is_state(state) != 0) &&
+        (plan->beta >= (double)SAILNET_BETA_MIN) && (plan->beta <= (double)SAILNET_BETA_MAX)) {
+        double numbers[SAILNET_STATES];
+        const sailnet_problem own = sailnet_own_problem(memory, plan->beta);
+        sailnet_to_tracker(state, numbers);
+        if (sailnet_take_plan(&own, &memory->tracker, numbers, plan->direction, plan->time_to_go) !=
+            0) {
+            status = SAILNET_OK;
+        }
+    }
+    return status;
+}
+
+void sailnet_report_plan(const sailnet_memory *memory, sailnet_plan_report *report)
+{
+    if ((memory != NULL) && (report != NULL)) {
+        const sailnet_tracker *const tracker = &memory->tracker;
+        (void)memset(report, 0, sizeof *report);
+        (void)memcpy(report->direction, tracker->plan.direction, sizeof report->direction);
+        report->time_to_go = tracker->plan.time_to_go;
+        report->beta = tracker->plan.beta;
+        report->residual = tracker->plan.residual;
+        report->extremals = tracker->computed;
+        report->planned = tracker->planned;
+        report->source = memory->source;
+    }
 }

@@ -17,6 +17,15 @@ void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sa
     }
 }
 
+void sailnet_propose_plan_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
+                                sailnet_arrival *arrivals, int32_t *statuses)
+{
+    for (uint64_t i = 0; i < count; i++) {
+        const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
+        statuses[i] = (int32_t)sailnet_propose_plan(&state, betas[i], &arrivals[i]);
+    }
+}
+
 void sailnet_start_batch(uint64_t count, sailnet_memory *memories)
 {
     for (uint64_t i = 0; i < count; i++) {

@@ -9,6 +9,7 @@
 /* Symbols end in the precision, as those of the guidance do. */
 #ifdef SAILNET_FLOAT64
 #define sailnet_guidance_batch sailnet_guidance_batch_f64
+#define sailnet_propose_plan_batch sailnet_propose_plan_batch_f64
 #define sailnet_start_batch sailnet_start_batch_f64
 #define sailnet_steer_batch sailnet_steer_batch_f64
 #define sailnet_api_version sailnet_api_version_f64
@@ -20,6 +21,7 @@
 #define sailnet_networks_digest sailnet_networks_digest_f64
 #else
 #define sailnet_guidance_batch sailnet_guidance_batch_f32
+#define sailnet_propose_plan_batch sailnet_propose_plan_batch_f32
 #define sailnet_start_batch sailnet_start_batch_f32
 #define sailnet_steer_batch sailnet_steer_batch_f32
 #define sailnet_api_version sailnet_api_version_f32
@@ -42,6 +44,10 @@ extern "C" {
 void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
                             sailnet_real *cone_angles, sailnet_real *times_of_flight, sailnet_real *lambda_vs,
                             int32_t *statuses);
+
+/* Plans of the networks for `count` states, and whether there are any: see sailnet_propose_plan. */
+void sailnet_propose_plan_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
+                                sailnet_arrival *arrivals, int32_t *statuses);
 
 /* Start `count` memories. */
 void sailnet_start_batch(uint64_t count, sailnet_memory *memories);

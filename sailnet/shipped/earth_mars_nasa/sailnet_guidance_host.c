@@ -4,10 +4,13 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mars_nasa: do not edit.
  * mission   0d1c4a4b8a69fc18b6333887990c3dfbaa17a228595c8506da4be16bb3ceed52
- * networks  38c5e82cd2f6698f43f2674bddfa1993109844dbb13fb069c9941ea4e45efd50
+ * networks  c92287855793cd906910b279601e5d3b984f5a42663f7624de38cd08e62e489f
  * data set  79ef9be3d606c0904708cc078e66aa070e883ed72e2303693df94a105a4ffcba (tau)
  * data set  79ef9be3d606c0904708cc078e66aa070e883ed72e2303693df94a105a4ffcba (alpha_pre)
  * data set  79ef9be3d606c0904708cc078e66aa070e883ed72e2303693df94a105a4ffcba (lambda_v)
+ * data set  132b69bd2d6847a3c7c1c94a5f87dc12354ca1608c3a4dfeb797c108c7269769 (arrival_lambda_r)
+ * data set  132b69bd2d6847a3c7c1c94a5f87dc12354ca1608c3a4dfeb797c108c7269769 (arrival_lambda_u)
+ * data set  132b69bd2d6847a3c7c1c94a5f87dc12354ca1608c3a4dfeb797c108c7269769 (arrival_lambda_v)
  *
  * Vectors are those of gcc and clang (vector_size), as wide as the processor's registers. With other compilers, or
  * with -DSAILNET_PLAIN, the same text computes on single numbers, to the same bits but for contraction: that is what
@@ -15,6 +18,7 @@
  */
 #include "sailnet_guidance.h"
 
+#include <stddef.h>
 #include <string.h>
 #if defined(__SSE2__) && !defined(SAILNET_PLAIN)
 #include <immintrin.h>
@@ -97,6 +101,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
     return (value - value) == R(0.0);
 }
 
+/* pi, rounded down: an angle is in (-pi, pi] in either precision, and its mirror image too. */
+#ifdef SAILNET_FLOAT64
+#define SAILNET_LARGEST_ANGLE 3.1415926535897927
+#else
+#define SAILNET_LARGEST_ANGLE 3.1415925f
+#endif
+
 /*
  * Pairs of a lower and an upper bound, by what they are of: to name a row takes less code than two constants do.
  */
@@ -109,11 +120,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 #define SAILNET_OF_TIME_TO_GO 6
 #define SAILNET_OF_SHARE 7
 #define SAILNET_OF_TANGENTIAL 8
-#define SAILNET_OF_ATTITUDE 9
-#define SAILNET_OF_OFFSET 10
+#define SAILNET_OF_ANGLE 9
+#define SAILNET_OF_PLAN 10
+#define SAILNET_OF_ATTITUDE 11
+#define SAILNET_OF_OFFSET 12
 /* Three of each of r, u, v, and then one of each input. */
-#define SAILNET_OF_STATE 11
-#define SAILNET_OF_INPUTS 20
+#define SAILNET_OF_STATE 13
+#define SAILNET_OF_INPUTS 22
 static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_BETA_MIN, SAILNET_BETA_MAX},
     {-SAILNET_PHI_MAX, SAILNET_PHI_MAX},
@@ -124,6 +137,8 @@ static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_ARRIVAL_THRESHOLD, R(1e9)},
     {R(-1.0), R(1.0)},
     {-SAILNET_LARGEST_TANGENTIAL, SAILNET_LARGEST_TANGENTIAL},
+    {-SAILNET_LARGEST_ANGLE, SAILNET_LARGEST_ANGLE},
+    {R(-1e18), R(1e18)},
     {-SAILNET_LARGEST_ATTITUDE, SAILNET_LARGEST_ATTITUDE},
     {-SAILNET_LARGEST_OFFSET, SAILNET_LARGEST_OFFSET},
     SAILNET_STATE_LIMITS,
@@ -416,6 +431,47 @@ SAILNET_INLINE void sailnet_cosine_sine(sailnet_real angle, sailnet_real *cosine
     }
     *cosine = c;
     *sine = s;
+}
+
+/*
+ * (arctan(t) / t - 1) / t^2, of z = t^2 for t in [-tan(pi/8), tan(pi/8)], by its best polynomial: the error in arctan is
+ * below 2e-8 (float) and 4e-17 (double) of it.
+ */
+SAILNET_INLINE sailnet_real sailnet_arctan_rest(sailnet_real z)
+{
+#ifdef SAILNET_FLOAT64
+    const sailnet_real z2 = z * z;
+    const sailnet_real z4 = z2 * z2;
+    const sailnet_real lowest = (-0.33333333333330218 + 0.19999999999104691 * z) +
+                                (-0.14285714196529525 + 0.11111106703673881 * z) * z2;
+    const sailnet_real middle = (-0.090907835311274021 + 0.076900833866845471 * z) +
+                                (-0.066412464978030210 + 0.056931659858806027 * z) * z2;
+    const sailnet_real highest = -0.043608284811392481 + 0.021280176437232786 * z;
+    return lowest + z4 * (middle + z4 * highest);
+#else
+    return -0.33332955f + z * (0.19977926f + z * (-0.13879846f + z * 0.080602985f));
+#endif
+}
+
+/*
+ * The angle of a direction, from the first axis to the second: of the smaller by the larger component, turned back by
+ * pi/4 where that is steep, and then in each octant. Of two zeros it is 0. They come by their addresses, as what is
+ * clamped does.
+ */
+SAILNET_PART sailnet_real sailnet_angle(const sailnet_real *first, const sailnet_real *second)
+{
+    const sailnet_real x = sailnet_size(*first);
+    const sailnet_real y = sailnet_size(*second);
+    const sailnet_real larger = x > y ? x : y;
+    const sailnet_real smaller = x > y ? y : x;
+    const sailnet_real steep = smaller > R(0.41421356237309505) * larger ? R(1.0) : R(0.0);
+    const sailnet_real whole = larger + steep * smaller;
+    const sailnet_real t = whole > R(0.0) ? (smaller - steep * larger) / whole : R(0.0);
+    sailnet_real angle = steep * R(0.7853981633974483) + (t + t * (t * t) * sailnet_arctan_rest(t * t));
+    angle = y > x ? R(1.5707963267948966) - angle : angle;
+    angle = *first < R(0.0) ? R(3.141592653589793) - angle : angle;
+    angle = *second < R(0.0) ? -angle : angle;
+    return sailnet_limited(&angle, SAILNET_OF_ANGLE);
 }
 
 /* ================================ The networks ================================ */
@@ -850,8 +906,13 @@ SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
 #undef STAGE_BLOCK
 #undef STAGE_TOGETHER
 
-/* Each network reads all five, those first that are known first; the first gives log2(tau / s). beta must be in its range. */
-SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+/* Inputs of a network, those first that are known first; and in space what its outputs are multiplied by. */
+#define SAILNET_APPROACH_INPUTS 5
+#define SAILNET_APPROACH_STATES 3
+
+/* The inputs, and in space the two factors, which change their signs in a mirror; beta must be in its range. Returns s. */
+SAILNET_INLINE sailnet_real sailnet_approach(const sailnet_real state[SAILNET_APPROACH_STATES], sailnet_real beta,
+                                             sailnet_real input[SAILNET_APPROACH_INPUTS], sailnet_real factors[2])
 {
     /* Deviations in units of the sail's acceleration at the target, beta / r_f^2: they are times. */
     const sailnet_real per_acceleration = SAILNET_TARGET_R2 / beta;
@@ -870,8 +931,22 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real b
     const sailnet_real per_s2 = per_s * per_s;
     /* s4 tells the bound; the clamp tells it to an analyser of intervals. */
     const sailnet_real s = sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6));
-    const sailnet_real input[5] = {beta, s, missing[2] * per_s, missing[1] * per_s,
-                                                 missing[0] * per_s2};
+    input[0] = beta;
+    input[1] = s;
+    factors[0] = R(1.0);
+    factors[1] = R(0.0);
+    input[SAILNET_APPROACH_INPUTS - 3] = missing[2] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 2] = missing[1] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 1] = missing[0] * per_s2;
+    return s;
+}
+
+/* The first network gives log2(tau / s). */
+SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+{
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real s = sailnet_approach(state, beta, input, factors);
     sailnet_approach_networks(input, output);
     /* Bounded, so that no weights make the product overflow. */
     const sailnet_real octaves = sailnet_clamped(output[0], R(-60.0), R(60.0));
@@ -1132,6 +1207,1655 @@ SAILNET_INLINE uint32_t sailnet_law(const sailnet_state *state, sailnet_real bet
     return seen;
 }
 
+/* ================================ The tracker ================================ */
+
+#define SAILNET_TRACKER_API static
+
+/*
+ * Extremals of minimum time, backward from the target orbit: Eqs. (14)-(19), with delta = 0.
+ *
+ * An extremal that arrives is a direction of the arrival costates, constant along the whole flight, and the time to go.
+ * Freestanding C99 without libm; it compiles where it lies, with -DSAILNET_IN_SPACE=1 in three dimensions.
+ */
+#ifndef SAILNET_EXTREMAL_H
+#define SAILNET_EXTREMAL_H
+
+
+
+/* The flight file holds all of this in one translation unit, where functions are static. */
+#ifndef SAILNET_TRACKER_API
+#define SAILNET_TRACKER_API
+#endif
+
+/*
+ * The state and costates `tau` before arrival, of the extremal that arrives with costates along `direction`.
+ *
+ * tolerance: local error of a step, in AU and AU/TU, of costates relative to their size.
+ * Returns the steps it took; 0 if it did not get there: too many steps, or numbers that are not finite.
+ */
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end);
+
+/* An end of an extremal `lapse` [TU] later; the rest is as for sailnet_extremal. */
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end);
+
+/* The optimal attitude of costates. */
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude);
+
+/* The product of costates and the force of an attitude, per beta / r^2: of the optimal one it is least. */
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude);
+
+/* The same for a sail that light pushes along its surface by so much more, per beta / r^2: as is learnt of a vehicle. */
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential);
+
+/* value^(-1/2) of a positive number, to a few units of rounding. */
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value);
+
+/* A square root; of 0 or less 0. */
+SAILNET_TRACKER_API double sailnet_root(double value);
+
+static inline double sailnet_absolute(double value)
+{
+    return value < 0.0 ? -value : value;
+}
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+#define UNKNOWNS (2 * SAILNET_STATES)
+/* Where lambda_u and lambda_v are among the unknowns. */
+#define LAMBDA_U (STATES + STATES - (SAILNET_IN_SPACE ? 3 : 2))
+#define LAMBDA_V (LAMBDA_U + 1)
+
+/* Stages of Dormand and Prince's method of fifth order; the seventh is the first of the next step. */
+#define STAGES 7
+static const double stage_weights[STAGES - 1][STAGES - 1] = {
+    {0.2, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.075, 0.225, 0.0, 0.0, 0.0, 0.0},
+    {0.9777777777777777, -3.7333333333333334, 3.5555555555555554, 0.0, 0.0, 0.0},
+    {2.9525986892242035, -11.595793324188385, 9.822892851699436, -0.2908093278463649, 0.0, 0.0},
+    {2.8462752525252526, -10.757575757575758, 8.906422717743473, 0.2784090909090909, -0.2735313036020583, 0.0},
+    {0.09114583333333333, 0.0, 0.44923629829290207, 0.6510416666666666, -0.322376179245283, 0.13095238095238096}};
+static const double error_weights[STAGES] = {0.0012326388888888888,  0.0, -0.0042527702905061394, 0.03697916666666667,
+                                             -0.05086379716981132, 0.0419047619047619, -0.025};
+
+/* First and shortest step [TU]; a step is at most so much of the time in which the primer, the costates that the
+   attitude depends on, would vanish: where it nearly does the attitude turns fast. */
+#define FIRST_STEP 0.05
+#define SHORTEST_STEP 1e-7
+#define OF_PRIMER 0.3
+/* By how much steps change at most. */
+#define SHRINK 0.1
+#define GROW 4.0
+/* Halvings of the interval in which an event lies. */
+#define HALVINGS 20
+
+/* An extremal on its way: between two events the law is smooth. */
+typedef struct {
+    const sailnet_problem *problem;
+    double at_bound[2]; /* the force at the bound on the cone angle, radial and lateral */
+    int32_t bound;      /* whether the cone angle is there */
+    double side;        /* in the plane the sign that it has there */
+} sailnet_arc;
+
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x5FE6EB50C7B537A9) - (bits >> 1);
+    (void)memcpy(&root, &bits, sizeof root);
+    /* The bits err by 3.5 %: a step of fourth order and one of third leave rounding. */
+    const double off = 1.0 - value * (root * root);
+    root += root * off * ((0.5 + 0.375 * off) + 0.3125 * (off * off));
+    const double rest = 1.0 - value * (root * root);
+    return root + root * (rest * (0.5 + 0.375 * rest));
+}
+
+SAILNET_TRACKER_API double sailnet_root(double value)
+{
+    return value > 0.0 ? value * sailnet_reciprocal_root(value) : 0.0;
+}
+
+/* The force of a cone angle across the Sun line: radial, lateral. */
+static void force_at(const sailnet_problem *problem, double cosine, double sine, double force[2])
+{
+    const double normal = problem->square * cosine + problem->linear;
+    force[0] = cosine * (normal * cosine + problem->across * sine * sine);
+    force[1] = cosine * sine * (normal - problem->across * cosine);
+}
+
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude)
+{
+    double force[2];
+    double along = 0.0;
+    force_at(problem, attitude->cosine, attitude->sine, force);
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        along += costate[STATES - SAILNET_ACROSS + i] * attitude->across[i];
+    }
+    return costate[STATES - SAILNET_ACROSS - 1] * force[0] + along * force[1];
+}
+
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential)
+{
+    const double c = problem->bound_cosine;
+    const double s = sailnet_absolute(problem->bound_sine);
+    problem->across += tangential;
+    problem->edge_radial += tangential * s * (2.0 * c * c - s * s);
+    problem->edge_lateral += tangential * c * (2.0 * s * s - c * c);
+}
+
+/*
+ * The cone angle inside the bound that makes lambda_u f_r - lateral f_t least: of an ideal sail in closed form, and from
+ * there by Newton's steps, which of an ideal sail are none.
+ */
+static void inside_the_bound(const sailnet_problem *problem, double lambda_u, double lateral, double *cosine,
+                             double *sine)
+{
+    const double x = -3.0 * lambda_u;
+    const double y = 2.8284271247461903 * lateral;
+    const double size = sailnet_root(x * x + y * y);
+    /* The tangent is (size - x) / (sqrt(2) y), or y / (sqrt(2) (size + x)): the larger of both numbers is exact. */
+    const double above = x > 0.0 ? y : size - x;
+    const double below = 1.4142135623730951 * (x > 0.0 ? size + x : y);
+    const double square2 = above * above + below * below;
+    const double whole = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
+    double c = whole > 0.0 ? below * whole : 1.0;
+    double s = above * whole;
+    const double linear = problem->linear;
+    const double across = problem->across;
+    if ((linear != 0.0) || (across != 0.0)) {
+        const double square = problem->square;
+        for (int32_t i = 0; i < 5; i++) {
+            const double c2 = c * c - s * s;
+            const double s2 = 2.0 * c * s;
+            /* Derivatives of the force by the cone angle, the first and the second. */
+            const double normal = square * c + linear;
+            const double f_r1 = -s * (3.0 * square * c * c + 2.0 * linear * c) + across * s * (2.0 * c * c - s * s);
+            const double f_t1 = c2 * (normal - across * c) - c * s * s * (square - across);
+            const double f_r2 = square * (6.0 * c * s * s - 3.0 * c * c * c) - 2.0 * linear * c2 +
+                                across * c * (2.0 * c * c - 7.0 * s * s);
+            const double f_t2 = -2.0 * s2 * (normal - across * c) - (square - across) * s * (c2 + 2.0 * c * c - s * s);
+            const double slope = lambda_u * f_r1 - lateral * f_t1;
+            const double bend = lambda_u * f_r2 - lateral * f_t2;
+            const double step = bend > 0.0 ? -slope / bend : 0.0;
+            /* A turn by arctan(step). */
+            const double turned = c - s * step;
+            const double rest = s + c * step;
+            const double per = sailnet_reciprocal_root(turned * turned + rest * rest);
+            c = turned * per;
+            s = rest * per;
+            /* What is left is its square. */
+            if (!(sailnet_absolute(step) > 1e-6)) {
+                break;
+            }
+        }
+    }
+    *cosine = c;
+    *sine = s;
+}
+
+/* Size of the costate across the Sun line. */
+static double lateral_of(const double *unknown)
+{
+    return sailnet_absolute(unknown[LAMBDA_V]);
+}
+
+/* Positive where the optimum is inside the bound. */
+static double inner(const sailnet_problem *problem, const double *unknown)
+{
+    return unknown[LAMBDA_U] * problem->edge_radial - lateral_of(unknown) * problem->edge_lateral;
+}
+
+/* The force by the law of the present arc: radial, along, and in space northward. */
+static void force_of(const sailnet_arc *arc, const double *unknown, double *force)
+{
+    const sailnet_problem *const problem = arc->problem;
+    double in_plane[2] = {arc->at_bound[0], arc->at_bound[1]};
+    const double lateral = lateral_of(unknown);
+    if (arc->bound == 0) {
+        double cosine;
+        double sine;
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &cosine, &sine);
+        force_at(problem, cosine, sine, in_plane);
+    }
+    force[0] = in_plane[0];
+    const double side = arc->bound != 0 ? arc->side : (unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0);
+    force[1] = side * in_plane[1];
+}
+
+/* Eq. (15): rates of the unknowns by the time to go, which are those by time with another sign. */
+static void rates(const sailnet_arc *arc, const double *unknown, double *rate)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double per_r = 1.0 / unknown[0];
+    const double push = problem->beta * per_r * per_r;
+    double force[3] = {0.0, 0.0, 0.0};
+    force_of(arc, unknown, force);
+    const double u = unknown[1];
+    const double v = unknown[2];
+    const double l_r = unknown[3];
+    const double l_u = unknown[4];
+    const double l_v = unknown[5];
+    const double work = push * (l_u * force[0] + l_v * force[1]);
+    rate[0] = -u;
+    rate[1] = -(v * v * per_r - per_r * per_r + push * force[0]);
+    rate[2] = u * v * per_r - push * force[1];
+    rate[3] = -per_r * (per_r * (l_u * v * v - l_v * u * v - 2.0 * l_u * per_r) + 2.0 * work);
+    rate[4] = l_r - l_v * v * per_r;
+    rate[5] = per_r * (2.0 * l_u * v - l_v * u);
+}
+
+/* One step from `unknown`, whose rates are the first of the stages; returned is the estimate of its error. */
+static double step_by(const sailnet_arc *arc, const double *unknown, double step, double stage[STAGES][UNKNOWNS],
+                      double *reached)
+{
+    for (int32_t i = 0; i < (STAGES - 1); i++) {
+        (void)memcpy(reached, unknown, UNKNOWNS * sizeof reached[0]);
+        for (int32_t j = 0; j <= i; j++) {
+            const double share = step * stage_weights[i][j];
+            for (int32_t n = 0; n < UNKNOWNS; n++) {
+                reached[n] += share * stage[j][n];
+            }
+        }
+        rates(arc, reached, stage[i + 1]);
+    }
+    double size = 0.0;
+    for (int32_t n = STATES; n < UNKNOWNS; n++) {
+        size += sailnet_absolute(unknown[n]);
+    }
+    double error = 0.0;
+    for (int32_t n = 0; n < UNKNOWNS; n++) {
+        double sum = 0.0;
+        for (int32_t j = 0; j < STAGES; j++) {
+            sum += error_weights[j] * stage[j][n];
+        }
+        const double own = sailnet_absolute(step * sum);
+        /* Relative to the size of all costates; what is not a number stays none. */
+        const double counted = n < STATES ? own : own / size;
+        error = counted <= error ? error : counted;
+    }
+    return error;
+}
+
+/*
+ * The two functions that end an arc where they become negative: of the bound, and in the plane of the side there. In
+ * space the thrust turns about the Sun line without a jump.
+ */
+static double guard(const sailnet_arc *arc, const double *unknown, int32_t which)
+{
+    const double inside = inner(arc->problem, unknown);
+    double value = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        value = arc->bound != 0 ? -arc->side * unknown[LAMBDA_V] : 1.0;
+    }
+    return value;
+}
+
+/* Its slope: every guard is linear in the costates, but for the size of what is across the Sun line. */
+static double guard_slope(const sailnet_arc *arc, const double *unknown, const double *rate, int32_t which)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double change = unknown[LAMBDA_V] < 0.0 ? -rate[LAMBDA_V] : rate[LAMBDA_V];
+    const double inside = rate[LAMBDA_U] * problem->edge_radial - change * problem->edge_lateral;
+    double slope = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        slope = arc->bound != 0 ? -arc->side * rate[LAMBDA_V] : 0.0;
+    }
+    return slope;
+}
+
+/* The share of a step after which a guard is negative: by the cubic of its values and slopes at both ends. */
+static double share_until(double g0, double slope0, double g1, double slope1)
+{
+    double low = 0.0;
+    double high = 1.0;
+    for (int32_t i = 0; i < HALVINGS; i++) {
+        const double x = 0.5 * (low + high);
+        const double q = 1.0 - x;
+        const double value =
+            q * q * ((1.0 + 2.0 * x) * g0 + x * slope0) + x * x * ((3.0 - 2.0 * x) * g1 - q * slope1);
+        if (value < 0.0) {
+            high = x;
+        } else {
+            low = x;
+        }
+    }
+    return high;
+}
+
+/* Which arc begins at `unknown`. */
+static void begin_arc(sailnet_arc *arc, const double *unknown)
+{
+    arc->bound = inner(arc->problem, unknown) > 0.0 ? 0 : 1;
+    arc->side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/* Which guard a step ends with, and when; -1 if it ends none. */
+static int32_t event_in(const sailnet_arc *arc, const double *before, const double *after,
+                        double stage[STAGES][UNKNOWNS], double *step)
+{
+    int32_t which = -1;
+    const double whole = *step;
+    for (int32_t i = 0; i < (SAILNET_IN_SPACE ? 1 : 2); i++) {
+        const double g1 = guard(arc, after, i);
+        if (g1 < 0.0) {
+            /* Where the arc has just begun rounding may have left it a little below 0. */
+            const double g0 = guard(arc, before, i);
+            const double slope0 = guard_slope(arc, before, stage[0], i) * whole;
+            const double slope1 = guard_slope(arc, after, stage[STAGES - 1], i) * whole;
+            const double at = whole * share_until(g0 > 0.0 ? g0 : 0.0, slope0, g1, slope1);
+            if ((which < 0) || (sailnet_absolute(at) < sailnet_absolute(*step))) {
+                *step = at;
+                which = i;
+            }
+        }
+    }
+    return which;
+}
+
+/* The fifth root of a positive number, to 3.4 %: of its bits, which are nearly its logarithm, and of which the upper half
+   is divided by 5. */
+static double about_fifth_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x3325CFAACD9E8600) + (bits >> 32) * UINT64_C(0x33333333);
+    (void)memcpy(&root, &bits, sizeof root);
+    return root;
+}
+
+/* What the next step is multiplied by. */
+static double factor_of(double tolerance, double error)
+{
+    double factor = SHRINK;
+    if (error <= 1e-6 * tolerance) {
+        factor = GROW;
+    } else if (error == error) {
+        factor = 0.9 * about_fifth_root(tolerance / error);
+    } else {
+        /* It is not a number: much shorter. */
+    }
+    factor = factor > SHRINK ? factor : SHRINK;
+    return factor < GROW ? factor : GROW;
+}
+
+/* A step, or the longest that the primer leaves. */
+static double limited_step(const double *unknown, const double *rate, double step)
+{
+    double primer = 0.0;
+    double change = 0.0;
+    double limited = step;
+    const int32_t first = LAMBDA_U;
+    for (int32_t n = first; n < UNKNOWNS; n++) {
+        primer += unknown[n] * unknown[n];
+        change += rate[n] * rate[n];
+    }
+    if (!(step * step * change <= OF_PRIMER * OF_PRIMER * primer)) {
+        const double longest = OF_PRIMER * sailnet_root(primer / change);
+        limited = longest > SHORTEST_STEP ? longest : SHORTEST_STEP;
+    }
+    return limited < step ? limited : step;
+}
+
+/* The first trial of `step` from `unknown` that ends an arc, or none: as in event_in; and to the event itself. */
+static int32_t end_at_event(const sailnet_arc *arc, const double *unknown, double stage[STAGES][UNKNOWNS],
+                            double *reached, double left, double *step)
+{
+    const int32_t which = event_in(arc, unknown, reached, stage, step);
+    if (which >= 0) {
+        (void)step_by(arc, unknown, *step, stage, reached);
+        /* By one step of Newton's method. */
+        const double slope = guard_slope(arc, reached, stage[STAGES - 1], which);
+        const double more = slope != 0.0 ? -guard(arc, reached, which) / slope : 0.0;
+        if ((sailnet_absolute(more) < 0.1 * sailnet_absolute(*step)) && (sailnet_absolute(*step + more) < left)) {
+            *step += more;
+            (void)step_by(arc, unknown, *step, stage, reached);
+        }
+    }
+    return which;
+}
+
+/*
+ * An end of an extremal, `span` [TU] farther from arrival; nearer, if that is negative. Its rates are computed.
+ * Returns the steps it took; 0 if it did not get there.
+ */
+static int32_t fly(const sailnet_problem *problem, double span, double tolerance, sailnet_end *end)
+{
+    sailnet_arc arc = {problem, {0.0, 0.0}, 0, 1.0};
+    double *const unknown = end->value;
+    double stage[STAGES][UNKNOWNS];
+    double reached[UNKNOWNS];
+    const double sign = span < 0.0 ? -1.0 : 1.0;
+    double left = sailnet_absolute(span);
+    double wanted = FIRST_STEP;
+    int32_t steps = 0;
+    force_at(problem, problem->bound_cosine, problem->bound_sine, arc.at_bound);
+    begin_arc(&arc, unknown);
+    rates(&arc, unknown, stage[0]);
+    while ((left > 0.0) && (steps < SAILNET_MOST_STEPS)) {
+        const double longest = limited_step(unknown, stage[0], wanted);
+        double step = sign * (longest < left ? longest : left);
+        const double error = step_by(&arc, unknown, step, stage, reached);
+        steps++;
+        wanted = sign * step * factor_of(tolerance, error);
+        if (error <= tolerance) {
+            const int32_t which = end_at_event(&arc, unknown, stage, reached, left, &step);
+            (void)memcpy(unknown, reached, sizeof reached);
+            left = sign * step < left ? left - sign * step : 0.0;
+            if (which == 0) {
+                arc.bound = 1 - arc.bound;
+                arc.side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+            } else if (which > 0) {
+                arc.side = -arc.side;
+            } else {
+                /* The same arc goes on. */
+            }
+            if (which >= 0) {
+                wanted = FIRST_STEP;
+                rates(&arc, unknown, stage[0]);
+            } else {
+                (void)memcpy(stage[0], stage[STAGES - 1], sizeof stage[0]);
+            }
+        }
+    }
+    (void)memcpy(end->rate, stage[0], sizeof end->rate);
+    return left > 0.0 ? 0 : steps;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end)
+{
+    (void)memset(end->value, 0, sizeof end->value);
+    end->value[0] = problem->target_radius;
+    end->value[STATES - 1 - SAILNET_IN_SPACE] = sailnet_reciprocal_root(problem->target_radius);
+    (void)memcpy(&end->value[STATES], direction, (size_t)STATES * sizeof direction[0]);
+    return fly(problem, tau > 0.0 ? tau : 0.0, tolerance, end);
+}
+
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end)
+{
+    return fly(problem, -lapse, tolerance, end);
+}
+
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude)
+{
+    double unknown[UNKNOWNS] = {0.0};
+    (void)memcpy(&unknown[STATES], costate, (size_t)STATES * sizeof costate[0]);
+    const double lateral = lateral_of(unknown);
+    if (inner(problem, unknown) > 0.0) {
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &attitude->cosine, &attitude->sine);
+    } else {
+        attitude->cosine = problem->bound_cosine;
+        attitude->sine = problem->bound_sine;
+    }
+    attitude->across[0] = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/*
+ * Newton's method that keeps a plan at the state of the sail.
+ */
+#ifndef SAILNET_PLAN_H
+#define SAILNET_PLAN_H
+
+
+
+/* The largest residual of a plan that counts as solved [AU, AU/TU], by the time to go [TU]: towards arrival an error of
+   the state takes a time that grows as its root. */
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go);
+
+/* Whether a plan passes through the state that it was last corrected for. */
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan);
+
+/* A budget is never larger, whatever is asked for. */
+#define SAILNET_MOST_EXTREMALS 64
+
+/* The problem of the vehicle that a plan is for; of `problem` the rest is used. */
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan);
+
+/*
+ * Correct a plan by damped Newton steps until its extremal of `problem` passes through `state`. The plan is replaced by a
+ * trial only if that has a smaller residual. What is not converged goes on in the next call.
+ *
+ * most: extremals that may be computed, at least 1; so many more than the components of a state are one step with new
+ *     derivatives.
+ * Returns how many extremals were computed: from 1 to `most`.
+ */
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan);
+
+/*
+ * Correct a plan, with its vehicle moved towards that of `problem`: beta by at most the share `largest` of it, and the
+ * force along the surface by at most as much. Where no extremal is found for that, the plan is corrected for its vehicle as
+ * it was: beyond the edge of what the sail can reach the last plan that exists is better than another revolution.
+ *
+ * The rest is as for sailnet_correct_plan.
+ */
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan);
+
+/* Whether a plan is for the vehicle of `problem`. */
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem);
+
+/* Bring the end of a plan to the present, and with it its residual: by how much it misses the state. */
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan);
+
+/* The attitude of a plan, `ahead` [TU] later than the state that `end` is of, and its costates there, scaled to H = 0. */
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude);
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+/* What is unknown of a plan: all components of the direction but one, and the time to go. */
+#define TIME (STATES - 1)
+
+/* Longest step of Newton's method: of the direction, per its largest component, and of the time to go [TU]. */
+#define LARGEST_TURN 0.2
+#define LARGEST_SHIFT 0.1
+/* By how much the direction is changed to differentiate by it. */
+#define DIFFERENCE 1e-5
+/* A shorter step is given up: derivatives are renewed, or there is no way. */
+#define SHORTEST_SHARE 1e-3
+/* Of the residual: derivatives that leave more of it are renewed. */
+#define STALE 0.5
+/* Of the goal: a residual in which integration errors are a part. */
+#define FLOOR 0.1
+/* A component that was the largest is replaced when it is less than so much of the one that is. */
+#define STILL_LARGE 0.4
+#define LEAST_TIME 1e-4
+/* The goal far from arrival [AU, AU/TU], and its smallest share. */
+#define LARGEST_GOAL 4e-6
+#define SMALLEST_SHARE 1e-4
+/* Of the goal: the local error of extremals. */
+#define TOLERANCE 0.03
+/* A residual of what cannot be flown. */
+#define NOWHERE 1e9
+
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go)
+{
+    const double square = time_to_go * time_to_go;
+    const double share = square < 1.0 ? square : 1.0;
+    return LARGEST_GOAL * (share > SMALLEST_SHARE ? share : SMALLEST_SHARE);
+}
+
+/* A plan that is tried. */
+typedef struct {
+    double direction[STATES];
+    double time_to_go;
+    double error[STATES];
+    double residual;
+    sailnet_end end;
+} trial;
+
+static void compare(const double state[STATES], trial *tried)
+{
+    double worst = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        tried->error[n] = state[n] - tried->end.value[n];
+        /* What is not a number leads nowhere. */
+        const double size = sailnet_absolute(tried->error[n]);
+        const double counted = size < NOWHERE ? size : NOWHERE;
+        worst = counted > worst ? counted : worst;
+    }
+    tried->residual = worst;
+}
+
+static void fly_back(const sailnet_problem *problem, const double state[STATES], trial *tried)
+{
+    const double tolerance = TOLERANCE * sailnet_plan_goal(tried->time_to_go);
+    const int32_t steps = sailnet_extremal(problem, tried->direction, tried->time_to_go, tolerance, &tried->end);
+    compare(state, tried);
+    tried->residual = steps > 0 ? tried->residual : NOWHERE;
+}
+
+/* Another direction: its components, per the largest, plus a share of a step. */
+static void turn_direction(const double from[STATES], int32_t largest, const double step[STATES], double share,
+                           double to[STATES])
+{
+    const double per = 1.0 / sailnet_absolute(from[largest]);
+    double square = 0.0;
+    int32_t k = 0;
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] = from[n] * per;
+        if (n != largest) {
+            to[n] += share * step[k];
+            k++;
+        }
+        square += to[n] * to[n];
+    }
+    const double scale = sailnet_reciprocal_root(square);
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] *= scale;
+    }
+}
+
+/* By which component the others are divided: the largest, or still the one that was. */
+static void choose_largest(sailnet_plan *plan)
+{
+    int32_t largest = 0;
+    for (int32_t n = 1; n < STATES; n++) {
+        if (sailnet_absolute(plan->direction[n]) > sailnet_absolute(plan->direction[largest])) {
+            largest = n;
+        }
+    }
+    const int32_t known = ((plan->largest >= 0) && (plan->largest < STATES)) ? plan->largest : largest;
+    const double size = sailnet_absolute(plan->direction[known]);
+    if ((known != plan->largest) || !(size >= STILL_LARGE * sailnet_absolute(plan->direction[largest]))) {
+        plan->largest = largest;
+        plan->differentiated = 0;
+    }
+}
+
+/* The derivatives by differences. */
+static void differentiate(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, const trial *at)
+{
+    trial near = *at;
+    plan->differentiated = 1;
+    for (int32_t k = 0; k < TIME; k++) {
+        double step[STATES] = {0.0};
+        step[k] = DIFFERENCE;
+        turn_direction(at->direction, plan->largest, step, 1.0, near.direction);
+        fly_back(problem, state, &near);
+        if (near.residual >= NOWHERE) {
+            plan->differentiated = 0;
+        }
+        for (int32_t n = 0; n < STATES; n++) {
+            plan->jacobian[n][k] = (near.end.value[n] - at->end.value[n]) / DIFFERENCE;
+        }
+    }
+}
+
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan)
+{
+    sailnet_problem own = *problem;
+    own.beta = plan->beta;
+    sailnet_push_aside(&own, plan->across - problem->across);
+    return own;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem)
+{
+    return ((plan->beta == problem->beta) && (plan->across == problem->across)) ? 1 : 0;
+}
+
+/* The derivative by what differs of another vehicle, `change`; of a plan that cannot be flown by that it is none. */
+static void differentiate_by_one(const sailnet_problem *other, const double state[STATES], double change,
+                                 sailnet_plan *plan, double derivative[STATES])
+{
+    trial near;
+    (void)memset(&near, 0, sizeof near);
+    (void)memcpy(near.direction, plan->direction, sizeof near.direction);
+    near.time_to_go = plan->time_to_go;
+    fly_back(other, state, &near);
+    if (near.residual >= NOWHERE) {
+        plan->differentiated = 1;
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        derivative[n] = (near.end.value[n] - plan->end.value[n]) / change;
+    }
+}
+
+/* Both derivatives by the vehicle: two extremals. */
+static void differentiate_by_vehicle(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    sailnet_problem stronger = own;
+    sailnet_problem aside = own;
+    const double change = DIFFERENCE * plan->beta;
+    stronger.beta += change;
+    sailnet_push_aside(&aside, DIFFERENCE);
+    plan->differentiated = 2;
+    differentiate_by_one(&stronger, state, change, plan, plan->per_beta);
+    differentiate_by_one(&aside, state, DIFFERENCE, plan, plan->per_across);
+}
+
+/* Newton's step: solve jacobian step = error by elimination with pivots; 0 if there is no solution. */
+static int32_t solve(const sailnet_plan *plan, const double error[STATES], double step[STATES])
+{
+    double m[STATES][STATES + 1];
+    int32_t solved = 1;
+    for (int32_t i = 0; i < STATES; i++) {
+        (void)memcpy(m[i], plan->jacobian[i], sizeof plan->jacobian[i]);
+        m[i][STATES] = error[i];
+    }
+    for (int32_t c = 0; c < STATES; c++) {
+        int32_t pivot = c;
+        for (int32_t i = c + 1; i < STATES; i++) {
+            pivot = sailnet_absolute(m[i][c]) > sailnet_absolute(m[pivot][c]) ? i : pivot;
+        }
+        solved = sailnet_absolute(m[pivot][c]) > 0.0 ? solved : 0;
+        for (int32_t j = 0; j <= STATES; j++) {
+            const double other = m[c][j];
+            m[c][j] = m[pivot][j];
+            m[pivot][j] = other;
+        }
+        for (int32_t i = 0; i < STATES; i++) {
+            const double factor = i != c ? m[i][c] / m[c][c] : 0.0;
+            for (int32_t j = c; j <= STATES; j++) {
+                m[i][j] -= factor * m[c][j];
+            }
+        }
+    }
+    for (int32_t i = 0; i < STATES; i++) {
+        step[i] = m[i][STATES] / m[i][i];
+        solved = step[i] == step[i] ? solved : 0;
+    }
+    return solved;
+}
+
+/* The share of a step of Newton's method that is within bounds. */
+static double share_within(const double step[STATES])
+{
+    double square = 0.0;
+    for (int32_t k = 0; k < TIME; k++) {
+        square += step[k] * step[k];
+    }
+    const double turned = square > 0.0 ? square * sailnet_reciprocal_root(square) : 0.0;
+    const double by_turn = turned > LARGEST_TURN ? LARGEST_TURN / turned : 1.0;
+    const double shift = sailnet_absolute(step[TIME]);
+    const double by_shift = shift > LARGEST_SHIFT ? LARGEST_SHIFT / shift : 1.0;
+    return by_turn < by_shift ? by_turn : by_shift;
+}
+
+/* Broyden's update: derivatives that say of the last step what it did, and of the change of the vehicle, by beta and by
+   the force along the surface, which what was before has in it as predicted. */
+static void mend(sailnet_plan *plan, const trial *before, const trial *after, const double step[STATES], double share,
+                 const double change[2])
+{
+    double moved[STATES];
+    double square = change[0] * change[0] + change[1] * change[1];
+    for (int32_t k = 0; k < STATES; k++) {
+        moved[k] = k < TIME ? share * step[k] : after->time_to_go - before->time_to_go;
+        square += moved[k] * moved[k];
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        double innovation = after->end.value[n] - before->end.value[n];
+        for (int32_t k = 0; k < STATES; k++) {
+            innovation -= plan->jacobian[n][k] * moved[k];
+        }
+        for (int32_t k = 0; k < STATES; k++) {
+            plan->jacobian[n][k] += innovation * moved[k] / square;
+        }
+        plan->per_beta[n] += innovation * change[0] / square;
+        plan->per_across[n] += innovation * change[1] / square;
+    }
+}
+
+/* The next trial, and what comes of it. */
+static void try_step(const sailnet_problem *problem, const double state[STATES], const sailnet_plan *plan,
+                     const trial *from, const double step[STATES], double share, trial *tried)
+{
+    const double later = from->time_to_go + share * step[TIME];
+    tried->time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
+    turn_direction(from->direction, plan->largest, step, share, tried->direction);
+    fly_back(problem, state, tried);
+}
+
+/* Take one damped step; 0 if it came no nearer. */
+static int32_t advance(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, trial *best,
+                       const double step[STATES], double share)
+{
+    static const double unchanged[2] = {0.0, 0.0};
+    trial tried;
+    try_step(problem, state, plan, best, step, share, &tried);
+    const int32_t nearer = tried.residual < best->residual ? 1 : 0;
+    if (nearer != 0) {
+        mend(plan, best, &tried, step, share, unchanged);
+        *best = tried;
+    }
+    return nearer;
+}
+
+static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
+{
+    for (int32_t n = 0; n < STATES; n++) {
+        plan->jacobian[n][TIME] = end->rate[n];
+    }
+}
+
+/* The first trial: a whole step from where the plan is predicted to be now, or the plan as it is. Returned are the
+   extremals that were computed. */
+static int32_t begin(const sailnet_problem *problem, const double state[STATES], int32_t most, sailnet_plan *plan,
+                     trial *best)
+{
+    const double change[2] = {problem->beta - plan->beta, problem->across - plan->across};
+    const double floor = FLOOR * sailnet_plan_goal(plan->time_to_go);
+    int32_t count = 0;
+    (void)memcpy(best->direction, plan->direction, sizeof best->direction);
+    best->time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
+    choose_largest(plan);
+    if ((plan->differentiated != 0) && (most > 1)) {
+        trial tried;
+        double step[STATES];
+        sailnet_bring_up(problem, state, plan);
+        best->end = plan->end;
+        for (int32_t n = 0; n < STATES; n++) {
+            best->end.value[n] += plan->per_beta[n] * change[0] + plan->per_across[n] * change[1];
+        }
+        compare(state, best);
+        differentiate_by_time(plan, &best->end);
+        if (solve(plan, best->error, step) != 0) {
+            const double share = share_within(step);
+            try_step(problem, state, plan, best, step, share, &tried);
+            count = 1;
+            if (tried.residual <= floor) {
+                *best = tried;
+            } else if (tried.residual < best->residual) {
+                const int32_t stale = tried.residual > STALE * best->residual ? 1 : 0;
+                mend(plan, best, &tried, step, share, change);
+                plan->differentiated = stale != 0 ? 0 : plan->differentiated;
+                *best = tried;
+            } else {
+                plan->differentiated = 0;
+                fly_back(problem, state, best);
+                count = 2;
+            }
+        }
+    }
+    if (count == 0) {
+        fly_back(problem, state, best);
+        count = 1;
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    trial now;
+    int32_t steps = 1;
+    if (plan->age > 0.0) {
+        const double tolerance = TOLERANCE * sailnet_plan_goal(plan->time_to_go);
+        steps = sailnet_move_end(&own, plan->age, tolerance, &plan->end);
+        plan->age = 0.0;
+    }
+    now.end = plan->end;
+    compare(state, &now);
+    plan->residual = steps > 0 ? now.residual : NOWHERE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan)
+{
+    trial best;
+    double step[STATES] = {0.0};
+    const double goal = sailnet_plan_goal(plan->time_to_go);
+    double damped = 1.0;
+    int32_t fresh = 0;
+    int32_t going = 1;
+    const int32_t limit = most < SAILNET_MOST_EXTREMALS ? most : SAILNET_MOST_EXTREMALS;
+    int32_t count = begin(problem, state, limit, plan, &best);
+    while ((going != 0) && (count < limit) && ((best.residual > goal) || (plan->differentiated == 0)) &&
+           (best.residual < NOWHERE)) {
+        choose_largest(plan);
+        const int32_t renewed = plan->differentiated == 0 ? TIME : 0;
+        going = count < (limit - renewed) ? 1 : 0;
+        if ((going != 0) && (renewed != 0)) {
+            differentiate(problem, state, plan, &best);
+            count += TIME;
+            fresh = 1;
+        }
+        differentiate_by_time(plan, &best.end);
+        if ((going != 0) && (plan->differentiated != 0)) {
+            going = solve(plan, best.error, step);
+            plan->differentiated = going != 0 ? plan->differentiated : 0;
+        }
+        going = plan->differentiated != 0 ? going : 0;
+        if (going != 0) {
+            const double before = best.residual;
+            const double share = damped * share_within(step);
+            count++;
+            if (advance(problem, state, plan, &best, step, share) != 0) {
+                plan->differentiated = ((best.residual > STALE * before) && (fresh == 0)) ? 0 : plan->differentiated;
+                fresh = 0;
+                damped = damped < 0.5 ? 2.0 * damped : 1.0;
+            } else if (fresh == 0) {
+                plan->differentiated = 0;
+            } else {
+                damped *= 0.25;
+                going = damped > SHORTEST_SHARE ? 1 : 0;
+            }
+        }
+    }
+    (void)memcpy(plan->direction, best.direction, sizeof best.direction);
+    plan->time_to_go = best.time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = best.residual;
+    plan->end = best.end;
+    plan->age = 0.0;
+    plan->differentiated = best.residual < NOWHERE ? plan->differentiated : 0;
+    /* It is no more than the limit: the comparison shows that to an analyser. */
+    return count < limit ? count : limit;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan)
+{
+    return plan->residual <= sailnet_plan_goal(plan->time_to_go) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan)
+{
+    const double stronger = problem->beta - plan->beta;
+    const double aside = problem->across - plan->across;
+    const double by_beta = sailnet_absolute(stronger) / plan->beta;
+    const double by_aside = sailnet_absolute(aside);
+    const double by = by_beta > by_aside ? by_beta : by_aside;
+    int32_t count = 0;
+    int32_t moves = by > 0.0 ? most - 2 : 0;
+    if (moves > 0) {
+        sailnet_problem next = *problem;
+        if (by > largest) {
+            const double share = largest / by;
+            next.beta = plan->beta + share * stronger;
+            sailnet_push_aside(&next, (share - 1.0) * aside);
+        }
+        if ((plan->differentiated == 1) && (moves > 3)) {
+            sailnet_bring_up(problem, state, plan);
+            differentiate_by_vehicle(problem, state, plan);
+            count = 2;
+        }
+        sailnet_plan moved = *plan;
+        count += sailnet_correct_plan(&next, state, moves - count, &moved);
+        if (sailnet_plan_is_solved(&moved) != 0) {
+            *plan = moved;
+        } else {
+            moves = 0;
+        }
+    }
+    if (moves <= 0) {
+        const sailnet_problem own = sailnet_problem_of(problem, plan);
+        count += sailnet_correct_plan(&own, state, most - count, plan);
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude)
+{
+    double product = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = end->value[STATES + n] - ahead * end->rate[STATES + n];
+        /* Rates are by the time to go. */
+        product += end->value[STATES + n] * end->rate[n];
+    }
+    sailnet_optimal_attitude(problem, costates, attitude);
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = product != 0.0 ? costates[n] / product : 0.0;
+    }
+}
+
+/*
+ * The tracker: the plan that is flown, when it is corrected, and when a plan of the networks replaces it.
+ */
+#ifndef SAILNET_TRACKER_H
+#define SAILNET_TRACKER_H
+
+
+
+/* The guidance period of `held` [TU] is over. */
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
+
+/* Whether the networks are to be evaluated, for sailnet_propose. */
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker);
+
+/*
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time to go
+ * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ */
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[SAILNET_STATES], double time_to_go);
+
+/* Fly by a plan from elsewhere, of the same numbers, if it converges to pass through the state; 0 if it does not. */
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[SAILNET_STATES],
+                                              const double direction[SAILNET_STATES], double time_to_go);
+
+/*
+ * Correct the plan, and the candidate, with at most `most` extremals in all; the command is the attitude in the middle
+ * of the next `hold` [TU].
+ *
+ * problem: of the vehicle to plan for.
+ * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
+ *     flown only while its beta moves.
+ * Returns 1; 0 if there is no plan that passes through the state.
+ */
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[SAILNET_STATES], double estimated, double hold,
+                                           int32_t most, sailnet_planned *planned);
+
+#endif
+
+#include <string.h>
+
+/* A plan is corrected after so much of its time to go, and at the latest after so long [TU]; in every guidance period while
+   it is not solved for the vehicle. While another attitude than its own is flown it stays, since it measures the time lost
+   by that. */
+#define CORRECT_AFTER 0.007
+#define CORRECT_AT_LATEST 0.1
+/* By how much a plan's vehicle moves in a correction, as a share of its force: at most, and at least. A step that fails
+   makes the next one shorter. */
+#define LARGEST_STRIDE 0.01
+#define SMALLEST_STRIDE 1e-4
+#define SHORTER 0.25
+#define LONGER 2.0
+/* The networks are evaluated for a plan once in so long [TU]. */
+#define SEARCH_EVERY 0.1
+/* A faster plan saves at least so much of the time to go: what networks err by. */
+#define FASTER 0.01
+/* A plan that was not solved for the vehicle for so long [TU] has failed: its family of extremals has ended, and any other
+   is better. */
+#define FAILED_AFTER 0.2
+/* Extremals that a candidate may take until it is given up. */
+#define CANDIDATE_EXTREMALS 80
+/* A plan that misses the state by more [AU, AU/TU] is not flown. */
+#define USABLE 1e-3
+#define UNSOLVED 1e9
+/* Hysteresis: an attitude is kept until that has lost so much of the time to go, and not while the plan misses the state by
+   more [AU, AU/TU]. A plan that misses by more and is not solved spends the thrust margin. */
+#define OF_TIME_TO_GO 1.6e-2
+#define STILL_NEAR 4e-4
+/* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
+   the side of the thrust. */
+#define TURN_COSINE 0.939
+#define LATE 1.0
+
+#define STATES SAILNET_STATES
+
+/* A time that has passed [TU]; of what is none, as long as counts. */
+static double passed(double before, double held)
+{
+    const double now = before + held;
+    return ((now >= 0.0) && (now < 1.0)) ? now : 1.0;
+}
+
+static void grow_older(sailnet_plan *plan, double held)
+{
+    plan->time_to_go -= held;
+    plan->age = passed(plan->age, held);
+}
+
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held)
+{
+    grow_older(&tracker->plan, held);
+    grow_older(&tracker->candidate, held);
+    tracker->since = passed(tracker->since, held);
+    tracker->searched = passed(tracker->searched, held);
+}
+
+/* Whether there is no plan, or none that will be flown on. */
+static int32_t has_failed(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER)) ? 1 : 0;
+}
+
+/* Whether a plan of so long a time to go is better than the one that is flown. */
+static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
+{
+    return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker)
+{
+    const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
+    return tracker->searching <= 0 ? due : 0;
+}
+
+/* A plan that is not corrected yet. */
+static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
+                       sailnet_plan *plan)
+{
+    (void)memset(plan, 0, sizeof *plan);
+    (void)memcpy(plan->direction, direction, sizeof plan->direction);
+    plan->largest = -1;
+    plan->time_to_go = time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = UNSOLVED;
+}
+
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[STATES], double time_to_go)
+{
+    tracker->searched = 0.0;
+    if (is_better(tracker, time_to_go) != 0) {
+        begin_plan(problem, direction, time_to_go, &tracker->candidate);
+        tracker->searching = CANDIDATE_EXTREMALS;
+    }
+}
+
+/* Fly by a plan that is solved. */
+static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
+{
+    tracker->plan = *plan;
+    tracker->since = 0.0;
+    tracker->stride = LARGEST_STRIDE;
+    tracker->planned = 1;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[STATES], const double direction[STATES],
+                                              double time_to_go)
+{
+    sailnet_plan plan;
+    begin_plan(problem, direction, time_to_go, &plan);
+    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
+    const int32_t solved = sailnet_plan_is_solved(&plan);
+    if (solved != 0) {
+        adopt(tracker, &plan);
+        tracker->searching = 0;
+    }
+    return solved;
+}
+
+/* Correct the candidate, and fly it if it is better. */
+static void advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                              int32_t most)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, &tracker->candidate);
+    const int32_t computed = sailnet_correct_plan(&own, state, most, &tracker->candidate);
+    tracker->computed += computed;
+    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
+    tracker->searching = left - computed;
+    if (sailnet_plan_is_solved(&tracker->candidate) != 0) {
+        tracker->searching = 0;
+        if (is_better(tracker, tracker->candidate.time_to_go) != 0) {
+            adopt(tracker, &tracker->candidate);
+        }
+    } else if (!(tracker->candidate.residual < UNSOLVED)) {
+        /* It leads nowhere. */
+        tracker->searching = 0;
+    } else {
+        /* It goes on in the next period. */
+    }
+}
+
+/* Keep the attitude while another hardly gains: noise would else turn the sail far again and again. */
+static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                          double hold, sailnet_planned *planned)
+{
+    const sailnet_attitude *const before = &tracker->flown;
+    sailnet_attitude *const attitude = &planned->attitude;
+    double alike = 0.0;
+    double size2 = 0.0;
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        alike += attitude->across[i] * before->across[i];
+        size2 += before->across[i] * before->across[i];
+    }
+    const double turn_cosine = attitude->cosine * before->cosine + attitude->sine * before->sine * alike;
+    /* Nothing else than unit vectors are directions. */
+    const double square = before->cosine * before->cosine + before->sine * before->sine;
+    const int32_t known = ((sailnet_absolute(size2 - 1.0) < 1e-6) && (sailnet_absolute(square - 1.0) < 1e-6)) ? 1 : 0;
+    double regret = 0.0;
+    if ((known != 0) && (turn_cosine < TURN_COSINE) && ((alike < 0.0) || (planned->time_to_go < LATE))) {
+        const double per_r = 1.0 / state[0];
+        const double loss = sailnet_work(problem, planned->costates, before) -
+                            sailnet_work(problem, planned->costates, attitude);
+        regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
+    }
+    const double share = OF_TIME_TO_GO * planned->time_to_go;
+    const int32_t near = tracker->plan.residual < STILL_NEAR ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (near != 0)) ? 1 : 0;
+    tracker->regret = keep != 0 ? regret : 0.0;
+    if (keep != 0) {
+        *attitude = *before;
+    }
+    tracker->flown = *attitude;
+}
+
+/* The next step of the plan's beta, by whether the last one found a plan. */
+static void keep_stride(sailnet_tracker *tracker, int32_t moved)
+{
+    const double next = (moved != 0 ? LONGER : SHORTER) * tracker->stride;
+    tracker->stride = next > SMALLEST_STRIDE ? next : SMALLEST_STRIDE;
+    tracker->stride = tracker->stride < LARGEST_STRIDE ? tracker->stride : LARGEST_STRIDE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[STATES], double estimated, double hold, int32_t most,
+                                           sailnet_planned *planned)
+{
+    sailnet_plan *const plan = &tracker->plan;
+    tracker->computed = 0;
+    if (tracker->planned != 0) {
+        sailnet_bring_up(problem, state, plan);
+    }
+    /* A plan that is not solved, or has failed, leaves the budget to the candidate. */
+    const int32_t first = ((tracker->planned == 1) && (has_failed(tracker) == 0)) ? 1 : 0;
+    if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
+        const sailnet_problem before = sailnet_problem_of(problem, plan);
+        int32_t corrected = 1;
+        if ((tracker->planned > 1) && (plan->residual > STILL_NEAR)) {
+            /* What no plan for less leads through, one for all that the vehicle has may. */
+            sailnet_problem all = *problem;
+            all.beta = estimated;
+            tracker->computed = sailnet_track(&all, state, LARGEST_STRIDE, most, plan);
+        } else if (tracker->planned > 1) {
+            tracker->computed = sailnet_correct_plan(&before, state, most, plan);
+        } else if (!(tracker->regret > 0.0) &&
+                   (!(tracker->since < CORRECT_AFTER * plan->time_to_go) || !(tracker->since < CORRECT_AT_LATEST))) {
+            const int32_t there = sailnet_is_for(plan, problem);
+            tracker->computed = sailnet_track(problem, state, tracker->stride, most, plan);
+            keep_stride(tracker, ((there != 0) || (sailnet_is_for(plan, &before) == 0)) ? 1 : 0);
+        } else {
+            corrected = 0;
+        }
+        if (corrected != 0) {
+            tracker->planned = 2 - sailnet_plan_is_solved(plan);
+            if ((tracker->planned == 1) && (plan->beta <= estimated)) {
+                /* On its way to another vehicle it goes on at once. */
+                const int32_t under_way = sailnet_is_for(plan, &before) + sailnet_is_for(plan, problem);
+                tracker->since = under_way == 0 ? CORRECT_AT_LATEST : 0.0;
+            }
+        }
+    }
+    if ((tracker->searching > 0) && (tracker->computed < (most - 1))) {
+        advance_candidate(problem, tracker, state, most - tracker->computed);
+    }
+    /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
+    const double stronger = (1.0 + LARGEST_STRIDE) * estimated;
+    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= LARGEST_STRIDE)) ? 1 : 0;
+    const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
+    if (flown != 0) {
+        const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
+        planned->time_to_go = plan->time_to_go;
+        sailnet_planned_attitude(problem, &plan->end, 0.5 * (hold < left ? hold : left), planned->costates,
+                                 &planned->attitude);
+        keep_attitude(problem, tracker, state, hold, planned);
+    } else {
+        (void)memset(&tracker->flown, 0, sizeof tracker->flown);
+        tracker->regret = 0.0;
+    }
+    return flown;
+}
+
+/* The direction of the arrival costates by the networks, of any size, from a state that is finite. */
+
+/* The time scale of the approach below which costates of position are scaled down [TU]. */
+#define SAILNET_ARRIVAL_SCALE R(1.0)
+/* Stage "plan": arrival_lambda_r [20, 20, 20], arrival_lambda_u [20, 20, 20], arrival_lambda_v [20, 20, 20]. */
+#define STAGE(name) sailnet_plan_##name
+#define STAGE_NETWORKS 3
+#define STAGE_INPUTS 5
+#define STAGE_EVEN_INPUTS 6
+#define STAGE_DEPTH 3
+#define STAGE_ROWS 20
+#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)
+#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == 16
+#define STAGE_SIDE_BY_SIDE 1
+#define STAGE_SHARE 5
+#define STAGE_PARTS 4
+#define STAGE_PART SAILNET_LANES
+#define STAGE_OUTPUTS STAGE_ROWS
+#define STAGE_OUTPUT SAILNET_PER_16_BYTES
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0), (n0_1), (n1_1), (n2_1), (n0_2), (n1_2), (n2_2), (n0_3), (n1_3), (n2_3), (n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5), (n0_6), (n1_6), (n2_6), (n0_7), (n1_7), (n2_7), (n0_8), (n1_8), (n2_8), (n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10), (n0_11), (n1_11), (n2_11), (n0_12), (n1_12), (n2_12), (n0_13), (n1_13), (n2_13), (n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15), (n0_16), (n1_16), (n2_16), (n0_17), (n1_17), (n2_17), (n0_18), (n1_18), (n2_18), (n0_19), (n1_19), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0)}, {(n0_1), (n1_1), (n2_1)}, {(n0_2), (n1_2), (n2_2)}, {(n0_3), (n1_3), (n2_3)}, {(n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5)}, {(n0_6), (n1_6), (n2_6)}, {(n0_7), (n1_7), (n2_7)}, {(n0_8), (n1_8), (n2_8)}, {(n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10)}, {(n0_11), (n1_11), (n2_11)}, {(n0_12), (n1_12), (n2_12)}, {(n0_13), (n1_13), (n2_13)}, {(n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15)}, {(n0_16), (n1_16), (n2_16)}, {(n0_17), (n1_17), (n2_17)}, {(n0_18), (n1_18), (n2_18)}, {(n0_19), (n1_19), (n2_19)}}
+#else
+#define STAGE_SIDE_BY_SIDE 0
+#define STAGE_PARTS STAGE_NETWORKS
+#define STAGE_PART STAGE_WIDTH
+#define STAGE_OUTPUTS STAGE_NETWORKS
+#define STAGE_OUTPUT STAGE_WIDTH
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#endif
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_lower[STAGE_INPUTS] =
+{R(0.135136), R(0.0008002136620881025), R(-0.9997979635181171), R(-0.9999993578463796), R(-0.4999999999999895)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_min[STAGE_INPUTS] =
+{R(8.326672684688674e-17), R(-26.93205427953137), R(-4.968287661115507), R(-4.999997424787781), R(-2.496459320620249)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_max[STAGE_INPUTS] =
+{R(0.3378399999999999), R(40.40008195345228), R(4.952936582877968), R(4.999997742565722), R(2.494688980930399)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-2.5531390209156974), R(-12.457870262060007), R(20.60420323139342), R(-17.22253335180607), R(-4.166609520647405), R(16.937336088800514), R(0.1303365608379245), R(1.413421754055648), R(6.449318265526603), R(-1.1775878585336794), R(7.56926325141922), R(6.752371280369304), R(-0.6540646205631426), R(-1.5167976319379566), R(-1.0946223304163245), R(11.93799157872672), R(38.69152562405312), R(52.00510557811776), R(0.03518825561645145), R(-1.4870780470671752), R(-3.3154355191357556), R(43.693803881488314), R(1.149240443370067), R(-0.7089116021657577), R(0.687368322084889), R(-0.2988900468633567), R(1.8904272744450377), R(-7.560137813222777), R(9.074611939171398), R(-5.264899205998117), R(-13.870824502112365), R(2.0555115990691295), R(5.540121687952754), R(10.930096908337896), R(-2.541229889648768), R(-4.935963285522777), R(4.747752820430903), R(47.352709131482776), R(1.8509732174973013), R(-1.3932587525308555), R(-2.8729939135372526), R(-4.592934473797683), R(-12.933936850808275), R(-21.2118881437084), R(-32.91955081329199), R(-56.33499928363532), R(16.935873481437735), R(-12.697575064611337), R(12.584651154591967), R(-3.23498100152044), R(-12.986029467663094), R(-5.422854607270046), R(-24.409950417112185), R(15.015109411160852), R(21.289761549443), R(-21.75766770095466), R(18.6478495936223), R(65.76900728097485), R(1.8556369944563533), R(13.511779323243188)),
+STAGE_ROW(R(-1.4396921177441762), R(-0.3130357845124199), R(2.1127354051809855), R(0.2701528001392584), R(0.32762120051055266), R(-0.04273514397811687), R(-0.10649882764128733), R(-1.0785902791520383), R(0.48370416249119325), R(0.01063603561765436), R(-0.9013943034603524), R(-0.9228932427197861), R(2.01504999620181), R(0.101774056455415), R(-0.3881909646316167), R(0.5531265954348591), R(-0.1109871189851834), R(1.3100836916915743), R(1.0127903577838757), R(0.5163324378632339), R(0.5986319131564372), R(-1.0456096529392722), R(-3.1352977025379203), R(0.729500578388539), R(-0.109157235390611), R(1.425968919050702), R(-0.419216071132029), R(-1.3993849108854537), R(-1.0085154676102441), R(-0.906659305825212), R(-1.0701152024489728), R(-0.7209068073699318), R(1.938129778744169), R(0.3327604643964241), R(0.9218388887169003), R(-1.794123203847261), R(-2.5369563126681647), R(1.1269456371739748), R(1.1057056521496658), R(-0.25308434147986136), R(-0.15427281322601435), R(-0.3771615633272289), R(0.13171343287646903), R(0.21928801140262338), R(-1.6308512102588177), R(1.2039989583452282), R(-0.17763355776461867), R(-0.27616290822616996), R(1.8979202389053176), R(-1.501390658768026), R(-0.7096135470804453), R(-0.8788123587621363), R(-1.636216615042943), R(0.28868862528753075), R(-0.10223984954927594), R(1.335031954521733), R(1.6300961854611573), R(1.6623895104603004), R(0.1372093170364657), R(-0.3867200933276847)),
+STAGE_ROW(R(-22.57258928559594), R(-0.4312489395355546), R(-4.847129528688829), R(-1.7605465052477889), R(-2.88064132582907), R(-15.516255658999976), R(-2.152037026245489), R(3.3769758929016636), R(-0.7465281051049395), R(2.7589903332390437), R(2.2773646741708427), R(-1.6799167831208983), R(0.5164865320089739), R(2.9164567325897974), R(3.4962156600192715), R(3.8106791940420495), R(-0.30343362941513413), R(-0.4591906835390129), R(3.6206449700784096), R(-2.7385735400427826), R(-5.8014765433934645), R(1.3913076687849302), R(7.061519024180883), R(-2.983773611054923), R(-2.4133513404832154), R(-6.7631261856251585), R(-1.212842788290142), R(1.91214584814101), R(2.9086627666836273), R(-0.13724364512285767), R(2.991062568392777), R(-0.8513472649891483), R(-2.107153163774956), R(4.532447105592906), R(4.603277451737376), R(1.0493000620557664), R(-1.548582251479297), R(-4.5178039500552245), R(2.4202116760691905), R(-2.6563609564713957), R(-12.950355855847638), R(1.3873757850164958), R(-2.8896404516241594), R(-3.919220258842098), R(0.6609939820684503), R(-3.607135699754342), R(-0.8802310272970681), R(3.099076786356669), R(2.3520202668782098), R(-2.771205789206283), R(1.5951535574070563), R(-3.56565759022035), R(2.516365155983981), R(-2.196064531766499), R(-1.142820134915282), R(-1.6113187157649684), R(1.9322491372738058), R(-1.567727151310198), R(1.762906203002418), R(-3.47218842528316)),
+STAGE_ROW(R(3.7583751435450408), R(1.1722954984859446), R(2.118553392036806), R(3.208419706919617), R(-2.8013601735981823), R(-3.501455489841527), R(6.88662185335537), R(1.9075642793922318), R(-0.8967945437914501), R(-4.136462309325315), R(0.41996509903776125), R(-1.0206648131460336), R(-9.558533594398886), R(5.596623109483354), R(-1.0870506561630635), R(1.309975775063663), R(-4.797965933452578), R(1.0847220171440697), R(1.5484108883621883), R(0.9447008072526312), R(11.309559840044777), R(1.871718427621129), R(0.5247109364417317), R(2.447577482314614), R(-1.0818042295628134), R(-4.591710382872738), R(9.755369018126485), R(0.656952570092188), R(-3.2573114223562634), R(-2.4668085656596754), R(2.1005622054954958), R(-39.48948627626015), R(-4.400717015671682), R(1.4971451130707631), R(-10.461706643175567), R(5.841149628906468), R(2.595268868757094), R(1.980798939425734), R(1.265987529890956), R(-1.0288119499766624), R(5.110107062025928), R(1.0129449536630162), R(-0.0012629978658053708), R(0.9910643058147739), R(2.382676106244669), R(-0.7997798895098116), R(6.467034799099011), R(0.9631331704020354), R(-4.5031348257475425), R(-3.026059339716436), R(0.5749050217210687), R(-1.0587536696298498), R(-1.2270911449676334), R(3.659189163051038), R(-3.8274880747818867), R(1.1149754905943987), R(-4.327149460497222), R(-0.1344029742536429), R(1.8830165477191012), R(-0.2371999608082471)),
+STAGE_ROW(R(0.37678989762763065), R(-5.381752916516075), R(-3.4001241070173336), R(-4.476939955706401), R(-4.146921595891421), R(0.45620881139174385), R(-2.1263294189771527), R(5.645882232589734), R(5.598713711432686), R(4.020059777520512), R(9.403646806428064), R(-3.2783771354042277), R(-6.754496704489614), R(-2.510336246258708), R(4.5990902717156406), R(-5.859806646012157), R(-4.504442462720838), R(-8.541051858052935), R(2.1065093579501717), R(0.6900058311072238), R(-1.533118633962293), R(5.15734119264214), R(-10.358344354740316), R(-3.684620841345577), R(-8.069500767331265), R(-0.7057648184105619), R(-0.5920922649046969), R(18.410000869113023), R(0.10001444769316709), R(3.7344352988067535), R(3.4652832935922393), R(-2.984119372260462), R(-6.471181413932635), R(-0.42629893599594243), R(4.29558278061456), R(-7.027838812805723), R(-3.097916719703042), R(-4.685925154831335), R(1.178669903779372), R(2.1137382206686417), R(1.3814493121309916), R(-6.988394098580739), R(-0.3229763169526889), R(-5.425056406980959), R(-14.264599755254721), R(-1.8987926416218686), R(-0.39668331208371554), R(10.081236713025497), R(0.29311784766120313), R(9.165411872433701), R(7.112684771048743), R(-3.4002606661918335), R(-2.412334512016178), R(7.4590768479076734), R(13.196097587353524), R(-11.409990355785713), R(-3.746342621248943), R(-9.348125743130197), R(2.8328300678208893), R(-0.7321082553516035))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(6.244572915568806), R(8.088032782067684), R(-14.97875359841604), R(3.2868599676742005), R(9.609729468844693), R(7.571762871356633), R(0.967838236079292), R(-6.441886978478116), R(-2.244567650429875), R(1.4335995891321356), R(-2.782826357961648), R(10.279876209040404), R(6.2915249825636), R(-7.528537108789955), R(-5.348675114806909), R(0.384772713490104), R(1.2976651664626737), R(-7.407400834064252), R(-4.860913842865159), R(4.18200231130331), R(-18.112917804036304), R(6.83443616712739), R(0.2532729407131429), R(4.2838120169890574), R(9.080249203749698), R(5.727918218205478), R(-0.8776637412308717), R(-0.6884270384814302), R(3.6489481994961177), R(1.3763676677890095), R(0.28908555537316516), R(9.130598624053528), R(4.219991707521145), R(-7.5675559441817155), R(-7.269480865118932), R(2.399411081874469), R(1.9623963452220905), R(-7.844867793799916), R(-5.202854960427611), R(4.296999166030585), R(-2.4085009196411025), R(8.690933966924895), R(-13.921430823297671), R(4.165670157990762), R(10.407443388166616), R(8.02635544708381), R(-0.7243977923643775), R(-8.232845052762222), R(-3.7549544386767617), R(6.056732814527921), R(-1.1442417156829363), R(7.965717596967838), R(13.664852749395285), R(-7.851340295093481), R(-4.728057559180236), R(-1.2066987866087546), R(-1.2750394264703298), R(-6.631650353868943), R(-4.940787985862508), R(5.222750853503806)),
+STAGE_ROW(R(-2.8593058247250753), R(37.80059441470507), R(7.208023401945519), R(-10.541367907471342), R(107.00118455351566), R(-6.903068725067518), R(-41.18361352871438), R(1.072614839148423), R(3.448829522597597), R(13.192635223762196), R(12.15813851134973), R(-2.3462472798580265), R(6.3942544542344715), R(3.5005359008584183), R(-125.05392127583008), R(4.339482246559789), R(-5.205329079767666), R(-15.225362161033225), R(-12.973241619044481), R(11.215490839497422), R(-6.5687878595245275), R(18.17620628890215), R(5.478883968409094), R(10.113805459035905), R(67.27850307180962), R(-6.319087148054925), R(25.867413913584468), R(14.87162337042452), R(9.904030765642256), R(-11.941949616104498), R(-17.122036118753996), R(12.240217112775253), R(3.821400102167202), R(-1.0141255342967017), R(-40.2334800375202), R(-3.9258277569504654), R(-42.72411362873528), R(-61.6425308387338), R(-36.36691735375318), R(11.244563768336967), R(-30.771192217754965), R(48.88661259733523), R(8.746869999122616), R(1.6678749878693422), R(113.22981065785382), R(1.1785223509313538), R(-22.674462268348666), R(-4.9866779153082215), R(1.6556263872253587), R(-6.687490590976963), R(3.9663617807192524), R(-18.382389685413102), R(1.4836640665746228), R(5.658895876585932), R(-157.53294909392253), R(3.389658290205611), R(-2.6408373869173722), R(0.4951885313678067), R(118.09612739898564), R(4.00935437590396)),
+STAGE_ROW(R(9.47017062072157), R(9.514118292816006), R(0.8127107975801509), R(1.545917169009766), R(1.9286273989550897), R(27.611698507966928), R(7.216645566696481), R(11.466861843804733), R(6.133709722129432), R(2.11490048628792), R(1.5312460150971312), R(15.744404142358466), R(1.1330335777389695), R(5.425994233373435), R(-6.812091613224125), R(-2.964585780919912), R(46.475927782445574), R(6.563138819792267), R(-13.94386954312771), R(-3.068298124161446), R(13.909031747855016), R(-12.646058906108852), R(-9.45126147491032), R(17.416903105887062), R(2.1398537054032), R(-3.850742112495935), R(3.1605191988934176), R(-14.810894831473721), R(5.690839370497462), R(3.2502752120070717), R(-3.588745903793719), R(3.6259986817480243), R(-4.977244024406455), R(3.8749268104903978), R(6.450060869954791), R(0.7859970046509949), R(503.58147208852625), R(9.923508951746882), R(-10.026690257200704), R(3.6416115471641097), R(4.909785691802131), R(-7.129676885929058), R(1.3653331798809685), R(-35.98457759170085), R(-0.268214038325499), R(4.437020096074527), R(2.841729538223187), R(8.854292247549518), R(7.57076251295079), R(-1.7448033233592202), R(-0.028505147240489158), R(23.286003256667478), R(-6.2766910060941505), R(2.619495820575096), R(5.796724224209144), R(-4.954380833265192), R(171.55572232108983), R(2.875924831183861), R(-2.481437772445331), R(2.7826478871507123))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_hidden[2][STAGE_ROWS][STAGE_PARTS][STAGE_PART] =
+{
+{
+STAGE_ROW(R(-1.3384684717784303), R(-0.8214899102025888), R(-0.15748750526312094), R(-0.5321467780237651), R(2.216681575420084), R(0.1481779789109495), R(0.7617173942653607), R(0.23375451782248283), R(-0.4487111358497927), R(-0.7524888580187906), R(-0.9549271588865138), R(0.01320852958638709), R(0.8598870853382028), R(0.18899131988206294), R(-5.0015185754339635), R(-0.19269190403385936), R(0.14882956752870324), R(-1.0215794509630665), R(0.7324243668821517), R(0.3481787626187623), R(0.0873773651063062), R(-2.2040700982653294), R(-0.5943207982909317), R(-0.9143707928466134), R(2.4904733118715603), R(2.6574047345099157), R(1.7266816543143952), R(0.379630296989465), R(2.855486685912121), R(1.1829918730167754), R(3.746225538021029), R(1.3075217541593918), R(0.07558911805306143), R(0.08169110156017956), R(-0.7454791635313939), R(-1.1511629445485987), R(0.29077873512945246), R(-0.43921347775125125), R(3.93326054982152), R(0.32737916363939706), R(-3.378068847813849), R(0.336052221911033), R(-1.457924445793116), R(-0.1502049640615303), R(2.943400145280164), R(1.0405895944632981), R(0.7354252387070901), R(-0.2585518931376208), R(-0.5956804083745505), R(0.34260706936592566), R(-0.38677274635252795), R(0.5846211805433398), R(0.3097419357332631), R(0.9002991147208005), R(-3.6627698030636155), R(-0.19773097643221155), R(-1.2431842665594712), R(-0.5787929519991886), R(2.572365671094945), R(0.5442071078969092)),
+STAGE_ROW(R(2.9508515567081672), R(10.937026062623392), R(-2.6653678749561625), R(5.5442091082102705), R(30.45338007366974), R(3.8922344784225307), R(-20.45580287815593), R(2.693484733849327), R(-4.21401811775114), R(-10.981608921334647), R(4.799213918770667), R(-3.408439591373019), R(2.1487933095206886), R(4.3205342823592074), R(0.41278628418058644), R(2.4413034337049426), R(-1.008403147965672), R(1.0967493394923846), R(2.879699583787211), R(-0.49468244505084014), R(2.9395354729938434), R(-8.500387598131649), R(-0.9658972700539219), R(13.097033496093388), R(68.45227177983813), R(-1.9903331156269743), R(26.704694163264534), R(5.19520818331957), R(0.2803861904770235), R(-7.2190581305296195), R(-9.2312575680612), R(17.60812373805624), R(1.216702539015449), R(1.457132663225529), R(-49.26198863835915), R(0.053186453317875935), R(-43.29014878153503), R(-55.35947492892692), R(-14.760483484545583), R(2.2542947002665916), R(-8.496175011712126), R(-0.6711732338623339), R(1.9926712601003063), R(-0.3357289594737931), R(39.61681175472893), R(-5.764934494130387), R(-4.446786450247234), R(3.457292060429445), R(0.1324259348416259), R(-2.3538065572354596), R(8.602108758279712), R(-4.480375488898327), R(1.2593013552607306), R(-4.06287108969624), R(-5.811425386833277), R(0.3894039105521465), R(-13.822658414663085), R(6.6378951685185905), R(11.313279764965992), R(-1.2173680388909482)),
+STAGE_ROW(R(-0.4499007015421398), R(4.673063830291846), R(-0.34799534508707086), R(-0.7336376176661735), R(0.25860267245008584), R(0.4241916824666494), R(-0.051154478528753426), R(0.0096053492971675), R(-1.009473861893377), R(-6.900022108303952), R(-0.2074753083930378), R(-0.6382443259912818), R(0.8225087922219261), R(0.008920161382315701), R(-6.0518235336841535), R(0.7573724231631197), R(0.2606697628591534), R(1.6053597086155988), R(0.149834580044604), R(0.4324062431726763), R(0.7735931558898366), R(2.2710737699324683), R(-0.5716203696390354), R(-0.12720954927329536), R(-0.7042686942026667), R(-0.4445839337198147), R(0.5617407680056105), R(-0.645464380325693), R(1.5330331738519294), R(-0.8766062127426857), R(0.45842336581351284), R(1.0862883186477472), R(0.39131556744851387), R(-0.48796890102411683), R(3.735674287474798), R(0.3202983096018093), R(-0.3545462783017249), R(0.988850889935135), R(0.5411723782751204), R(0.37823925008425535), R(-2.9988777940217983), R(1.7532878775610632), R(-0.43940814808008166), R(-0.47500738648250196), R(1.0623234963267874), R(0.3048840062147874), R(-0.0628075444521796), R(0.009989427734357712), R(-0.2871480075875585), R(-0.833462005293528), R(-0.26169060715149156), R(-0.058730802929216994), R(0.29053503088009647), R(0.30328425964579886), R(-4.926050187857203), R(0.4207231727221437), R(0.32084893091221933), R(0.9293764709233967), R(1.4694394336276422), R(0.29003169897281394)),
+STAGE_ROW(R(-1.8220598084240114), R(5.683721792392711), R(-0.3672647599835655), R(1.149951517181909), R(6.386883006486385), R(-3.230509519906538), R(4.603721419815469), R(0.8443268786305401), R(-0.049394718636404045), R(-6.410347895061366), R(0.6902586776262946), R(0.09254718023180318), R(-0.19253519729306756), R(-0.21010189488511316), R(-25.420560843877592), R(1.0614032374265816), R(0.1308301589511483), R(0.33939847447900817), R(0.23389369631598678), R(-0.9619423545822123), R(-4.785999853181514), R(2.0795564037242626), R(-0.1695691762144694), R(-1.8746523173825842), R(-0.4511305094347898), R(-2.628759876213963), R(-3.654234805094257), R(1.375876427350515), R(1.7929453978888188), R(-2.5971644541864114), R(-2.7558033196297953), R(-9.89554393223421), R(0.30251771939462063), R(0.8368125220441718), R(15.62648468863253), R(-0.57495124722649), R(-2.0974754954866395), R(-0.8593451727815201), R(-1.3091897966177908), R(-0.3896381549038692), R(-11.790499596482007), R(5.6199890698440385), R(-0.653023742259895), R(0.16045160706860576), R(15.062731778310196), R(-1.478962907307774), R(8.174987731562911), R(0.8453730488287756), R(0.527730750863593), R(-1.1686442475815055), R(-1.314299254219418), R(0.32549570138061784), R(1.3854818187350768), R(-1.8291012375366138), R(-8.030915150325011), R(0.4366687221107144), R(-6.299382647101609), R(0.541661148141102), R(1.656926169455599), R(-0.19380569651533125)),
+STAGE_ROW(R(-3.964166032870607), R(-3.1123264929088257), R(-0.08709279247148055), R(-1.9505817960210965), R(14.78531542263034), R(0.1438887185475522), R(1.8414251314873733), R(0.4313173356053317), R(-0.25016923540351615), R(18.12180538108554), R(-6.32123528320318), R(-1.4004314135650708), R(1.152268478071324), R(2.4704641286428717), R(4.383734392365994), R(-0.8896659114989676), R(-1.8093308097485368), R(-0.6395336464372767), R(4.0171904256548325), R(0.7441601776104189), R(-9.08756574751109), R(-12.631367310509821), R(0.2547101552641595), R(-0.9597309858641027), R(10.495674324787085), R(-0.06290185475214456), R(0.3741299772843936), R(-0.27747368382300075), R(-1.425760930054576), R(-4.496393312000015), R(-4.141318365375457), R(-1.303166310185916), R(1.849913385092052), R(1.73701109573163), R(-8.556856316727504), R(0.25433911588163743), R(0.13526813517668193), R(-0.8512417662115698), R(1.2479000008466372), R(0.3830643699458915), R(-5.308125823180801), R(0.5295284905327211), R(-2.697945151133262), R(-1.3726446698158858), R(10.888712800267077), R(-0.033570647940866304), R(3.8353294725173046), R(1.0524382615666306), R(1.0277722202923807), R(-0.8661453306706997), R(1.0078297631018118), R(-0.7289999191292992), R(-1.4251105887223625), R(-4.0321355703384665), R(-14.96109396782953), R(-0.37415389799953264), R(-4.791467321763631), R(-0.3145096992282822), R(3.6929742164567636), R(-1.0949715630337944)),
+STAGE_ROW(R(0.22849949494575167), R(1.0863382089769364), R(-0.7810061784690416), R(-0.31676665744710075), R(1.91441067494345), R(-1.895463226678212), R(0.6000791025260632), R(0.6889756729224423), R(-0.8918815247472607), R(-3.180621631902096), R(0.35788219784250946), R(0.1983863396129478), R(-0.8028664798139928), R(0.491868029863255), R(-6.640366524749745), R(-0.9020341296095298), R(-0.3308033625136082), R(1.1058151048929428), R(0.8498962054817448), R(0.2857850096755482), R(2.018839012327495), R(-3.85100883621156), R(-0.5377923315527282), R(-0.37601654085686115), R(4.215315972263757), R(-8.122976725994533), R(0.6079029236786004), R(0.2400394405482972), R(-0.7306893395098615), R(-0.05974370675311677), R(1.7252085193005378), R(1.369487614143143), R(-1.2270351331118365), R(-0.6834763259970242), R(-8.409867602036732), R(-0.7516692829003486), R(-3.142623221486608), R(0.6401419493520261), R(0.45657379115501506), R(1.364641947521213), R(1.2063792581490496), R(-0.5884564051854418), R(-0.19760021907553074), R(0.2780668974972562), R(7.2859999822797645), R(-0.9495760299835435), R(1.3540123199248553), R(-0.8306534174992041), R(-0.8110977857667769), R(-0.4364753160894813), R(0.03386107262542943), R(0.8053687750859303), R(-0.5652281089705149), R(0.0827144706004546), R(-8.586038174953739), R(-0.3568768897879123), R(-5.527703831316663), R(-0.2738315795058009), R(2.8124262568304768), R(0.4312455552020369)),
+STAGE_ROW(R(-0.08884472432781922), R(-1.7965002990121495), R(0.7492756968187575), R(-2.0904532471223676), R(-5.686253947642202), R(5.150953831333532), R(-3.5874670460054414), R(-2.3690140529966013), R(5.971451323625746), R(-3.5224508045157243), R(-0.7163437863162809), R(-0.03665355254720992), R(0.7695622581779666), R(-1.922844661077022), R(-11.031537862254046), R(-0.1554154794644196), R(-1.6010008537187932), R(9.497346869302389), R(-1.0769149753060874), R(-0.9759304283450192), R(-1.27856709734408), R(1.8643690169731617), R(-0.4740882806751025), R(-1.3492191634568456), R(-4.968265491879106), R(2.6476329040191757), R(-3.624832706613123), R(0.6387988097450354), R(-1.049537327220904), R(0.6988588144762989), R(-2.688299830151374), R(7.065113609196929), R(0.05559267264373431), R(-0.551446259899052), R(-21.652987379034137), R(3.16969049976027), R(-0.1695139631124699), R(-2.7008095897148463), R(-5.5416918259594246), R(-1.0779316388292144), R(14.83147942149788), R(2.0675292827089256), R(-1.6077178031272155), R(1.4155066107542886), R(2.6646461523223874), R(-1.3490309161077596), R(-4.5085323121436165), R(-2.174619692816747), R(1.5864143423652368), R(-1.0941023627005497), R(0.3763795386795019), R(1.8294671112157375), R(-1.5317357166637011), R(-3.6327263863929793), R(10.168274026756979), R(1.2843387160716306), R(6.973465136257814), R(1.7913473109361813), R(5.442512104073128), R(-0.451011907433171)),
+STAGE_ROW(R(-1.015737384040453), R(0.19474446293020747), R(1.2974735207823165), R(-0.5887923294321906), R(4.011764120656053), R(2.336236905002205), R(0.5985588568569862), R(-0.4137347710935045), R(0.49059203787584527), R(-0.09113602572450902), R(11.871875887212065), R(1.1411873594766981), R(0.5066377581973661), R(-0.44290199987185536), R(-13.431926210651627), R(0.2648223352594996), R(1.271639824334924), R(-1.1632274049706213), R(-1.6954765140218384), R(0.6066896484819592), R(8.44111755731639), R(15.179711683409923), R(0.16457696322496052), R(-0.03894976289147914), R(6.9198779728347395), R(2.0843196936695563), R(3.830401553356924), R(2.603626468209009), R(-4.453461894777986), R(0.5417682506651185), R(-3.1535174112660744), R(-9.010679406605357), R(1.6033871190778963), R(-1.9867485090218298), R(19.87863189544492), R(0.10239183498197849), R(-2.037600605541456), R(1.8969453846818563), R(-2.5425340090171833), R(1.9581592855473837), R(-1.127311913262927), R(2.7942909547520953), R(1.5425209364493047), R(0.847841496047468), R(1.8161028400650845), R(1.0232451413013026), R(-1.409207428864317), R(-1.6258896780545748), R(0.1191752368086214), R(-0.19485685914202078), R(-1.9674917888700632), R(0.7876806331425995), R(0.26850386969914586), R(5.59636962850044), R(-8.420758382919269), R(0.27238687227100183), R(3.022938697189864), R(-4.117367272306076), R(2.595356662184588), R(0.7080969351322802)),
+STAGE_ROW(R(2.464346756662812), R(-1.6021308303426662), R(3.3310941226267023), R(-1.4346587255817813), R(-13.037920365934083), R(1.7376758304817028), R(3.555198395649675), R(0.8965450779696527), R(0.6617312878477777), R(-13.026435142413915), R(-6.209771093401687), R(0.05150353883933), R(0.877004307689134), R(-0.35148307069410667), R(7.349516183971595), R(0.6570098214207554), R(0.15580416698098906), R(-2.4574618034340654), R(-4.1743516037755475), R(1.15387731105561), R(-1.3558111625035605), R(2.0269178489147586), R(0.4183781547356416), R(0.668129816631575), R(-0.6015725681243725), R(1.2816023237533551), R(-6.229729091904862), R(0.7678778112425895), R(-2.7999117087508094), R(-0.8023884468652084), R(-0.7381073547776915), R(-0.669564285731569), R(0.19375206897153688), R(0.08509069519301421), R(2.766455717014888), R(0.4595052015455784), R(0.9310341367875257), R(0.33853120790268443), R(-1.597863794197608), R(0.6227043911273158), R(-2.6762417483631094), R(1.1437084014748635), R(3.461069697430602), R(-2.310245330584502), R(0.7578291535323401), R(1.9119479313454253), R(-2.354195283851103), R(-0.8211527257414326), R(0.262825238457627), R(0.028502178982614097), R(-1.4291380330922308), R(0.1321905357838652), R(-0.1552431867909469), R(1.8415044623965457), R(-7.513494356978236), R(-1.4142977735671387), R(0.3819896912126867), R(-2.584600457548784), R(2.9521095068755976), R(1.4321175015360186)),
+STAGE_ROW(R(1.5820718138891532), R(-1.5137962161459166), R(-0.848298735811393), R(-1.9726502424085648), R(0.900237455205518), R(-1.534148030088566), R(-3.659074861160744), R(1.8101195903467615), R(3.58885081442019), R(2.0075079561688143), R(2.2166188931200685), R(1.659236691647002), R(0.3842200702199426), R(-0.16198043486932054), R(-4.708743767896432), R(-0.3899389297474542), R(-2.9432097892447553), R(2.2619920793367387), R(-0.6615897064510177), R(1.9447362289710137), R(-0.6722848062045772), R(-1.8402485986845325), R(1.7208076038567874), R(0.5442697431201009), R(-2.050962442389111), R(-0.7100467852928061), R(3.321707415375384), R(1.1831133845919874), R(-1.1702344918362106), R(-0.008777064164896159), R(4.3670573169837255), R(0.5490212545969597), R(0.028914873616713244), R(0.5685813320682919), R(-2.196684494370832), R(-0.02640711269420136), R(2.7484180142342005), R(2.5293066790136285), R(4.284122890401481), R(1.8641667847366918), R(-2.147089734543028), R(0.9038911480632345), R(1.0139247265695899), R(0.42987619989286496), R(1.9764275398948714), R(-1.5972517006490305), R(-2.982449602041573), R(2.3646188123314857), R(0.6745337014151268), R(-0.04845562830610906), R(1.7024584785598906), R(-0.29132557292809935), R(0.36680002842331544), R(0.6632300753318221), R(-6.596890400256013), R(0.48967207746066915), R(-0.5152012514444589), R(0.3689037713122094), R(9.997998900757747), R(1.2402249550817401)),
+STAGE_ROW(R(7.282505747958585), R(-4.782867726529451), R(2.8194626804619425), R(-1.0228234193178054), R(6.671338024170647), R(0.2454351022204109), R(-36.06670783570543), R(-1.9359060391684972), R(-2.0903666436030703), R(5.697097311910614), R(18.782450351132624), R(5.483894097700493), R(-1.0660460995924772), R(-0.753322026042824), R(-14.893111240260426), R(-2.1566183038614284), R(0.4718680150408579), R(12.360704242248678), R(-2.4271595933298085), R(3.6947431654937173), R(-2.973434565695875), R(9.346267359092542), R(0.5144132668695002), R(-0.32847425450467826), R(-4.755895342003379), R(5.000834325996467), R(9.149020851096276), R(0.6978750471090267), R(-1.5128873163578735), R(-1.14617989329989), R(-2.6012758097305095), R(1.0269354278089127), R(-0.49143405953193875), R(-0.35461455054481966), R(2.161356444873512), R(0.5117609510174619), R(5.259539815680557), R(-2.6469599559925037), R(-6.174822665772964), R(-0.1010992701789695), R(14.58535802765473), R(0.6887965062654671), R(4.2740126394985), R(0.9594418911098751), R(5.121372758723648), R(5.5344543530438735), R(-14.25676467303493), R(-4.6195731091357075), R(-1.977759340952094), R(0.8642247691883382), R(2.8435632834650226), R(-7.624053120734002), R(-1.1416745979862366), R(6.4159466026187975), R(-4.72659616613255), R(1.035640654324405), R(14.279204392714519), R(-1.6001346525295435), R(20.498248078970924), R(1.7317529687608009)),
+STAGE_ROW(R(-7.514934171091831), R(-0.37068583322763987), R(-1.0791714946490334), R(0.5666627568067654), R(-10.047472325945066), R(-3.904820591338186), R(1.7146555257857596), R(-0.2989041813373705), R(0.6284884871169676), R(5.220540728637482), R(-3.318147394428671), R(-5.302545018100068), R(-2.1734090619894912), R(1.2290893593681087), R(14.349358199070933), R(3.3591138641235356), R(-0.5715230434067377), R(-9.484050371728232), R(4.4249913431092605), R(2.6507282714733527), R(0.7288874634786896), R(-2.293732638920908), R(-0.5516334602012749), R(0.544954751605944), R(5.94101071694603), R(-2.0139237225111644), R(4.937834947902969), R(0.09172247667927942), R(-1.883066025486702), R(0.4888732726412337), R(1.075813132783815), R(-6.918816261770853), R(-1.195364991040394), R(-0.6658765382355047), R(0.49054859396337785), R(-0.2879279820157167), R(0.04513767374674194), R(0.8054912080584995), R(2.297678667451526), R(0.8682280444549385), R(-1.0164001211877907), R(1.4345453535049224), R(-0.37943392630740486), R(1.2829991191428787), R(2.5411666810132965), R(-1.7311018161144356), R(-19.926914002366672), R(1.2594359633518044), R(-2.23414037642133), R(-1.8600079506643523), R(2.6706746776293064), R(-3.699326193985604), R(-0.798700598588039), R(-1.2595712366676615), R(-3.362089307777163), R(0.8197851986442353), R(-0.4785348780464287), R(4.215824022656833), R(9.03916046435979), R(-1.353102174426096)),
+STAGE_ROW(R(-2.064992860788915), R(1.6141650924904267), R(-2.7435636303956765), R(2.821056463575458), R(0.49919880262300254), R(0.29235069475972), R(-5.160112143237014), R(0.740635332381636), R(-4.1619128576610604), R(0.8137731837311231), R(3.5057380087277314), R(-1.1836733708204183), R(-0.3202981553435436), R(1.1590596422570878), R(3.649095216463519), R(-0.11267368906115632), R(0.5595195754137523), R(-3.2688666168754907), R(1.418045810771537), R(-1.0094308640963892), R(-1.345031909459265), R(-0.05280525137663697), R(-0.8030634198586578), R(-0.42312407567849597), R(0.9392362477225026), R(-4.066325870949239), R(1.012952331680215), R(0.13316050409664915), R(1.4790349448275977), R(1.3372452322370112), R(-1.5322883983057627), R(-3.90715470837142), R(-0.7238575538376679), R(0.6195763755475665), R(2.4844851240116728), R(0.329257724864527), R(-0.0707335746280068), R(-0.49616131049600093), R(-0.027356274473958837), R(-1.585407287621147), R(3.989393836321696), R(0.9412286041971343), R(-2.319219545752998), R(0.1681440586633865), R(3.1056058975272967), R(0.7314774154968504), R(3.0800253536896265), R(-0.5002591068657054), R(-0.057728546194296904), R(0.4486420246423416), R(-3.42331129658234), R(-0.2567219532347386), R(-0.1372012652246876), R(1.1758912493278535), R(-3.0206523923436692), R(-0.03020402725279596), R(9.368663352901848), R(-3.9618687683386558), R(1.7408797150691473), R(-1.8264451629294927)),
+STAGE_ROW(R(0.3866176141528748), R(-2.338487841681786), R(-0.6365516650001394), R(0.7976968729540402), R(-4.537704362722105), R(-0.7253013183919227), R(-0.04528064250557991), R(0.0038278081971217875), R(-0.8085886666828948), R(-1.3986558350279445), R(-0.07342950360097758), R(7.8357249979661745), R(-0.16762858355885168), R(-0.7134908472117744), R(-7.647696671340474), R(0.5208172033203113), R(0.21131304169745999), R(0.488746827034833), R(0.7373378872044005), R(-1.0316103144798074), R(3.2389059475692266), R(3.1966220775735836), R(-0.3737113037996471), R(0.5602609538825707), R(-2.6918030730244027), R(-2.94934658124814), R(0.7053716389329673), R(-0.44691368899225364), R(3.6296744324495536), R(-0.2598811674075137), R(0.6491376717124873), R(-2.0906257331944316), R(-0.4250934935555332), R(-0.9358593465663629), R(4.427507875403845), R(0.1984694625316256), R(0.14442183137176876), R(0.0431521791329297), R(2.485546890041391), R(-0.9048376813079974), R(-3.825720028962013), R(1.3238435079703819), R(1.703072215041115), R(1.3564070585131487), R(0.5654397726892086), R(0.9737827340031375), R(1.7251875980424622), R(-0.8185366909671288), R(-0.8957798606151353), R(0.42548203187622335), R(0.6041492337885516), R(2.8959655073895183), R(0.32072022840576636), R(1.4151167331890566), R(-5.964229754244219), R(1.2115899498310478), R(5.576564520180091), R(0.9639108155625733), R(1.5505168765432775), R(-0.8841199461159317)),
+STAGE_ROW(R(0.4899440231181142), R(0.7960049814723197), R(1.895988900442254), R(-1.7568042017509076), R(-6.021552579392303), R(1.9947992034616033), R(3.523559241216599), R(-0.158394932411125), R(-0.16445570520997801), R(-1.6107827533273757), R(-6.276073226934236), R(2.652576059826479), R(-0.3149271070002065), R(0.759186634698226), R(-21.748707300357747), R(-1.7574591152216947), R(0.4357615767436596), R(0.20656040289134975), R(-4.966074281098683), R(1.0566880993855379), R(-2.237318356071195), R(0.11324003162825909), R(-0.04778439013765633), R(-0.8116175160383936), R(-1.8416344821473116), R(-1.5848687854325787), R(3.1782137301250106), R(-3.349032765399541), R(0.61625918428589), R(0.025290256206674168), R(0.5862746339651652), R(1.3759153530406727), R(-1.3188282361763306), R(0.7144070884206236), R(1.433252629342604), R(-2.8701567854102703), R(3.2275484071790252), R(2.0846585082125366), R(-2.3916839052547516), R(0.39707189439066537), R(-0.2356211247238794), R(3.1840767475447866), R(-0.657397318477672), R(-0.13389658722573816), R(0.4633206109569291), R(0.8449811079328042), R(2.724677796034744), R(0.916501825452293), R(-0.3636634629963406), R(0.17571550699428326), R(-1.5573528530229974), R(-0.6952428881150955), R(-0.26868115970849693), R(-0.5492422120603921), R(-19.806579730771034), R(-0.5429926386528973), R(1.682427395768995), R(1.9639750680586563), R(-2.0691497390935103), R(0.27042858390039076)),
+STAGE_ROW(R(-0.7613890763165776), R(5.057423173336957), R(-2.2265184952153696), R(3.490948117348376), R(-0.01078599139637442), R(-1.952716601321604), R(-0.9877408078623418), R(1.5861509774930482), R(-2.335648730056769), R(-3.6713025602043685), R(1.7072479738894828), R(-3.635593992448115), R(-0.964939745545851), R(0.13568308344675034), R(-0.11165056692086563), R(-1.5375595267656628), R(1.6769440605931436), R(-0.23084217807112906), R(1.8080760435029217), R(-1.0075899525806218), R(-3.6774199886585177), R(-1.0812970557833836), R(0.3518506737531795), R(0.9387204766497802), R(-2.8318606164833877), R(-0.10061840131553128), R(-1.5246994831285925), R(1.3478445103871863), R(0.8633334111688878), R(-2.0214145173889895), R(-0.17448536315334728), R(0.8582299014164827), R(-0.198789583064433), R(1.293108471518925), R(-2.447218333358162), R(-1.4277114079600028), R(0.7178952413779677), R(-1.5722571838700248), R(-0.8231372284093378), R(-1.5335358563375434), R(-7.49302165345677), R(1.1065495111543213), R(-0.2607637566698142), R(0.08242646850756015), R(0.7061067031270116), R(-1.2498514019234437), R(0.31004487157578087), R(1.44163040941076), R(0.05480332853041712), R(-1.1006682494390339), R(-0.01713248283073671), R(0.20507186060684385), R(0.32327867072024913), R(-0.24859891062309195), R(-6.812999628894762), R(-1.2329012103812729), R(-3.9129216633884005), R(-0.03679902509433244), R(1.2385929057285598), R(-0.9035474935410319)),
+STAGE_ROW(R(0.4029505525653754), R(-0.8091909584086867), R(0.3981548629263508), R(-0.021307874450357117), R(-1.2479583254535844), R(-0.2576899442598849), R(-2.758783702827711), R(0.40840185088999625), R(0.30500568425924407), R(0.5723440182064272), R(1.1006533890909322), R(0.1939678198546997), R(-0.42112845490103606), R(0.5675317188199664), R(7.305483687298619), R(-1.4271968745076382), R(0.5681963298092756), R(0.3218721166449017), R(0.5610629992466355), R(0.33464500654238233), R(-1.6166716455145345), R(-0.3256446844238995), R(1.3890597506460827), R(-0.3213575410856234), R(-1.5675839364138142), R(-0.6105861672755266), R(0.2580903118408922), R(0.5261394533776144), R(-0.07309792872002628), R(1.1416758527875888), R(0.06543971963279803), R(3.2333855030560414), R(-0.22437557099837993), R(0.511553117288964), R(-0.6452474331408191), R(-0.7897569271236916), R(1.3085732882219026), R(-1.6103667320837185), R(-0.9101947101206657), R(0.12072409595501431), R(-3.9774699001988143), R(1.3787561755862454), R(1.6819709991668208), R(-0.6730465966305209), R(0.8240408610503078), R(-3.401399214986659), R(-1.439104690506238), R(0.9334653859260407), R(-0.3886265087841552), R(0.33629730050571427), R(-0.5339352868144912), R(-1.4138519338927875), R(-0.6356938431269317), R(2.5345434636959348), R(-4.400175216239673), R(-0.5750202492299276), R(-2.0770621298444576), R(2.1740672487044725), R(2.1104368619553986), R(0.6466990779487202)),
+STAGE_ROW(R(-1.0424371999155946), R(1.9495764720000697), R(0.3834471786245608), R(0.2762164805570901), R(1.6190845285377915), R(-0.19624965493381608), R(0.8446927934833279), R(0.8060730331927751), R(-0.12891216835217906), R(-1.0141094102924826), R(0.30977120654374485), R(-1.3281967061881135), R(0.24219182767246564), R(0.3523393433914938), R(-3.0853895285593946), R(-0.4651099629938253), R(-0.4662546890959019), R(-2.418467200165288), R(1.0522729199655072), R(-0.7438486618752067), R(-1.3460804808850293), R(-1.5402810985008801), R(0.22743156827977642), R(0.3392901033751071), R(0.6235993535203964), R(0.616583795662306), R(0.5702206161523368), R(0.7659924532033965), R(0.960947213452322), R(-0.2166660276378002), R(1.2384743031011014), R(-1.6623669476419063), R(1.1159519691201012), R(0.2627003905153107), R(0.8383748469405338), R(-0.8116928195674322), R(-0.878317596344), R(-0.11198319762073582), R(0.7027547066206363), R(-0.6646559566376621), R(-11.358054684837445), R(1.0173790113865766), R(0.31276940562285427), R(0.24102226213882005), R(1.403248599464165), R(-1.5202045455128717), R(1.066855679650356), R(1.0522131654790503), R(0.6490012205643849), R(-0.9580647686743727), R(-0.14628643993429616), R(-0.20309365089197642), R(0.8138664876365017), R(-0.2525387013522959), R(-5.607455401973995), R(-1.343659417452348), R(-5.081330974788545), R(0.5216304719709276), R(1.8298569643230094), R(-0.8398766045256898)),
+STAGE_ROW(R(-2.8730043638444944), R(20.97979913197628), R(-1.2100530752313787), R(-0.6595213432091785), R(12.272408861191373), R(-0.30249999131744354), R(6.264441606777266), R(-0.40667677760087334), R(-2.337913653299517), R(-1.9920125530939536), R(-4.478429787082346), R(4.637824356923303), R(1.0620745376330487), R(-0.0545248183790763), R(-42.37049206645247), R(-0.6417503899773501), R(-0.16044421175046483), R(-9.105969313748089), R(-9.528470724382622), R(-1.1521512798290292), R(-4.814437313012047), R(10.152877800641926), R(-1.351425381860216), R(-0.8110899601939924), R(-7.866774479376136), R(10.158189305194577), R(-3.239290594843463), R(-2.3302273890038983), R(5.459803786429457), R(0.49561730254812614), R(-0.4007179729884061), R(10.882037897531905), R(-2.901005996344696), R(-0.603652979429853), R(-5.513363158876655), R(-1.9174904512360846), R(-1.1481980102453273), R(1.4555451013803928), R(-9.412220154813289), R(-0.4009349451839051), R(-12.812268403922213), R(19.892593483401132), R(0.8473132761010826), R(-0.8403215114365821), R(4.672978321569828), R(4.701298881522432), R(4.106844318614001), R(-0.7146338831841568), R(0.4761825855414538), R(0.35673295115050635), R(-1.3484694318489454), R(4.2255374359529005), R(1.9603231857345305), R(4.653565658453413), R(-35.840344945490074), R(-1.6299488973861407), R(3.719422230691998), R(-3.8019791172435546), R(-3.4674087385403998), R(0.07161565366050122)),
+STAGE_ROW(R(-3.8587539038982412), R(0.8795487908754392), R(4.012128775911067), R(-11.966013383445414), R(64.4819933153467), R(-8.666550425248127), R(7.845761502323565), R(1.0831765561619824), R(6.529388374957384), R(33.18180782639951), R(-5.117747464235352), R(-6.692303159199539), R(2.3536382629239174), R(-1.0698209525086237), R(5.033781637844514), R(3.451137031623715), R(-0.9341935310528483), R(-13.136385434002285), R(-9.782504969016333), R(0.8509580579298659), R(4.024296626828917), R(6.495679918309401), R(1.6466104283413592), R(2.413497889611103), R(-6.337402079057649), R(-3.6980081976031274), R(-12.995522704917263), R(10.619786321532095), R(2.7816589012078126), R(-0.1974174262607001), R(-4.757708037005925), R(5.914060121736776), R(3.393317228306329), R(-0.042548527404342944), R(5.9591303434543565), R(-0.5443269289330366), R(-3.809310744171963), R(-4.657722101636642), R(-9.63495281191016), R(2.894210004801855), R(10.194845979925098), R(1.6872954338554516), R(-2.783161235027867), R(1.1331196396762653), R(3.0117608029128395), R(3.924066022834158), R(2.093969927488861), R(-0.7107651710123997), R(-0.23205920153912718), R(-0.06319304082696366), R(-1.6809161703301048), R(-6.062282368168844), R(-1.1513764376596671), R(-2.5223714594784226), R(-1.8137679948384766), R(2.6449493961524424), R(-2.747373515165397), R(-1.2012928676337524), R(35.50312018103542), R(1.2359222469318778))
+},
+{
+STAGE_ROW(R(-1.0586046009648546), R(-2.6167253564477497), R(-1.0974767061827464), R(-0.2874567333606711), R(-0.5509595183913321), R(-6.333527109118394), R(-2.5611161776542866), R(2.3002388542792955), R(7.309018888936499), R(0.1557118563196975), R(0.029783334504753168), R(-5.152029664610082), R(1.8483771149392694), R(-1.8234724042724129), R(-11.55100222380692), R(-0.6724640278249978), R(0.3207135760778262), R(-1.7833537549836942), R(3.785781622303182), R(-2.5656923910254696), R(-0.8783256349052888), R(-2.073842488952566), R(-1.7536830708301006), R(-1.4550535639289297), R(-0.2723795377238764), R(1.9939068552127448), R(-0.559763903535487), R(-5.120842264481519), R(4.054904740565328), R(0.7214629755944534), R(-0.055720092669597356), R(5.2816414169258685), R(-4.166279920595276), R(0.02821872052458716), R(-0.23896297473529918), R(-0.9448753753847398), R(0.5072870413903666), R(1.316987623736157), R(0.6179444484592854), R(-1.9116486330533404), R(0.1730078833564827), R(0.19780817838628184), R(-0.5755117469734042), R(-0.9461581940340518), R(0.4993135066181729), R(0.5682056303050163), R(0.36401251580229965), R(0.9598980804643892), R(0.7904207594821905), R(0.05414852112280239), R(0.38589202804537287), R(0.455952127700052), R(-2.76048134384895), R(0.12985584562683355), R(0.6347515167322902), R(0.7693372536693109), R(6.1363900627119845), R(-0.4089566413501118), R(-0.06258437635307719), R(0.07811321414409764)),
+STAGE_ROW(R(0.9559588835759864), R(11.750001296298954), R(-0.3272522135237089), R(-1.3153418362773734), R(-1.7467845944773366), R(2.7665295826148673), R(0.6195730593805369), R(1.2859148066354478), R(-0.6056143417327915), R(1.592235494175208), R(1.865224431497282), R(0.2276238902013001), R(2.260855118120191), R(0.17338293344546554), R(9.13946641342276), R(0.6489907085263291), R(-2.135394748310995), R(1.2118839314849241), R(-4.933951433601922), R(-5.150684543900356), R(5.294844010266385), R(-6.748900668014899), R(-3.1465977628662807), R(1.1561921436323332), R(0.07572586153030897), R(1.783571822965275), R(-2.824093201172284), R(-2.0002524729517397), R(1.7203850525205016), R(2.0871058690957165), R(-0.7236839956534095), R(-8.111548221436804), R(5.381675648215524), R(-0.2524039316580127), R(1.0891141114237246), R(-0.4300218530230964), R(0.5499199869789498), R(-4.996168586940029), R(1.1803164532077983), R(-0.1593030861362483), R(0.9396702512980964), R(-0.9599494772009607), R(-0.9997556164730985), R(-2.9957168790349056), R(-0.20888966066591), R(-0.07197594500616268), R(-0.2695408801921701), R(1.4922463556845562), R(-0.21880462219562088), R(-0.1819046948458206), R(-0.05868077675011069), R(0.7985481030350339), R(0.4500646335693088), R(-0.020882884437451784), R(0.5854150747997898), R(-0.270353836903923), R(13.690236996041227), R(-0.7525437258280585), R(1.5742727576449218), R(-0.12052597974165283)),
+STAGE_ROW(R(-0.6415187962695106), R(-1.8816954629290756), R(-5.148922504125536), R(-15.26378935273832), R(-2.830953354060678), R(20.576402230977465), R(1.5595832327987333), R(-4.220653440196775), R(-0.8515236873057013), R(0.9609309411123774), R(-2.3793860513440723), R(6.686681926342462), R(-1.5913681086829918), R(1.547258838365912), R(-3.282350640621349), R(5.8577622778373755), R(0.34974741298869155), R(-0.27834187947173045), R(-0.852556730711844), R(5.174960370360486), R(0.9271244657351388), R(1.938207732041129), R(-0.7231761969289345), R(-3.9808919817492017), R(-0.040770966763877925), R(-0.1370889629195999), R(-1.4469237133053154), R(-8.271012391666057), R(2.0340976540257256), R(2.816571540367613), R(-0.9907782807982062), R(13.378261038833797), R(-1.0925041592556843), R(1.5655555963495904), R(2.3133800755747633), R(2.28253645816168), R(4.042448736731465), R(1.2253072464449184), R(-2.865201556003078), R(-0.17258821549910752), R(-0.5184226734689951), R(-12.5974885873162), R(-0.9436175568182428), R(-2.13764125117295), R(-1.7635216512006482), R(1.689414931912922), R(-3.7582805587127486), R(2.2735806838455908), R(3.111559397753052), R(1.0853073224411873), R(1.0139361175829014), R(0.5291118620450602), R(9.141247404527366), R(-1.732164105211399), R(-0.24219248229665305), R(-0.9032684588370805), R(11.463340190528292), R(1.1678656787652923), R(-1.531445316767626), R(1.9053007706122973)),
+STAGE_ROW(R(1.0446100753550935), R(-1.1806257184230735), R(0.7975274149149086), R(-2.3183379839013245), R(-0.0601125178674509), R(-2.6459694469386066), R(-1.3314763022783773), R(-0.6872079616919211), R(1.4930893835075825), R(-1.7623421878726655), R(2.719518937804367), R(0.6576118312824815), R(0.39829225310668187), R(-2.2664282030856806), R(3.2841498914523277), R(-1.0806846405274178), R(5.876550733292902), R(0.8165203603263879), R(-0.4594289811957902), R(-1.1875970559287283), R(0.028369120966054352), R(4.268277534319966), R(1.103033431282269), R(-0.19760018040848215), R(0.3207736243914196), R(4.672631817110827), R(2.7155690018555996), R(4.138855496261854), R(2.879159631644482), R(0.43951965198920545), R(1.6501865073027377), R(13.299705477300884), R(-2.151827527366108), R(-1.5526025998237096), R(-0.7480224196703114), R(-3.925830503327269), R(3.772498130232172), R(-0.47490024435723144), R(0.08984995214087588), R(2.245156958618918), R(-0.8250054161053126), R(-2.5486156049201925), R(1.004963883096104), R(-2.150683330032391), R(-0.729821763386693), R(-0.21530862984763566), R(1.0495164837456767), R(-1.8491764355566414), R(6.441930776242761), R(-0.7023820735262208), R(1.4032442197725414), R(1.4594371982453809), R(-1.526019064079753), R(-0.7733987780002787), R(-0.07506337269899495), R(0.21731892988295598), R(4.849426056925868), R(-0.09971506928543707), R(-0.8643667157735836), R(-0.2915524352265711)),
+STAGE_ROW(R(0.7450344597168946), R(1.9159036167535721), R(0.341948777899878), R(1.9926471315400536), R(-1.0664323455565088), R(0.0006497010670596497), R(-1.1638097709428383), R(-2.134223255809102), R(4.0262779154353545), R(-0.7091307706658715), R(-0.6322286602344033), R(0.3807776459504015), R(0.9473654840695402), R(1.4111083522867802), R(-1.0806137279373025), R(-0.03444864282873788), R(-2.8230051191123966), R(-0.20081569660533036), R(-2.466169573547439), R(-0.03131564636689314), R(-0.4235689369342309), R(3.794750211524276), R(0.3326105951733458), R(3.9056261486076624), R(-0.1861412643554016), R(-6.312043308006266), R(-1.2231615953579587), R(-0.4395643083569114), R(-1.803955447138229), R(-0.6211193931946671), R(-1.8350436390881093), R(6.684261317030493), R(0.5925868846177195), R(0.12690494111969602), R(-0.1042089325001187), R(-3.6660385804433613), R(2.962531458177441), R(4.1880961268727095), R(-10.501376328190327), R(-1.3154073110381141), R(-0.16047108157347206), R(0.6682010933146275), R(0.5990419973931375), R(-0.8280748308185938), R(-0.4435377477245944), R(-0.20886461255724292), R(-0.8219047496364584), R(0.6815102137759959), R(0.06409763210506178), R(0.38756567578025886), R(-0.6704971713128631), R(-0.3365407606526577), R(0.2984205823201867), R(0.4056877941525753), R(0.666816742361877), R(-0.02741666017528505), R(1.0340233476860503), R(-0.23339983799778513), R(-0.5337606666938156), R(0.5386048037346428)),
+STAGE_ROW(R(-0.12159455372540273), R(0.17029551866050358), R(-1.122966401028939), R(-5.839914702051533), R(-0.5962739056375577), R(1.6163713811605604), R(-2.4339776484206443), R(-1.9913219375309925), R(0.5646608283820661), R(2.706834942458738), R(-2.270725691507136), R(0.6258490282781324), R(-2.5792434898291114), R(-0.3546941720652766), R(-2.7594795292596705), R(1.2196266861132397), R(1.411009991719591), R(0.3320190248116704), R(1.6664443919817058), R(3.758286585382861), R(2.072036525061541), R(2.148191310679278), R(0.16522818257181374), R(1.0477166105312532), R(1.050107159591317), R(-1.4394429596279936), R(0.09799266024650165), R(-1.3021862028260884), R(-2.694892332114707), R(-0.47412132740413654), R(-2.3369088572938534), R(-1.9977822788605843), R(-0.7320750464154736), R(-0.468786193045406), R(-1.4730209773484588), R(0.7400149445896377), R(5.602987289533961), R(0.7503969999441275), R(-0.5347560615724307), R(0.060136959705322075), R(0.5944067123854744), R(3.7926192439356763), R(1.0439997978318596), R(0.020684706431469226), R(1.3819926239237765), R(-1.089770766144998), R(2.004726050766985), R(-0.5279611075819548), R(-3.223517325763296), R(1.1194498132855812), R(-2.052654044092947), R(0.39326797202570757), R(-2.2081195575633683), R(-0.705837705211624), R(-0.060919944676711815), R(0.16773370994946676), R(3.782234791419137), R(0.47936729259329514), R(-0.6263758054284342), R(0.48636108120127663)),
+STAGE_ROW(R(2.555040184996138), R(5.831888895309949), R(-3.0388339819801624), R(-2.213658829202664), R(-1.2444194488902565), R(22.830487390967676), R(-1.2020246559408145), R(3.19420628575295), R(-1.4325651204683871), R(3.8559126862952375), R(-0.623735460670305), R(3.348771171412375), R(0.2337819200302741), R(7.242456850355554), R(-2.2683735129140343), R(-1.9388903156774722), R(3.464922827524538), R(1.5448809071110097), R(-0.5395976413943118), R(4.104432774863684), R(0.09973814475869165), R(-9.903586185565036), R(-5.528731595548715), R(4.472006757541084), R(0.57491046802192), R(4.634481410099156), R(-1.0709268200212905), R(-5.275884642684068), R(-2.9204314124125217), R(-3.0450650592941737), R(-3.7069328343403667), R(6.97978391844615), R(2.4426994693454316), R(1.6293433837602347), R(13.648000215531997), R(4.007428371116), R(4.731478558831035), R(0.341311094403803), R(-1.0911996082826467), R(-1.5451751956475235), R(0.4353662746018149), R(0.31602547043654405), R(-0.13211385772722245), R(-0.646634415580584), R(-0.6884539484114043), R(1.0535044487907443), R(-0.3519713581658094), R(-2.529230780093198), R(-1.4212940948945174), R(-0.2947298084871432), R(-0.12057473409732448), R(0.37536074430679106), R(-0.12163147532581345), R(1.066240463048148), R(-0.22849620988429079), R(0.05811799795140534), R(7.306878054413953), R(-0.7405593652467113), R(0.30909422543234244), R(0.342656680260203)),
+STAGE_ROW(R(0.824273546148292), R(-2.134134862903174), R(1.0381482691401294), R(-1.7432568735167293), R(1.0756959532535864), R(-1.963418672503476), R(-0.023144029786386657), R(-0.18608563384834034), R(-0.03746278120828106), R(-1.6043388150933884), R(3.3158669971855748), R(9.33682548448032), R(1.184778439793725), R(-0.41811624158514366), R(-9.012302924901917), R(-1.9964367675787453), R(3.0846126496848436), R(-0.25570862026053914), R(-1.8553584131356462), R(-2.3037870174450306), R(0.3897863823049172), R(-0.4413180134850267), R(2.9097370056073597), R(-2.531876361545751), R(0.27001923261647326), R(-2.5768337153553844), R(3.1917413428291046), R(2.7126575452260417), R(-1.2447118896276572), R(-1.0449679808212806), R(1.864863899009303), R(0.6830595687332798), R(-2.0626350694543047), R(-1.381661413084512), R(-2.9153969088387557), R(2.8669994560458285), R(0.42801689206895904), R(1.586166850162235), R(-1.6766618912280045), R(-0.5183639186916006), R(0.5258759778543094), R(-0.9295666100446021), R(-0.4630438208440068), R(-3.9096977924443292), R(0.5231024702585081), R(2.00379059237936), R(2.7288244722601913), R(1.9716546275047608), R(-2.740615834999514), R(-1.500394341553113), R(1.3703942848201278), R(1.424759727666438), R(-5.686712316694279), R(1.3206919321418265), R(-0.7946040681853576), R(-2.811733256446902), R(7.540779242759461), R(1.591222501431884), R(-0.0720011868005299), R(-1.071988949377771)),
+STAGE_ROW(R(-0.23014062250887476), R(1.5534960867885819), R(-0.4286696367538904), R(0.04910589792331535), R(-0.9684618588850252), R(7.000644540210869), R(2.0262315109569666), R(-0.7332945230972308), R(-0.2841121525505644), R(0.9014054108070284), R(-1.5572211080357388), R(-0.18090566488883728), R(-0.19910928118550397), R(1.0868119053667367), R(4.107965291588635), R(3.1658845691246347), R(1.7552470560157867), R(0.4988840010372899), R(-0.6030349469134493), R(-0.08242350757739329), R(-0.29273340729968506), R(1.6511088030004302), R(-1.154011125426037), R(-1.2283771417729588), R(-1.5123638032159683), R(-0.2262630112300506), R(-1.6218888539198029), R(-2.9155312480984117), R(-0.45374357470086424), R(2.9571387827967115), R(-1.2764351272863994), R(7.8682475202564115), R(1.5989374741920628), R(1.905405136346236), R(3.5561524839645497), R(0.8962043653156087), R(5.069098322623621), R(-0.37024132524800857), R(-1.5731438744463249), R(0.14450225367552214), R(0.8002026707351875), R(0.1113401246840497), R(-0.44310741512158985), R(-0.6000139196516859), R(-0.4982444217364881), R(-0.15840385141124802), R(-0.44568640949070626), R(2.577643852253091), R(-1.6472162347635533), R(0.2324524312388179), R(-0.2884736280304688), R(0.6567974080253058), R(-1.2180588294589059), R(1.4279303714100382), R(-0.23926522782059825), R(0.3065826737530318), R(5.055177676621474), R(0.5824503722500597), R(-0.43567657060755877), R(-0.9015834359386625)),
+STAGE_ROW(R(-0.780223521543179), R(0.43051336454142786), R(0.04762476178778366), R(8.139740467128345), R(-0.13737910851890597), R(0.15810608803849377), R(0.39555050681492887), R(-0.7472665417490935), R(1.5808689949808714), R(-0.5929978561729594), R(0.13217867264684066), R(1.0510217147314966), R(-3.192169614559762), R(-0.15444701432874275), R(16.040386836994415), R(-1.4016755590433203), R(1.8920535021831877), R(0.1270581840889223), R(0.12228848320205417), R(0.6975642891345407), R(-1.3307278361182107), R(2.016019132682928), R(-0.8734574892206668), R(-0.5400142750529545), R(-0.4114098227822212), R(-0.6854356158390154), R(1.7521030883051623), R(-1.2030944641008943), R(4.689923207830791), R(0.1597281159737501), R(-0.6073838654491264), R(12.800706758617212), R(0.43188899060283503), R(1.349200582349605), R(1.3786129541037102), R(-0.405791187022636), R(2.95201124561101), R(0.32439634640363174), R(0.1387986674999545), R(1.172383643886346), R(-1.089465966215946), R(-0.41219040558759223), R(-0.053781228991837376), R(-1.8104429803446178), R(-0.017915866806557466), R(0.18412265828178112), R(0.4613285279052571), R(-0.5845176451779425), R(-0.5178431663605073), R(-0.8852299063866346), R(0.3270249099770826), R(-0.01949548409828906), R(-1.2617870847972479), R(0.13520405373523486), R(0.6229117672803633), R(-0.8873012367331712), R(0.38223644240946586), R(0.30159128808014335), R(0.31858399492863093), R(0.17556542694788238)),
+STAGE_ROW(R(5.175017287862114), R(-0.9135760737193416), R(5.4260843510661445), R(13.663923339264624), R(5.486084375072206), R(-1.1978749624559966), R(-3.967217407859602), R(-1.6785642469910929), R(-2.2692688837820727), R(-3.6975187542252055), R(4.15647687095553), R(0.35597668441080826), R(0.14627140578516987), R(0.11745479449934959), R(2.7257500025064703), R(-4.687619866108007), R(9.23756302750662), R(-4.210619345157361), R(-7.507006523303232), R(-7.012232064540371), R(-0.5926970960770412), R(-6.839001446717825), R(-10.003747787547569), R(7.1643073144802445), R(0.8582905577684393), R(-1.0911601204589603), R(-0.13039533351458582), R(-3.612151590296906), R(-1.3526629695193464), R(2.3083498173453405), R(2.2712784447762493), R(-11.798605220685356), R(0.5749279090405657), R(-0.6778510955200294), R(-14.955164873029817), R(2.615122209416992), R(2.712588181164739), R(1.5837229029533733), R(-0.5379442219525268), R(5.694077917834344), R(-0.3139296799628294), R(-8.214850308270423), R(-1.3854038782574554), R(-1.7813498450954952), R(-0.05767755379590948), R(1.1597807210594957), R(-2.1346267088087827), R(2.6563762000545017), R(0.8961832427402351), R(-1.5376402821393889), R(0.6340837575240694), R(1.652986208532001), R(-0.08870300054267362), R(0.6326797628711304), R(2.140937357254606), R(1.1269149535066927), R(9.879256343877126), R(-0.310083353736917), R(-0.8692460282011277), R(0.14923300701351272)),
+STAGE_ROW(R(-0.6748611195584103), R(-3.2814113733479875), R(-0.87512676631476), R(-5.714661427171823), R(-1.4545190837039015), R(4.540907250994403), R(1.816840220397404), R(1.845455141563797), R(-2.5938350398701266), R(2.5054583403129826), R(0.4649840492255994), R(11.687499098380508), R(2.6538484792970705), R(0.2874367556251922), R(-8.422962114310321), R(-0.6592566003320728), R(4.447506061093843), R(6.617303723229338), R(0.17249349865244384), R(4.6727810594383685), R(0.3067543174923252), R(-4.919825762790111), R(-0.9425245228381901), R(-2.2386090371511633), R(-0.9193141028034895), R(-0.17641519524853053), R(-0.6255487228574673), R(-1.5758686209403157), R(2.339324576443513), R(2.168340996187786), R(1.6568619576396), R(-1.8951199821148699), R(1.477825870809943), R(-1.0163147831582067), R(-2.4514811539246737), R(-0.6040056648521378), R(6.694958858587509), R(1.803059864349314), R(-0.30735415518240305), R(0.8195782680514426), R(0.3532554379514059), R(0.5106465409500194), R(-0.5962322947503718), R(-1.772365156528338), R(-0.5509551939758359), R(-0.37702377051260105), R(0.15400655844939634), R(1.0529508373855239), R(-0.7978280605350123), R(0.5536979608730653), R(0.33739037823649815), R(1.5308746510673583), R(0.0030212924889210977), R(-0.32479008014836447), R(-0.5052805744033213), R(-1.1165737052464957), R(7.905489678083286), R(0.30863628746345495), R(-0.9773920502294777), R(0.5647221221377677)),
+STAGE_ROW(R(1.576933607313258), R(-2.9422883301560185), R(3.080078819317415), R(-2.5928991124874345), R(0.6973672001930553), R(-0.28726471473526566), R(1.0673804569840768), R(3.3610242183277035), R(3.0422982203926905), R(-0.7122181855554091), R(2.6320306254231727), R(-6.389647002636569), R(4.01930890708798), R(-1.3421642253134496), R(-8.418964436679287), R(-1.1847700812291038), R(1.1039114193847557), R(-0.13359076367306807), R(-1.077272009791338), R(-3.4679314362527243), R(0.6522898015927809), R(1.7478545039064166), R(2.5082505378042415), R(-1.0237500003924582), R(-0.9280092110193912), R(-1.8268731458767606), R(-2.6568209809226615), R(2.8826796589435695), R(1.518815973400271), R(-0.971925370018667), R(2.3009823940298264), R(-0.35310904430094886), R(-2.2738526329826336), R(-1.5946906617221395), R(-0.3382510960621745), R(-3.043401050099229), R(12.773303004685646), R(0.8624163132679833), R(-1.498111800470394), R(1.099443988197423), R(0.4977722198955315), R(5.579353053270573), R(0.3785527468413874), R(-2.8999122739955605), R(-0.6575815548894665), R(-1.9300463515236004), R(-2.092050671098884), R(2.995773305962831), R(0.2400959457606528), R(0.330333148527249), R(1.2815253675697045), R(1.4822984874214533), R(0.8187056493327034), R(-0.030322638627814605), R(0.13141265252770457), R(-0.7660488701260578), R(8.415385968146728), R(1.4170914830240904), R(-3.52331064013875), R(0.25857521261611205)),
+STAGE_ROW(R(0.5051221587751447), R(4.295846741634704), R(1.4338970571565484), R(-3.438830896050524), R(2.342075867132978), R(-1.6289646486914238), R(-1.0286007369294081), R(1.335842487004547), R(-1.6698052610189469), R(1.476865073714056), R(-1.1290183778933802), R(-5.720755476811913), R(-0.16965860391930226), R(0.052498276675597096), R(-3.134322084736857), R(-1.4019046649183275), R(6.320733546517899), R(2.5967383452184785), R(-1.0577224969055128), R(1.1213132581439533), R(0.724686324004928), R(6.21966272988907), R(-1.6890559602441586), R(1.6659170956918716), R(1.6982948522003636), R(-3.0466387786634126), R(-1.5407030051939243), R(1.3616627744566492), R(0.7268002571841398), R(1.083927252959637), R(-1.6144647701431487), R(-1.2240300704445866), R(0.03714176029721258), R(1.7657954460577405), R(4.149589577760581), R(-5.242748641845906), R(37.783107976723), R(-1.299450275607009), R(-0.6524040018522503), R(-0.9412407781465961), R(0.4755220128034345), R(-2.6336355058531575), R(1.1762541353793878), R(-0.9018967786753381), R(0.6076613919171325), R(-1.7104530582918829), R(-2.703134446102744), R(-1.5283705076965268), R(10.104488153697714), R(2.245618472052713), R(-1.451748046689456), R(0.6067089076759263), R(5.067630608994217), R(0.036468637771453795), R(-0.10873347099112297), R(1.0995871475161938), R(3.8893993049593547), R(-0.7417500364469328), R(0.13147210694288708), R(1.2876654759203978)),
+STAGE_ROW(R(-1.1285750279037878), R(-0.25423229740644404), R(-0.3829543982789044), R(2.9260382117106487), R(0.5692353658311406), R(-1.1709588490428688), R(-0.24646895265455948), R(0.12390960511478431), R(0.03933609906614804), R(-0.13974709237695881), R(1.0472898283252574), R(0.5860435377896704), R(-0.5571861327208261), R(0.19962892017583264), R(0.2696853365321992), R(-0.5796325573916218), R(1.9614188232963992), R(0.31091875328941954), R(0.15054170866806202), R(0.5817567075151823), R(-0.8030169943766174), R(-2.3081996012391395), R(1.6675414660239332), R(-0.4968888650548688), R(1.3922150590327784), R(-2.7198423028705365), R(0.21999063440397712), R(2.7423961450066954), R(-2.355027458353398), R(-1.0733936525529684), R(0.4784929959945641), R(0.6191018566219482), R(-0.4041277956907126), R(0.08668516080611964), R(0.7987579694134228), R(0.6300736794041508), R(2.04309326421587), R(0.27774617868893486), R(1.075519819373244), R(1.13491377271208), R(-1.0050944636908645), R(-0.1754078114780691), R(0.10851161863224779), R(-0.8636975533810234), R(0.8181271584344966), R(-0.8272047122323801), R(-0.09655872385735212), R(0.8205375312244432), R(0.5422415992138442), R(-0.6425035876116614), R(0.8217305862897476), R(-0.2832065604926611), R(-0.972321916495958), R(0.44953846985361634), R(0.008608501419958916), R(-0.35375575926253044), R(3.4483093826479796), R(0.5889281939651383), R(0.47816558964224104), R(0.57058890876589)),
+STAGE_ROW(R(-0.5131543219299411), R(-0.7028607062324305), R(-1.4134832413655167), R(5.178268156202006), R(0.371324744494797), R(2.603718718261381), R(1.7521114767940034), R(-1.2180697152348543), R(0.8050037890612113), R(-1.2104255657223566), R(-1.175968923008905), R(1.4862403947103582), R(-0.46348579778482135), R(0.22030884261669215), R(2.0758141580264655), R(0.24132907804023962), R(2.1924382629583525), R(2.0250543133253984), R(-0.028878050356449296), R(1.512886087469965), R(0.25453925776934977), R(0.9839843256707015), R(-0.33092623436704516), R(-0.20809874711599255), R(0.9108985134156624), R(-0.02411576635762033), R(0.32563779012662675), R(1.3027125653098808), R(0.3153559757785898), R(-0.872116755240793), R(-0.36422509107708606), R(-4.275865281966861), R(0.40327638291534856), R(0.6157207482236218), R(0.8821258216112703), R(-1.3160125334546446), R(5.177777963279465), R(1.2215865582597882), R(0.3059337477238057), R(0.517117762092343), R(-0.7916396912762719), R(-1.5936019362321066), R(-0.3708567058299189), R(-0.32795802774729665), R(0.7757528033899816), R(1.2788029216938555), R(0.8980723788454483), R(-2.177516343722891), R(0.42990584814818333), R(-0.8400399335229206), R(-0.13464676343357512), R(0.31494607781722506), R(-0.36287024993590766), R(0.7653076473913439), R(0.5608774646137484), R(-0.6870257225804453), R(3.78345782155903), R(0.798308454594959), R(0.04995102797066947), R(0.9648355121109139)),
+STAGE_ROW(R(0.28100897333168445), R(-0.549381418483587), R(-0.36791664790290685), R(-3.610769498658522), R(-0.3558560642040745), R(0.7128944592253945), R(0.17364596886466807), R(-0.51573962920567), R(2.890573967910845), R(2.229142355182671), R(0.30667549026028595), R(0.14036865117221056), R(1.1244307191202347), R(-0.28630342139894355), R(2.0694620133618136), R(-2.6285588401551365), R(4.390766170518317), R(1.0490549926061932), R(0.03390683497384499), R(1.9291537350219066), R(3.010649795147696), R(-0.3890242207419994), R(-1.6840797031270043), R(-0.7289107039516087), R(-0.03294138771412573), R(1.1087671178939962), R(0.9093736105207944), R(-0.6774272433273002), R(-3.517441950152702), R(-0.17068950360673474), R(-1.9844205198138605), R(8.504922228739357), R(-1.3481965595917305), R(1.0811333346243177), R(-3.567596780700291), R(0.1252362427147857), R(6.059016120353317), R(0.8157732341182046), R(-0.49819757196777914), R(0.432523969017231), R(-1.1628307768856836), R(8.01651774481349), R(0.5285464020149893), R(-1.3961663107183908), R(0.3570255236761785), R(0.0530543634080237), R(0.8756600358175693), R(-1.1752991083117572), R(1.0041927291506003), R(5.051350292637454), R(-2.3532721671346915), R(1.5115105837805642), R(1.9405366108481308), R(-1.8184820890890792), R(-0.6471638323960988), R(0.05115856698032202), R(10.70397628740212), R(-0.7054008507476179), R(-0.848750457371), R(1.5052853069182472)),
+STAGE_ROW(R(-2.370137641576224), R(-2.4090196901480136), R(-0.49710196002473994), R(-0.9267742256006453), R(-0.43975762693019926), R(-7.447867399873364), R(2.579687814883015), R(0.767599839811502), R(0.17635707224918246), R(-1.0921873218019529), R(0.4532186665039658), R(0.29193629916139024), R(-1.86692051834224), R(-1.5750023313346826), R(-0.30691997880805105), R(2.655496541342233), R(2.498655477748437), R(-0.43417568411979596), R(1.3458303319201403), R(1.5161686843620026), R(-0.8845460633473728), R(-4.442693707884559), R(1.0795901247801831), R(0.11553517940283271), R(-0.5228539217272162), R(-1.1764629053250852), R(2.9346143217998195), R(2.9149022862497684), R(0.534404184318692), R(-0.9280957403646016), R(-0.13355750078565365), R(-3.1919739937697855), R(0.2040455673239254), R(-0.5599265780518524), R(0.45357151328395334), R(2.6696302620832197), R(1.8848444434796088), R(0.9525639140157546), R(7.789685946825473), R(0.9708618118393953), R(-0.9722877040904913), R(-1.7593418925544582), R(-0.5220149360317726), R(-1.0403415687020654), R(-0.520532029183906), R(-0.35306968935918703), R(0.20682627785385777), R(0.014766259921998265), R(-1.2452156798629352), R(-2.2655540812963157), R(0.5426300654543048), R(0.31364055356198534), R(-0.6715750486684046), R(-0.6362638674343473), R(-0.4904416318303061), R(-0.16360987593028414), R(4.54831076618553), R(0.5707178224985261), R(0.4680488235355033), R(1.0223993354270162)),
+STAGE_ROW(R(-0.0002516901783943503), R(-1.1003915593437468), R(3.3065710861176565), R(3.4421884734228416), R(2.1864176843351664), R(-14.505461603542622), R(4.993958034146079), R(1.521311821501681), R(-0.9898438569055821), R(-2.9795339808716923), R(1.6928666835403419), R(-8.369449038340356), R(0.7942269212644932), R(-2.490586948147615), R(2.251174761166092), R(-0.5037354070243092), R(-7.139020692298447), R(0.3736489540163206), R(-1.6936767047504404), R(-6.242562489445852), R(0.6498595626227269), R(-1.227499609903294), R(7.00152177112988), R(0.7065157589049503), R(0.48326326771927264), R(-1.6139728265556286), R(1.6002919940498184), R(-0.5649375282753966), R(-4.372097793840571), R(-1.273597095670156), R(0.46654581547226753), R(-9.502423329115512), R(-5.20497968400634), R(2.122020840886061), R(1.5275453234716487), R(2.161229167044232), R(389.14855449689304), R(2.377107593154507), R(0.22889315531333712), R(-0.8738277498854822), R(0.5623926036566748), R(-0.36655797599797024), R(0.03520440322743075), R(-6.745382759495298), R(1.1602544831865926), R(0.8298032272294965), R(1.1641118486828927), R(1.9512329134823085), R(1.9090357489492131), R(-0.1192522749544881), R(-0.2128458462830693), R(4.4632351621383535), R(-0.9591059251126699), R(1.1641400413941216), R(1.8174375354874313), R(0.19853881153876626), R(38.77150688639272), R(1.5277477075562405), R(-1.361683263038704), R(-0.21742880747663712)),
+STAGE_ROW(R(-1.8440734969924755), R(4.263708259907176), R(-1.4383762314421638), R(4.033887922128668), R(1.3192510675750977), R(0.9617745617454283), R(1.6611328652758865), R(14.358238005798208), R(-2.0266997868773458), R(1.3940953907636366), R(-6.6668955397790635), R(-0.37136595824103935), R(-5.411268242863242), R(3.4139375126532525), R(-1.7782826895591826), R(2.437672414706031), R(5.827486239976335), R(0.285245377291864), R(-3.6785178573469564), R(4.335190107804644), R(-0.8774158820723116), R(-1.8057456776190322), R(-0.8607216917507763), R(10.498694418968677), R(-0.49210677260431324), R(5.239120544985677), R(1.308174449069433), R(0.6041890013679204), R(6.817184077353763), R(0.47202574894825927), R(3.24541993099026), R(-30.54002580972827), R(-1.480308822071111), R(-1.806608687101557), R(0.08434883559231539), R(1.5177822893105313), R(1.5230049399123995), R(0.5665985446111602), R(-6.2460490307088685), R(2.1433937036198856), R(1.0094361223975072), R(6.584364035020437), R(0.5012043542158102), R(-2.3795318351660124), R(-0.07876582809935333), R(0.9035880159571088), R(2.824356776495128), R(3.0397388958485347), R(-3.9448213522800986), R(-1.6576907831500651), R(0.49199665653541663), R(2.763752639298574), R(-7.226923390031467), R(0.30888680050501544), R(-0.5203590011960038), R(-1.0407316951203978), R(14.082200108274353), R(0.9825489203991862), R(-0.44616303734175844), R(0.003525942568171437))
+}
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(-0.6788246445036238), R(-0.330380124082746), R(0.6807695651808429), R(0.5398855426412672), R(-0.8042753481328762), R(-2.7867130108657046), R(-1.4942280165060087), R(-0.545101870450911), R(-0.20860727516444255), R(-0.48888447168578975), R(0.7745886108717416), R(-1.0680907978093108), R(0.42254448289374696), R(-1.4933480733572981), R(-0.6263377995047176), R(0.7696083770918684), R(-0.00039276258445436945), R(-0.8570542740844262), R(0.8997378105489269), R(-1.096061435855601), R(-0.5450167328644983), R(-0.31754031711386976), R(0.7154929549618302), R(0.3317341316361882), R(-0.42386237272705773), R(-0.3356402841009732), R(-0.5163513672552612), R(-0.19174685048947884), R(-0.3175143223235322), R(-0.4134587949115825), R(0.7298821226289485), R(-0.1158390112487489), R(0.5005218091814935), R(-0.4291559312463461), R(-0.36728896912606523), R(0.4996981136895156), R(-0.04193221884366789), R(-0.36980150503906206), R(0.685058307633264), R(-0.4502082632285388), R(-0.43026441537877314), R(-0.4435704583514756), R(0.5342125175554375), R(0.15663674189146268), R(-0.3424332513224375), R(-0.24332438899432896), R(-0.46500373873263257), R(-0.221090530014131), R(-0.2929661255059414), R(-0.4074185916806199), R(0.46681214774643176), R(-0.02581475493132178), R(0.4546687076402542), R(-0.42828878854081576), R(-0.13844779000303029), R(0.4016871210126882), R(0.0034435706508794688), R(-0.2825229576596088), R(0.4777600210244009), R(-0.28609580197054235));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output_bias[STAGE_NETWORKS] =
+{R(-8.846995504557597), R(-1.8478574675445854), R(-2.0333057838422057)};
+#define STAGE_DEPTHS {3, 3, 3}
+
+
+/*
+ * A stage: networks evaluated in step. Its tables, which come before this, define its sizes, STAGE_..., and the names
+ * of its tables and functions: STAGE(networks) computes it.
+ */
+#if STAGE_SIDE_BY_SIDE
+/*
+ * A stage on vectors of 16 numbers: its networks side by side. Lane l of part m is neuron STAGE_SHARE m +
+ * l / STAGE_NETWORKS of network l % STAGE_NETWORKS, and lanes left over are zeros. Sums are added up in the order of
+ * the other form of a stage, to the same bits.
+ */
+
+/* In each lane what its network has of neuron q of a part. */
+SAILNET_INLINE sailnet_lanes STAGE(neuron)(sailnet_lanes part, int32_t q)
+{
+    const sailnet_mask network = {
+        0 % STAGE_NETWORKS,  1 % STAGE_NETWORKS,  2 % STAGE_NETWORKS,  3 % STAGE_NETWORKS,
+        4 % STAGE_NETWORKS,  5 % STAGE_NETWORKS,  6 % STAGE_NETWORKS,  7 % STAGE_NETWORKS,
+        8 % STAGE_NETWORKS,  9 % STAGE_NETWORKS,  10 % STAGE_NETWORKS, 11 % STAGE_NETWORKS,
+        12 % STAGE_NETWORKS, 13 % STAGE_NETWORKS, 14 % STAGE_NETWORKS, 15 % STAGE_NETWORKS,
+    };
+    return _mm512_maskz_permutexvar_ps(0xFFFF, (__m512i)(network + q * STAGE_NETWORKS), part);
+}
+
+SAILNET_INLINE void STAGE(begin)(int32_t layer, sailnet_lanes sums[2][STAGE_PARTS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[0][m] = sailnet_at(STAGE(biases)[layer][m]);
+        sums[1][m] = nothing;
+    }
+}
+
+/* Two sums for each neuron: in one, an addition would wait for the one before it. */
+SAILNET_INLINE void STAGE(add)(sailnet_lanes a, const sailnet_real weights[STAGE_PARTS][STAGE_PART],
+                                      sailnet_lanes sums[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[m] += a * sailnet_at(weights[m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(activate)(sailnet_lanes sums[2][STAGE_PARTS], sailnet_lanes neurons[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        neurons[m] = sailnet_sigmoid(sums[0][m] + sums[1][m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    sailnet_lanes sums[2][STAGE_PARTS];
+    sailnet_lanes neurons[STAGE_PARTS];
+    STAGE(begin)(0, sums);
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_lanes clamped =
+            sailnet_lanes_clamped(nothing + input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        STAGE(add)(clamped - STAGE(lower)[i], STAGE(first)[i], sums[i % 2]);
+    }
+    STAGE(activate)(sums, neurons);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(begin)(layer, sums);
+        SAILNET_UNROLLED
+        for (int32_t i = 0; i < STAGE_ROWS; i++) {
+            STAGE(add)(STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE),
+                              STAGE(hidden)[layer - 1][i], sums[i % 2]);
+        }
+        STAGE(activate)(sums, neurons);
+    }
+    sailnet_16_bytes products[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_ROWS; i++) {
+        const sailnet_lanes neuron = STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE);
+        const void *const weights = STAGE(output)[i];
+        sailnet_16_bytes first;
+        (void)memcpy(&first, &neuron, sizeof first);
+        products[i % 4] += first * *(const sailnet_16_bytes *)weights;
+    }
+    const sailnet_16_bytes sum = (products[0] + products[2]) + (products[1] + products[3]);
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = sum[k] + STAGE(output_bias)[k];
+    }
+}
+#else
+/*
+ * A stage: STAGE_NETWORKS network(s) with the same STAGE_INPUTS inputs, layer by layer. STAGE_DEPTH
+ * hidden layers of at most STAGE_ROWS neurons; a shallower network uses the first ones.
+ */
+
+/* Physical input, clamped to the widened range it had in training, less the lower end of that range. */
+SAILNET_INLINE void STAGE(shifted)(const sailnet_real input[STAGE_INPUTS],
+                                          sailnet_real shifted[STAGE_EVEN_INPUTS])
+{
+    shifted[STAGE_EVEN_INPUTS - 1] = R(0.0);
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_real clamped =
+            sailnet_clamped(input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        shifted[i] = clamped - STAGE(lower)[i];
+    }
+}
+
+#define STAGE_VECTORS (STAGE_WIDTH / SAILNET_LANES)
+/* Sums of one network that registers hold, twice; and of how many networks they hold as many. */
+#if STAGE_VECTORS % 6 == 0
+#define STAGE_BLOCK 6
+#elif STAGE_VECTORS % 5 == 0
+#define STAGE_BLOCK 5
+#elif STAGE_VECTORS % 4 == 0
+#define STAGE_BLOCK 4
+#elif STAGE_VECTORS % 3 == 0
+#define STAGE_BLOCK 3
+#elif STAGE_VECTORS % 2 == 0
+#define STAGE_BLOCK 2
+#else
+#define STAGE_BLOCK 1
+#endif
+#if 2 * STAGE_BLOCK * STAGE_NETWORKS < SAILNET_REGISTERS
+#define STAGE_TOGETHER STAGE_NETWORKS
+#else
+#define STAGE_TOGETHER 1
+#endif
+
+/*
+ * activations becomes the sigmoids of biases + weights a, for each network: a[k] are the inputs of network k, an even
+ * number, and a[0] of all if `each` is 0.
+ */
+SAILNET_INLINE void STAGE(layer)(const sailnet_real *a, int32_t each, int32_t inputs,
+                                        const sailnet_real biases[STAGE_NETWORKS][STAGE_WIDTH],
+                                        const sailnet_real weights[][STAGE_NETWORKS][STAGE_WIDTH],
+                                        sailnet_real activations[STAGE_NETWORKS][STAGE_WIDTH])
+{
+    SAILNET_ROLLED
+    for (int32_t network = 0; network < STAGE_NETWORKS; network += STAGE_TOGETHER) {
+        SAILNET_ROLLED
+        for (int32_t block = 0; block < STAGE_WIDTH; block += STAGE_BLOCK * SAILNET_LANES) {
+            /* Two sums for each neuron: in one, an addition would wait for the one before it. */
+            sailnet_lanes even[STAGE_TOGETHER][STAGE_BLOCK];
+            sailnet_lanes odd[STAGE_TOGETHER][STAGE_BLOCK];
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const int32_t k = network + n;
+                    const int32_t j = block + m * SAILNET_LANES;
+                    even[n][m] = sailnet_at(&biases[k][j]) + a[k * each] * sailnet_at(&weights[0][k][j]);
+                    odd[n][m] = a[k * each + 1] * sailnet_at(&weights[1][k][j]);
+                }
+            }
+            SAILNET_ROLLED
+            for (int32_t i = 2; i < inputs; i += 2) {
+                SAILNET_UNROLLED
+                for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                    SAILNET_UNROLLED
+                    for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                        const int32_t k = network + n;
+                        const int32_t j = block + m * SAILNET_LANES;
+                        even[n][m] += a[k * each + i] * sailnet_at(&weights[i][k][j]);
+                        odd[n][m] += a[k * each + i + 1] * sailnet_at(&weights[i + 1][k][j]);
+                    }
+                }
+            }
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const sailnet_lanes sigmoids = sailnet_sigmoid(even[n][m] + odd[n][m]);
+                    (void)memcpy(&activations[network + n][block + m * SAILNET_LANES], &sigmoids, sizeof sigmoids);
+                }
+            }
+        }
+    }
+}
+
+/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
+SAILNET_INLINE sailnet_real STAGE(product)(const sailnet_real *a, const sailnet_real *b, int32_t count)
+{
+#ifdef SAILNET_VECTORS
+    sailnet_16_bytes sums = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
+    }
+#else
+    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
+            sums[lane] += a[j + lane] * b[j + lane];
+        }
+    }
+#endif
+#ifdef SAILNET_FLOAT64
+    return sums[0] + sums[1];
+#else
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+#endif
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    static const int32_t depth[STAGE_NETWORKS] = STAGE_DEPTHS;
+    SAILNET_ALIGNED sailnet_real layers[STAGE_DEPTH][STAGE_NETWORKS][STAGE_WIDTH];
+    sailnet_real shifted[STAGE_EVEN_INPUTS];
+    STAGE(shifted)(input, shifted);
+    STAGE(layer)(shifted, 0, STAGE_EVEN_INPUTS, STAGE(biases)[0], STAGE(first), layers[0]);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(layer)(layers[layer - 1][0], STAGE_WIDTH, STAGE_ROWS, STAGE(biases)[layer],
+                            STAGE(hidden)[layer - 1], layers[layer]);
+    }
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = STAGE(product)(layers[depth[k] - 1][k], STAGE(output)[k], STAGE_ROWS) +
+                    STAGE(output_bias)[k];
+    }
+}
+#endif
+#undef STAGE
+#undef STAGE_NETWORKS
+#undef STAGE_INPUTS
+#undef STAGE_EVEN_INPUTS
+#undef STAGE_DEPTH
+#undef STAGE_DEPTHS
+#undef STAGE_ROWS
+#undef STAGE_WIDTH
+#undef STAGE_SIDE_BY_SIDE
+#undef STAGE_SHARE
+#undef STAGE_PARTS
+#undef STAGE_PART
+#undef STAGE_OUTPUTS
+#undef STAGE_OUTPUT
+#undef STAGE_ROW
+#undef STAGE_OUTPUT_ROW
+#undef STAGE_VECTORS
+#undef STAGE_BLOCK
+#undef STAGE_TOGETHER
+
+SAILNET_PART void sailnet_direction(const sailnet_state *state, sailnet_real beta, double direction[SAILNET_STATES])
+{
+    const sailnet_real known = sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real now[3] = {state->r, state->u, state->v};
+    sailnet_real output[3];
+    const sailnet_real s = sailnet_approach(now, known, input, factors);
+    sailnet_plan_networks(input, output);
+    for (int32_t i = 0; i < 3; i++) {
+        direction[i] = (double)output[i];
+    }
+    /* The networks give the costates of position by the scale of the approach; nothing is divided by it. */
+    const sailnet_real scale = s / (s + SAILNET_ARRIVAL_SCALE);
+    for (int32_t i = SAILNET_STATES / 2; i < SAILNET_STATES; i++) {
+        direction[i] *= (double)scale;
+    }
+}
+
 /* ================================ Steering ================================ */
 
 /* Runge and Kutta's method of fourth order: where in the step its stages are, and what they weigh. */
@@ -1149,14 +2873,14 @@ typedef struct {
 } sailnet_change;
 
 /* One such step of Eq. (1), under a constant force. */
-SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
+SAILNET_PART void sailnet_predict(const sailnet_estimate *estimate, sailnet_change *change)
 {
-    const sailnet_state *const before = &memory->state;
-    sailnet_cosine_sine(memory->attitude, &change->cosine, &change->sine);
+    const sailnet_state *const before = &estimate->state;
+    sailnet_cosine_sine(estimate->attitude, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real push = memory->beta * cosine;
-    const sailnet_real across = SAILNET_FORCE_ACROSS + memory->tangential;
+    const sailnet_real push = estimate->beta * cosine;
+    const sailnet_real across = SAILNET_FORCE_ACROSS + estimate->tangential;
     change->normal = (SAILNET_FORCE_SQUARE * cosine + SAILNET_FORCE_LINEAR) * cosine;
     const sailnet_real radial = push * (change->normal + across * sine * sine) - R(1.0);
     const sailnet_real transverse =
@@ -1164,14 +2888,14 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     sailnet_state rate = {R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
-        const sailnet_real step = sailnet_stages[i][0] * memory->held;
+        const sailnet_real step = sailnet_stages[i][0] * estimate->held;
         const sailnet_real per_r = R(1.0) / (before->r + step * rate.r);
         const sailnet_real u = before->u + step * rate.u;
         const sailnet_real v = before->v + step * rate.v;
         rate.r = u;
         rate.u = (radial * per_r + v * v) * per_r;
         rate.v = (transverse * per_r - u * v) * per_r;
-        const sailnet_real share = sailnet_stages[i][1] * memory->held;
+        const sailnet_real share = sailnet_stages[i][1] * estimate->held;
         change->by.r += share * rate.r;
         change->by.u += share * rate.u;
         change->by.v += share * rate.v;
@@ -1179,111 +2903,209 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
 }
 
 /* The weight of a period in the mean of all at first, later of those not forgotten after a time. */
-SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_estimate *estimate, sailnet_real time)
 {
-    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-    const sailnet_real recent = memory->held * (R(1.0) / time);
+    const sailnet_real all = R(1.0) / ((sailnet_real)estimate->samples + R(1.0));
+    const sailnet_real recent = estimate->held * (R(1.0) / time);
     return recent > all ? recent : all;
 }
 
 /*
  * What one more period tells, by how much further the velocity changed than predicted: beta along the normal, the
- * tangential force across it, and how far such surprises differ. Changes are rounded finer than states. What is not
+ * tangential force across it, and how far such innovations differ. Changes are rounded finer than states. What is not
  * finite counts for nothing, what is large for the bound.
  */
-SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
+SAILNET_PART void sailnet_learn(sailnet_estimate *estimate, const sailnet_state *now, const sailnet_change *change)
 {
-    const sailnet_real held = memory->held;
-    const sailnet_state *const before = &memory->state;
+    const sailnet_real held = estimate->held;
+    const sailnet_state *const before = &estimate->state;
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
+    const sailnet_real turned = estimate->slewing * estimate->slewing * SAILNET_SLEW_RATE;
     /* Not held, or turned, or not seen before: that says nothing. */
-    int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
+    int32_t telling = ((held > R(0.0)) && (estimate->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
     telling &= (change->normal >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
-    const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
-    const sailnet_real surprise_v = (now->v - before->v) - change->by.v;
+    const sailnet_real innovation_u = (now->u - before->u) - change->by.u;
+    const sailnet_real innovation_v = (now->v - before->v) - change->by.v;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
     const sailnet_real per = distance * distance / (held * change->normal);
-    const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
-    const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
+    const sailnet_real along = (innovation_u * cosine + innovation_v * sine) * per;
+    const sailnet_real across = (innovation_v * cosine - innovation_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
-        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+        const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
-        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
+        estimate->beta += sailnet_weight(estimate, SAILNET_MEMORY) * counted;
         /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
-        memory->tangential -= R(2.0) * weight * sine * cosine * aside;
-        memory->variance += weight * (relative * relative - memory->variance);
-        memory->slow += weight * (relative * memory->surprise - memory->slow);
-        memory->surprise = relative;
+        estimate->tangential -= R(2.0) * weight * sine * cosine * aside;
+        if (estimate->samples > 0u) {
+            estimate->variance += weight * (relative * relative - estimate->variance);
+            estimate->autocovariance += weight * (relative * estimate->innovation - estimate->autocovariance);
+            estimate->innovation = relative;
+        }
+        /* The first says by how much the vehicle differs from the mission's, not how it varies. */
+        if (estimate->samples < UINT32_MAX) {
+            estimate->samples++;
+        }
     }
 }
 
 /* The share of beta that is not planned with. */
-SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
+SAILNET_PART sailnet_real sailnet_reserve(const sailnet_estimate *estimate, const sailnet_real *time_of_flight,
+                                          sailnet_real hold)
 {
-    const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
+    const sailnet_real tau = sailnet_limited(time_of_flight, SAILNET_OF_TIME_TO_GO);
     /* What white noise leaves in a mean of few products. */
-    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
-    const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
-    const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
-    const sailnet_real rest = memory->variance - slow;
+    const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
+    const sailnet_real chance = estimate->variance * weight * sailnet_per_root(&weight);
+    const sailnet_real slow = sailnet_clamped(estimate->autocovariance - chance, R(0.0), R(1.0));
+    const sailnet_real rest = estimate->variance - slow;
     /* Of its variance the mean of the periods left keeps so much. */
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
     const sailnet_real reserve =
         SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
-    const sailnet_real bounded = sailnet_clamped(reserve, SAILNET_LEAST_RESERVE, SAILNET_LARGEST_RESERVE);
+    const sailnet_real bounded = sailnet_clamped(reserve, R(0.0), SAILNET_LARGEST_RESERVE);
     return bounded * sailnet_clamped(tau * (R(1.0) / SAILNET_LET_GO), R(0.0), R(1.0));
 }
 
 /*
- * How late the sail is: by how much its time to go did not fall as time passed, less what of that is forgotten. And how
- * long it still waits.
+ * The tracker, see sailnet_tracker.h: what it is of this mission, a plan by the networks, and the command.
  */
-SAILNET_INLINE void sailnet_time_passes(sailnet_memory *memory, const sailnet_command *command)
+static const sailnet_problem sailnet_transfer = {
+    0.16892, /* beta */
+    1.524, /* target radius */
+    0.9837404305137195, /* square */
+    0.016259569486280493, /* linear */
+    0.10332562895223935, /* across */
+    0.5000000000000001, /* bound cosine */
+    0.8660254037844386, /* bound sine */
+    -0.6754100077794195, /* edge radial */
+    -0.5583890357190654, /* edge lateral */
+};
+
+/* Extremals that are computed in a guidance period at most. What has not converged then goes on in the next one. */
+#define SAILNET_EXTREMALS_PER_PERIOD 8
+
+/* The transfer of a vehicle of `beta`, as it was learnt: light pushes it along its surface by more than the mission's, or
+   less. */
+SAILNET_INLINE sailnet_problem sailnet_own_problem(const sailnet_memory *memory, double beta)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    memory->wait = sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT);
-    /* What came of something else says nothing. */
-    const sailnet_real behind =
-        held > R(0.0) ? (command->time_of_flight - memory->time_of_flight) + held : R(0.0);
-    const sailnet_real late = (memory->late - held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late) + behind;
-    memory->late = sailnet_limited(&late, SAILNET_OF_PERIOD);
+    sailnet_problem own = sailnet_transfer;
+    own.beta = beta;
+    sailnet_push_aside(&own, (double)sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL));
+    return own;
 }
 
-/*
- * The sign of the command. Where both are almost equally fast the sail keeps its side until that has cost more than a
- * reversal is worth. The other loses time at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian. A sail that
- * is late has turned over in vain: after every other reversal it waits, for on both sides alike it would circle.
- */
-SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
+/* The networks know the mission's optics alone: beta of such a sail that is as fast. */
+SAILNET_INLINE sailnet_real sailnet_for_networks(const sailnet_memory *memory, sailnet_real beta)
 {
-    const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
-    const sailnet_real facing = ratio * change->cosine;
-    const sailnet_real share = (SAILNET_FORCE_SQUARE - SAILNET_FORCE_ACROSS) * change->cosine + SAILNET_FORCE_LINEAR;
-    const sailnet_real regret = memory->regret + R(2.0) * memory->held * memory->stake * facing * (ratio * share) *
-                                                     sailnet_size(change->sine);
-    memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
-    memory->stake = -sailnet_size(command->lambda_v);
-    sailnet_time_passes(memory, command);
-    const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);
-    if ((command->cone_angle * memory->cone_angle < R(0.0)) && (step > SAILNET_REVERSAL)) {
-        if ((memory->regret < SAILNET_PATIENCE) || (memory->wait > R(0.0))) {
-            command->cone_angle = -command->cone_angle;
-            memory->stake = -memory->stake;
-        } else {
-            memory->wait = R(0.0);
-            if ((memory->late > SAILNET_LATE_TOLERATED) && (memory->waited <= R(0.0))) {
-                memory->wait = sailnet_clamped(SAILNET_WAIT * memory->late, R(0.0), SAILNET_LARGEST_WAIT);
-            }
-            memory->waited = memory->wait;
-            memory->regret = R(0.0);
+    const sailnet_real tangential = sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL);
+    const sailnet_real lost = tangential > R(0.0) ? SAILNET_TANGENTIAL_LOSS * tangential : R(0.0);
+    const sailnet_real asked = beta * (R(1.0) - lost);
+    return sailnet_limited(&asked, SAILNET_OF_BETA);
+}
+
+/* Whether the state is within the arrival tolerance of the target: 0, or SAILNET_THERE. */
+SAILNET_INLINE uint32_t sailnet_there(const sailnet_state *state)
+{
+    const sailnet_real known[3] = {state->r, state->u, state->v};
+    const int32_t components = 3;
+    uint32_t there = SAILNET_THERE;
+    for (int32_t i = 0; i < components; i++) {
+        const sailnet_real *const limit = sailnet_limits[SAILNET_OF_STATE + 3 * i + 2];
+        if (!((known[i] >= limit[0]) && (known[i] <= limit[1]))) {
+            there = 0u;
         }
     }
+    return there;
+}
+
+/* A state as the tracker has it. */
+SAILNET_PART void sailnet_to_tracker(const sailnet_state *state, double numbers[SAILNET_STATES])
+{
+    numbers[0] = (double)state->r;
+    numbers[1] = (double)state->u;
+    numbers[2] = (double)state->v;
+}
+
+sailnet_status sailnet_propose_plan(const sailnet_state *state, sailnet_real beta, sailnet_arrival *arrival)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+#if SAILNET_PLANS
+    sailnet_command command;
+    if ((arrival != NULL) && ((sailnet_law(state, beta, &command) & ~SAILNET_THERE) != (uint32_t)SAILNET_INVALID_INPUT)) {
+        sailnet_direction(state, command.beta, arrival->direction);
+        arrival->time_to_go = (double)command.time_of_flight;
+        arrival->beta = (double)command.beta;
+        status = SAILNET_OK;
+    }
+#else
+    (void)state;
+    (void)beta;
+    (void)arrival;
+#endif
+    return status;
+}
+
+/* Whether all numbers of what a plan commands are numbers, and no larger than SAILNET_OF_PLAN has it. */
+SAILNET_PART int32_t sailnet_are_numbers(const sailnet_planned *planned)
+{
+    double numbers[sizeof(sailnet_planned) / sizeof(double)];
+    const double largest = (double)sailnet_limits[SAILNET_OF_PLAN][1];
+    int32_t are = 1;
+    (void)memcpy(numbers, planned, sizeof numbers);
+    for (uint32_t i = 0u; i < (sizeof numbers / sizeof numbers[0]); i++) {
+        if (!((numbers[i] >= -largest) && (numbers[i] <= largest))) {
+            are = 0;
+        }
+    }
+    return are;
+}
+
+/* The same as a number of the command: the clamp tells an analyser that it is one. */
+SAILNET_PART sailnet_real sailnet_of_plan(double number)
+{
+    const sailnet_real value = (sailnet_real)number;
+    return sailnet_limited(&value, SAILNET_OF_PLAN);
+}
+
+/* The command by the plan; 0 if there is none that passes through the state: then the networks' is to be flown. */
+SAILNET_PART int32_t sailnet_tracks(sailnet_memory *memory, const sailnet_state *known, sailnet_real beta,
+                                    sailnet_real estimated, sailnet_real hold, sailnet_command *command)
+{
+    sailnet_tracker *const tracker = &memory->tracker;
+    sailnet_planned planned;
+    double state[SAILNET_STATES];
+    sailnet_to_tracker(known, state);
+    sailnet_time_passes(tracker, (double)memory->estimate.held);
+    const sailnet_problem own = sailnet_own_problem(memory, (double)beta);
+    sailnet_arrival arrival;
+    if ((sailnet_needs_proposal(tracker) != 0) &&
+        (sailnet_propose_plan(known, sailnet_for_networks(memory, beta), &arrival) == SAILNET_OK)) {
+        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go);
+    }
+    int32_t flown = sailnet_follow(&own, tracker, state, (double)estimated, (double)hold,
+                                   SAILNET_EXTREMALS_PER_PERIOD, &planned);
+    /* The memory may have held any bits. */
+    if ((flown != 0) && (sailnet_are_numbers(&planned) == 0)) {
+        flown = 0;
+    }
+    if (flown != 0) {
+        const double unit = (double)beta / (sailnet_transfer.target_radius * sailnet_transfer.target_radius);
+        const sailnet_real along = sailnet_of_plan(planned.attitude.cosine);
+        const sailnet_real beside = sailnet_of_plan(planned.attitude.sine);
+        const sailnet_real size = sailnet_angle(&along, &beside);
+        command->hold = R(0.0);
+        command->beta = beta;
+        command->time_of_flight = sailnet_of_plan(planned.time_to_go);
+        command->lambda_v = sailnet_of_plan(unit * planned.costates[SAILNET_STATES - SAILNET_ACROSS]);
+        const sailnet_real angle = planned.attitude.across[0] < 0.0 ? -size : size;
+        command->cone_angle = sailnet_limited(&angle, SAILNET_OF_CONE_ANGLE);
+    }
+    return flown;
 }
 
 /* How the flight goes on with a command: the status, and how long to hold it at most. */
@@ -1297,11 +3119,11 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
     if ((inside != 0) && (tau <= longest)) {
         *hold = sailnet_limited(&longest, SAILNET_OF_PERIOD);
         status = SAILNET_ARRIVED;
-    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) &&
+    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->estimate.periods > 0u) &&
                (tau >= memory->time_of_flight)) {
         *hold = R(0.0);
         status = SAILNET_ARRIVED;
-    } else if (memory->unseen > R(0.0)) {
+    } else if (memory->estimate.unseen > R(0.0)) {
         status = SAILNET_RECKONED;
     } else if ((SAILNET_READS_BETA != 0) && (inside != 0) && (plan < SAILNET_BETA_MIN)) {
         status = SAILNET_AT_LIMIT;
@@ -1315,16 +3137,16 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
  * For how long to hold the last command: on the straight line of one predicted step, until the target is nearest. By
  * then the time of flight is below what the networks know it to.
  */
-SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
+SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_estimate *estimate)
 {
     sailnet_change change;
-    sailnet_predict(memory, &change);
-    const sailnet_state *const from = &memory->state;
+    sailnet_predict(estimate, &change);
+    const sailnet_state *const from = &estimate->state;
     const sailnet_state *const by = &change.by;
     const sailnet_real forward =
         (SAILNET_TARGET_R - from->r) * by->r + (SAILNET_TARGET_U - from->u) * by->u + (SAILNET_TARGET_V - from->v) * by->v;
     const sailnet_real share = forward / (by->r * by->r + by->u * by->u + by->v * by->v);
-    return memory->held * sailnet_clamped(share, R(0.0), R(1.0));
+    return estimate->held * sailnet_clamped(share, R(0.0), R(1.0));
 }
 
 void sailnet_start(sailnet_memory *memory)
@@ -1332,48 +3154,49 @@ void sailnet_start(sailnet_memory *memory)
     if (memory != NULL) {
         /* Of a real, too, bits that are all 0 are 0. */
         (void)memset(memory, 0, sizeof *memory);
-        memory->beta = SAILNET_BETA;
+        memory->estimate.beta = SAILNET_BETA;
     }
 }
 
 /* The command by which a cone angle comes true. */
-SAILNET_PART sailnet_real sailnet_told(const sailnet_memory *memory, sailnet_real cone_angle)
+SAILNET_PART sailnet_real sailnet_told(const sailnet_estimate *estimate, sailnet_real cone_angle)
 {
-    const sailnet_real told = cone_angle - memory->offset;
+    const sailnet_real told = cone_angle - estimate->offset;
     return sailnet_limited(&told, SAILNET_OF_CONE_ANGLE);
 }
 
 void sailnet_measured(sailnet_memory *memory, sailnet_real cone_angle)
 {
     if ((memory != NULL) && (sailnet_is_finite(cone_angle) != 0)) {
-        const sailnet_real turn = cone_angle - memory->measured;
-        const sailnet_real askew = cone_angle - sailnet_told(memory, memory->cone_angle);
+        sailnet_estimate *const estimate = &memory->estimate;
+        const sailnet_real turn = cone_angle - estimate->measured;
+        const sailnet_real askew = cone_angle - sailnet_told(estimate, estimate->cone_angle);
         /* Farther off it lags. */
         if (askew * askew <= SAILNET_LARGEST_OFFSET * SAILNET_LARGEST_OFFSET) {
-            memory->offset += sailnet_weight(memory, SAILNET_SURPRISE_MEMORY) * (askew - memory->offset);
+            estimate->offset += sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY) * (askew - estimate->offset);
         }
-        memory->measured = cone_angle;
-        memory->attitude = cone_angle;
+        estimate->measured = cone_angle;
+        estimate->attitude = cone_angle;
         /* A mean tells the force if the sail hardly turned. */
-        memory->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : memory->held;
+        estimate->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : estimate->held;
     }
 }
 
 /* The state to steer by: the one shown, or where the sail must be; null if neither is known. */
-SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
+SAILNET_PART const sailnet_state *sailnet_known(sailnet_estimate *estimate, const sailnet_state *shown,
                                                 sailnet_change *change)
 {
     const sailnet_state *known = NULL;
     if ((shown != NULL) && (sailnet_is_state(shown) != 0)) {
-        sailnet_learn(memory, shown, change);
-        memory->unseen = R(0.0);
+        sailnet_learn(estimate, shown, change);
+        estimate->unseen = R(0.0);
         known = shown;
     } else {
-        memory->unseen += memory->held;
-        change->by.r += memory->state.r;
-        change->by.u += memory->state.u;
-        change->by.v += memory->state.v;
-        if ((memory->held > R(0.0)) && (memory->unseen <= SAILNET_LONGEST_RECKONING) &&
+        estimate->unseen += estimate->held;
+        change->by.r += estimate->state.r;
+        change->by.u += estimate->state.u;
+        change->by.v += estimate->state.v;
+        if ((estimate->held > R(0.0)) && (estimate->unseen <= SAILNET_LONGEST_RECKONING) &&
             (sailnet_is_state(&change->by) != 0)) {
             known = &change->by;
         }
@@ -1388,60 +3211,150 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         (void)sailnet_law(NULL, SAILNET_BETA, command);
         return SAILNET_INVALID_INPUT;
     }
+    sailnet_estimate *const estimate = &memory->estimate;
     sailnet_change change;
     const sailnet_state *known = NULL;
     sailnet_real hold = R(0.0);
     /* The memory may have held any bits. */
-    memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);
-    memory->attitude = sailnet_limited(&memory->attitude, SAILNET_OF_ATTITUDE);
-    memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);
+    estimate->cone_angle = sailnet_limited(&estimate->cone_angle, SAILNET_OF_CONE_ANGLE);
+    estimate->attitude = sailnet_limited(&estimate->attitude, SAILNET_OF_ATTITUDE);
+    estimate->offset = sailnet_limited(&estimate->offset, SAILNET_OF_OFFSET);
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
-        sailnet_predict(memory, &change);
-        known = sailnet_known(memory, state, &change);
+        sailnet_predict(estimate, &change);
+        known = sailnet_known(estimate, state, &change);
     }
-    memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
-    memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
-    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
-    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
-    const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
-    sailnet_real share = R(1.0) - lost;
+    estimate->beta = sailnet_limited(&estimate->beta, SAILNET_OF_BETA);
+    estimate->tangential = sailnet_limited(&estimate->tangential, SAILNET_OF_TANGENTIAL);
+    estimate->variance = sailnet_limited(&estimate->variance, SAILNET_OF_SHARE);
+    estimate->autocovariance = sailnet_limited(&estimate->autocovariance, SAILNET_OF_SHARE);
+    sailnet_real own = estimate->beta;
 #if SAILNET_AGES
     if (known != NULL) {
-        share *= sailnet_aged(memory, known);
+        own *= sailnet_aged(estimate, memory->time_of_flight, known);
     }
 #endif
-    const sailnet_real plan = memory->beta * share * (R(1.0) - sailnet_reserve(memory, hold));
-    const uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
-    command->beta = memory->beta;
+    const sailnet_real plan = own * (R(1.0) - sailnet_reserve(estimate, &memory->time_of_flight, hold));
+    const sailnet_real beta = sailnet_limited(&plan, SAILNET_OF_BETA);
+    const sailnet_real estimated = sailnet_limited(&own, SAILNET_OF_BETA);
+    uint32_t seen = 0u;
+    if ((known == NULL) || (sailnet_tracks(memory, known, beta, estimated, hold, command) == 0)) {
+        seen = sailnet_law(known, sailnet_for_networks(memory, beta), command);
+        memory->source = (uint32_t)SAILNET_FROM_NETWORKS;
+    } else {
+        seen = sailnet_there(known);
+        memory->source = (uint32_t)SAILNET_FROM_PLAN;
+    }
+    command->beta = estimate->beta;
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (known == NULL) {
         /* What was learnt stays, but the next state is not what came of the last command. */
-        memory->held = R(0.0);
+        estimate->held = R(0.0);
+        memory->source = (uint32_t)SAILNET_FROM_NOTHING;
     } else {
-        sailnet_keep_side(memory, &change, command);
         status = sailnet_ends(memory, seen, plan, command, &hold);
-        if (memory->periods > 0u) {
-            const sailnet_real left = memory->slewing - memory->held;
-            const sailnet_real turn = sailnet_size(command->cone_angle - memory->cone_angle);
-            memory->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
+        const sailnet_real turn = sailnet_size(command->cone_angle - estimate->cone_angle);
+        if (estimate->periods > 0u) {
+            const sailnet_real left = estimate->slewing - estimate->held;
+            estimate->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
         }
-        memory->state = *known;
-        memory->cone_angle = command->cone_angle;
-        command->cone_angle = sailnet_told(memory, command->cone_angle);
-        memory->attitude = command->cone_angle + memory->offset;
-        memory->held = hold;
+        estimate->state = *known;
+        estimate->cone_angle = command->cone_angle;
+        command->cone_angle = sailnet_told(estimate, command->cone_angle);
+        estimate->attitude = command->cone_angle + estimate->offset;
+        estimate->held = hold;
         if ((status == SAILNET_ARRIVED) && (hold > R(0.0))) {
-            hold = sailnet_until_nearest(memory);
-            memory->held = hold;
+            hold = sailnet_until_nearest(estimate);
+            estimate->held = hold;
         }
         memory->time_of_flight = command->time_of_flight;
-        if (memory->periods < UINT32_MAX) {
-            memory->periods++;
+        if (estimate->periods < UINT32_MAX) {
+            estimate->periods++;
         }
     }
     command->hold = hold;
     return status;
+}
+
+/* What is saved over a reboot, and the report of the plan. */
+
+/* A checksum of all that is before it: CRC-32 of IEEE 802.3, bit by bit. */
+SAILNET_PART uint32_t sailnet_checksum(const sailnet_memory *memory)
+{
+    const unsigned char *const bytes = (const unsigned char *)memory;
+    uint32_t remainder = UINT32_MAX;
+    for (uint32_t i = 0u; i < (uint32_t)offsetof(sailnet_memory, checksum); i++) {
+        remainder ^= bytes[i];
+        for (int32_t bit = 0; bit < 8; bit++) {
+            remainder = (remainder >> 1) ^ (((remainder & 1u) != 0u) ? 0xEDB88320u : 0u);
+        }
+    }
+    return ~remainder;
+}
+
+void sailnet_seal(sailnet_memory *memory)
+{
+    if (memory != NULL) {
+        memory->version = (uint32_t)SAILNET_API_VERSION;
+        memory->checksum = sailnet_checksum(memory);
+    }
+}
+
+sailnet_status sailnet_restore(sailnet_memory *memory)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if (memory != NULL) {
+        if ((memory->version == (uint32_t)SAILNET_API_VERSION) && (memory->checksum == sailnet_checksum(memory))) {
+            status = SAILNET_OK;
+        } else {
+            sailnet_start(memory);
+        }
+    }
+    return status;
+}
+
+/* Whether a text is the digest of this mission. */
+SAILNET_PART int32_t sailnet_is_mission(const char *digest)
+{
+    static const char own[] = SAILNET_MISSION_DIGEST;
+    int32_t same = 1;
+    for (uint32_t i = 0u; (same != 0) && (i < sizeof own); i++) {
+        same = digest[i] == own[i] ? 1 : 0;
+    }
+    return same;
+}
+
+sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_digest, const sailnet_state *state,
+                                   const sailnet_arrival *plan)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if ((memory != NULL) && (mission_digest != NULL) && (state != NULL) && (plan != NULL) &&
+        (sailnet_is_mission(mission_digest) != 0) && (sailnet_is_state(state) != 0) &&
+        (plan->beta >= (double)SAILNET_BETA_MIN) && (plan->beta <= (double)SAILNET_BETA_MAX)) {
+        double numbers[SAILNET_STATES];
+        const sailnet_problem own = sailnet_own_problem(memory, plan->beta);
+        sailnet_to_tracker(state, numbers);
+        if (sailnet_take_plan(&own, &memory->tracker, numbers, plan->direction, plan->time_to_go) !=
+            0) {
+            status = SAILNET_OK;
+        }
+    }
+    return status;
+}
+
+void sailnet_report_plan(const sailnet_memory *memory, sailnet_plan_report *report)
+{
+    if ((memory != NULL) && (report != NULL)) {
+        const sailnet_tracker *const tracker = &memory->tracker;
+        (void)memset(report, 0, sizeof *report);
+        (void)memcpy(report->direction, tracker->plan.direction, sizeof report->direction);
+        report->time_to_go = tracker->plan.time_to_go;
+        report->beta = tracker->plan.beta;
+        report->residual = tracker->plan.residual;
+        report->extremals = tracker->computed;
+        report->planned = tracker->planned;
+        report->source = memory->source;
+    }
 }

@@ -4,10 +4,13 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mercury: do not edit.
  * mission   0b7c692a17c0dc99d319ed082a9d21ab01105e1a2635fcadadcdf82a894a4e7c
- * networks  6d554856f1d0db80f7022b5b353d944ed909e359d3461379aca52da34a5814c6
+ * networks  6fa27d15f9697aea98e6473dd510ee54a42154aa84a8708ca64ddc29a354ae48
  * data set  4645e9277fb7974ff8971059bc5e0a581ef5645cb9ea7eec92e1165ed19f304c (tau)
  * data set  4645e9277fb7974ff8971059bc5e0a581ef5645cb9ea7eec92e1165ed19f304c (alpha_pre)
  * data set  4645e9277fb7974ff8971059bc5e0a581ef5645cb9ea7eec92e1165ed19f304c (lambda_v)
+ * data set  39c3d6b23cf9f4105da542de77546ab1e76dd0e213a8769604b55ac5a5dfff4c (arrival_lambda_r)
+ * data set  39c3d6b23cf9f4105da542de77546ab1e76dd0e213a8769604b55ac5a5dfff4c (arrival_lambda_u)
+ * data set  39c3d6b23cf9f4105da542de77546ab1e76dd0e213a8769604b55ac5a5dfff4c (arrival_lambda_v)
  *
  * Vectors are those of gcc and clang (vector_size), as wide as the processor's registers. With other compilers, or
  * with -DSAILNET_PLAIN, the same text computes on single numbers, to the same bits but for contraction: that is what
@@ -15,6 +18,7 @@
  */
 #include "sailnet_guidance.h"
 
+#include <stddef.h>
 #include <string.h>
 #if defined(__SSE2__) && !defined(SAILNET_PLAIN)
 #include <immintrin.h>
@@ -97,6 +101,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
     return (value - value) == R(0.0);
 }
 
+/* pi, rounded down: an angle is in (-pi, pi] in either precision, and its mirror image too. */
+#ifdef SAILNET_FLOAT64
+#define SAILNET_LARGEST_ANGLE 3.1415926535897927
+#else
+#define SAILNET_LARGEST_ANGLE 3.1415925f
+#endif
+
 /*
  * Pairs of a lower and an upper bound, by what they are of: to name a row takes less code than two constants do.
  */
@@ -109,11 +120,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 #define SAILNET_OF_TIME_TO_GO 6
 #define SAILNET_OF_SHARE 7
 #define SAILNET_OF_TANGENTIAL 8
-#define SAILNET_OF_ATTITUDE 9
-#define SAILNET_OF_OFFSET 10
+#define SAILNET_OF_ANGLE 9
+#define SAILNET_OF_PLAN 10
+#define SAILNET_OF_ATTITUDE 11
+#define SAILNET_OF_OFFSET 12
 /* Three of each of r, u, v, and then one of each input. */
-#define SAILNET_OF_STATE 11
-#define SAILNET_OF_INPUTS 20
+#define SAILNET_OF_STATE 13
+#define SAILNET_OF_INPUTS 22
 static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_BETA_MIN, SAILNET_BETA_MAX},
     {-SAILNET_PHI_MAX, SAILNET_PHI_MAX},
@@ -124,6 +137,8 @@ static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_ARRIVAL_THRESHOLD, R(1e9)},
     {R(-1.0), R(1.0)},
     {-SAILNET_LARGEST_TANGENTIAL, SAILNET_LARGEST_TANGENTIAL},
+    {-SAILNET_LARGEST_ANGLE, SAILNET_LARGEST_ANGLE},
+    {R(-1e18), R(1e18)},
     {-SAILNET_LARGEST_ATTITUDE, SAILNET_LARGEST_ATTITUDE},
     {-SAILNET_LARGEST_OFFSET, SAILNET_LARGEST_OFFSET},
     SAILNET_STATE_LIMITS,
@@ -416,6 +431,47 @@ SAILNET_INLINE void sailnet_cosine_sine(sailnet_real angle, sailnet_real *cosine
     }
     *cosine = c;
     *sine = s;
+}
+
+/*
+ * (arctan(t) / t - 1) / t^2, of z = t^2 for t in [-tan(pi/8), tan(pi/8)], by its best polynomial: the error in arctan is
+ * below 2e-8 (float) and 4e-17 (double) of it.
+ */
+SAILNET_INLINE sailnet_real sailnet_arctan_rest(sailnet_real z)
+{
+#ifdef SAILNET_FLOAT64
+    const sailnet_real z2 = z * z;
+    const sailnet_real z4 = z2 * z2;
+    const sailnet_real lowest = (-0.33333333333330218 + 0.19999999999104691 * z) +
+                                (-0.14285714196529525 + 0.11111106703673881 * z) * z2;
+    const sailnet_real middle = (-0.090907835311274021 + 0.076900833866845471 * z) +
+                                (-0.066412464978030210 + 0.056931659858806027 * z) * z2;
+    const sailnet_real highest = -0.043608284811392481 + 0.021280176437232786 * z;
+    return lowest + z4 * (middle + z4 * highest);
+#else
+    return -0.33332955f + z * (0.19977926f + z * (-0.13879846f + z * 0.080602985f));
+#endif
+}
+
+/*
+ * The angle of a direction, from the first axis to the second: of the smaller by the larger component, turned back by
+ * pi/4 where that is steep, and then in each octant. Of two zeros it is 0. They come by their addresses, as what is
+ * clamped does.
+ */
+SAILNET_PART sailnet_real sailnet_angle(const sailnet_real *first, const sailnet_real *second)
+{
+    const sailnet_real x = sailnet_size(*first);
+    const sailnet_real y = sailnet_size(*second);
+    const sailnet_real larger = x > y ? x : y;
+    const sailnet_real smaller = x > y ? y : x;
+    const sailnet_real steep = smaller > R(0.41421356237309505) * larger ? R(1.0) : R(0.0);
+    const sailnet_real whole = larger + steep * smaller;
+    const sailnet_real t = whole > R(0.0) ? (smaller - steep * larger) / whole : R(0.0);
+    sailnet_real angle = steep * R(0.7853981633974483) + (t + t * (t * t) * sailnet_arctan_rest(t * t));
+    angle = y > x ? R(1.5707963267948966) - angle : angle;
+    angle = *first < R(0.0) ? R(3.141592653589793) - angle : angle;
+    angle = *second < R(0.0) ? -angle : angle;
+    return sailnet_limited(&angle, SAILNET_OF_ANGLE);
 }
 
 /* ================================ The networks ================================ */
@@ -850,8 +906,13 @@ SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
 #undef STAGE_BLOCK
 #undef STAGE_TOGETHER
 
-/* Each network reads all five, those first that are known first; the first gives log2(tau / s). beta must be in its range. */
-SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+/* Inputs of a network, those first that are known first; and in space what its outputs are multiplied by. */
+#define SAILNET_APPROACH_INPUTS 5
+#define SAILNET_APPROACH_STATES 3
+
+/* The inputs, and in space the two factors, which change their signs in a mirror; beta must be in its range. Returns s. */
+SAILNET_INLINE sailnet_real sailnet_approach(const sailnet_real state[SAILNET_APPROACH_STATES], sailnet_real beta,
+                                             sailnet_real input[SAILNET_APPROACH_INPUTS], sailnet_real factors[2])
 {
     /* Deviations in units of the sail's acceleration at the target, beta / r_f^2: they are times. */
     const sailnet_real per_acceleration = SAILNET_TARGET_R2 / beta;
@@ -870,8 +931,22 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real b
     const sailnet_real per_s2 = per_s * per_s;
     /* s4 tells the bound; the clamp tells it to an analyser of intervals. */
     const sailnet_real s = sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6));
-    const sailnet_real input[5] = {beta, s, missing[2] * per_s, missing[1] * per_s,
-                                                 missing[0] * per_s2};
+    input[0] = beta;
+    input[1] = s;
+    factors[0] = R(1.0);
+    factors[1] = R(0.0);
+    input[SAILNET_APPROACH_INPUTS - 3] = missing[2] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 2] = missing[1] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 1] = missing[0] * per_s2;
+    return s;
+}
+
+/* The first network gives log2(tau / s). */
+SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+{
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real s = sailnet_approach(state, beta, input, factors);
     sailnet_approach_networks(input, output);
     /* Bounded, so that no weights make the product overflow. */
     const sailnet_real octaves = sailnet_clamped(output[0], R(-60.0), R(60.0));
@@ -1132,6 +1207,1655 @@ SAILNET_INLINE uint32_t sailnet_law(const sailnet_state *state, sailnet_real bet
     return seen;
 }
 
+/* ================================ The tracker ================================ */
+
+#define SAILNET_TRACKER_API static
+
+/*
+ * Extremals of minimum time, backward from the target orbit: Eqs. (14)-(19), with delta = 0.
+ *
+ * An extremal that arrives is a direction of the arrival costates, constant along the whole flight, and the time to go.
+ * Freestanding C99 without libm; it compiles where it lies, with -DSAILNET_IN_SPACE=1 in three dimensions.
+ */
+#ifndef SAILNET_EXTREMAL_H
+#define SAILNET_EXTREMAL_H
+
+
+
+/* The flight file holds all of this in one translation unit, where functions are static. */
+#ifndef SAILNET_TRACKER_API
+#define SAILNET_TRACKER_API
+#endif
+
+/*
+ * The state and costates `tau` before arrival, of the extremal that arrives with costates along `direction`.
+ *
+ * tolerance: local error of a step, in AU and AU/TU, of costates relative to their size.
+ * Returns the steps it took; 0 if it did not get there: too many steps, or numbers that are not finite.
+ */
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end);
+
+/* An end of an extremal `lapse` [TU] later; the rest is as for sailnet_extremal. */
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end);
+
+/* The optimal attitude of costates. */
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude);
+
+/* The product of costates and the force of an attitude, per beta / r^2: of the optimal one it is least. */
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude);
+
+/* The same for a sail that light pushes along its surface by so much more, per beta / r^2: as is learnt of a vehicle. */
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential);
+
+/* value^(-1/2) of a positive number, to a few units of rounding. */
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value);
+
+/* A square root; of 0 or less 0. */
+SAILNET_TRACKER_API double sailnet_root(double value);
+
+static inline double sailnet_absolute(double value)
+{
+    return value < 0.0 ? -value : value;
+}
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+#define UNKNOWNS (2 * SAILNET_STATES)
+/* Where lambda_u and lambda_v are among the unknowns. */
+#define LAMBDA_U (STATES + STATES - (SAILNET_IN_SPACE ? 3 : 2))
+#define LAMBDA_V (LAMBDA_U + 1)
+
+/* Stages of Dormand and Prince's method of fifth order; the seventh is the first of the next step. */
+#define STAGES 7
+static const double stage_weights[STAGES - 1][STAGES - 1] = {
+    {0.2, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.075, 0.225, 0.0, 0.0, 0.0, 0.0},
+    {0.9777777777777777, -3.7333333333333334, 3.5555555555555554, 0.0, 0.0, 0.0},
+    {2.9525986892242035, -11.595793324188385, 9.822892851699436, -0.2908093278463649, 0.0, 0.0},
+    {2.8462752525252526, -10.757575757575758, 8.906422717743473, 0.2784090909090909, -0.2735313036020583, 0.0},
+    {0.09114583333333333, 0.0, 0.44923629829290207, 0.6510416666666666, -0.322376179245283, 0.13095238095238096}};
+static const double error_weights[STAGES] = {0.0012326388888888888,  0.0, -0.0042527702905061394, 0.03697916666666667,
+                                             -0.05086379716981132, 0.0419047619047619, -0.025};
+
+/* First and shortest step [TU]; a step is at most so much of the time in which the primer, the costates that the
+   attitude depends on, would vanish: where it nearly does the attitude turns fast. */
+#define FIRST_STEP 0.05
+#define SHORTEST_STEP 1e-7
+#define OF_PRIMER 0.3
+/* By how much steps change at most. */
+#define SHRINK 0.1
+#define GROW 4.0
+/* Halvings of the interval in which an event lies. */
+#define HALVINGS 20
+
+/* An extremal on its way: between two events the law is smooth. */
+typedef struct {
+    const sailnet_problem *problem;
+    double at_bound[2]; /* the force at the bound on the cone angle, radial and lateral */
+    int32_t bound;      /* whether the cone angle is there */
+    double side;        /* in the plane the sign that it has there */
+} sailnet_arc;
+
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x5FE6EB50C7B537A9) - (bits >> 1);
+    (void)memcpy(&root, &bits, sizeof root);
+    /* The bits err by 3.5 %: a step of fourth order and one of third leave rounding. */
+    const double off = 1.0 - value * (root * root);
+    root += root * off * ((0.5 + 0.375 * off) + 0.3125 * (off * off));
+    const double rest = 1.0 - value * (root * root);
+    return root + root * (rest * (0.5 + 0.375 * rest));
+}
+
+SAILNET_TRACKER_API double sailnet_root(double value)
+{
+    return value > 0.0 ? value * sailnet_reciprocal_root(value) : 0.0;
+}
+
+/* The force of a cone angle across the Sun line: radial, lateral. */
+static void force_at(const sailnet_problem *problem, double cosine, double sine, double force[2])
+{
+    const double normal = problem->square * cosine + problem->linear;
+    force[0] = cosine * (normal * cosine + problem->across * sine * sine);
+    force[1] = cosine * sine * (normal - problem->across * cosine);
+}
+
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude)
+{
+    double force[2];
+    double along = 0.0;
+    force_at(problem, attitude->cosine, attitude->sine, force);
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        along += costate[STATES - SAILNET_ACROSS + i] * attitude->across[i];
+    }
+    return costate[STATES - SAILNET_ACROSS - 1] * force[0] + along * force[1];
+}
+
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential)
+{
+    const double c = problem->bound_cosine;
+    const double s = sailnet_absolute(problem->bound_sine);
+    problem->across += tangential;
+    problem->edge_radial += tangential * s * (2.0 * c * c - s * s);
+    problem->edge_lateral += tangential * c * (2.0 * s * s - c * c);
+}
+
+/*
+ * The cone angle inside the bound that makes lambda_u f_r - lateral f_t least: of an ideal sail in closed form, and from
+ * there by Newton's steps, which of an ideal sail are none.
+ */
+static void inside_the_bound(const sailnet_problem *problem, double lambda_u, double lateral, double *cosine,
+                             double *sine)
+{
+    const double x = -3.0 * lambda_u;
+    const double y = 2.8284271247461903 * lateral;
+    const double size = sailnet_root(x * x + y * y);
+    /* The tangent is (size - x) / (sqrt(2) y), or y / (sqrt(2) (size + x)): the larger of both numbers is exact. */
+    const double above = x > 0.0 ? y : size - x;
+    const double below = 1.4142135623730951 * (x > 0.0 ? size + x : y);
+    const double square2 = above * above + below * below;
+    const double whole = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
+    double c = whole > 0.0 ? below * whole : 1.0;
+    double s = above * whole;
+    const double linear = problem->linear;
+    const double across = problem->across;
+    if ((linear != 0.0) || (across != 0.0)) {
+        const double square = problem->square;
+        for (int32_t i = 0; i < 5; i++) {
+            const double c2 = c * c - s * s;
+            const double s2 = 2.0 * c * s;
+            /* Derivatives of the force by the cone angle, the first and the second. */
+            const double normal = square * c + linear;
+            const double f_r1 = -s * (3.0 * square * c * c + 2.0 * linear * c) + across * s * (2.0 * c * c - s * s);
+            const double f_t1 = c2 * (normal - across * c) - c * s * s * (square - across);
+            const double f_r2 = square * (6.0 * c * s * s - 3.0 * c * c * c) - 2.0 * linear * c2 +
+                                across * c * (2.0 * c * c - 7.0 * s * s);
+            const double f_t2 = -2.0 * s2 * (normal - across * c) - (square - across) * s * (c2 + 2.0 * c * c - s * s);
+            const double slope = lambda_u * f_r1 - lateral * f_t1;
+            const double bend = lambda_u * f_r2 - lateral * f_t2;
+            const double step = bend > 0.0 ? -slope / bend : 0.0;
+            /* A turn by arctan(step). */
+            const double turned = c - s * step;
+            const double rest = s + c * step;
+            const double per = sailnet_reciprocal_root(turned * turned + rest * rest);
+            c = turned * per;
+            s = rest * per;
+            /* What is left is its square. */
+            if (!(sailnet_absolute(step) > 1e-6)) {
+                break;
+            }
+        }
+    }
+    *cosine = c;
+    *sine = s;
+}
+
+/* Size of the costate across the Sun line. */
+static double lateral_of(const double *unknown)
+{
+    return sailnet_absolute(unknown[LAMBDA_V]);
+}
+
+/* Positive where the optimum is inside the bound. */
+static double inner(const sailnet_problem *problem, const double *unknown)
+{
+    return unknown[LAMBDA_U] * problem->edge_radial - lateral_of(unknown) * problem->edge_lateral;
+}
+
+/* The force by the law of the present arc: radial, along, and in space northward. */
+static void force_of(const sailnet_arc *arc, const double *unknown, double *force)
+{
+    const sailnet_problem *const problem = arc->problem;
+    double in_plane[2] = {arc->at_bound[0], arc->at_bound[1]};
+    const double lateral = lateral_of(unknown);
+    if (arc->bound == 0) {
+        double cosine;
+        double sine;
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &cosine, &sine);
+        force_at(problem, cosine, sine, in_plane);
+    }
+    force[0] = in_plane[0];
+    const double side = arc->bound != 0 ? arc->side : (unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0);
+    force[1] = side * in_plane[1];
+}
+
+/* Eq. (15): rates of the unknowns by the time to go, which are those by time with another sign. */
+static void rates(const sailnet_arc *arc, const double *unknown, double *rate)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double per_r = 1.0 / unknown[0];
+    const double push = problem->beta * per_r * per_r;
+    double force[3] = {0.0, 0.0, 0.0};
+    force_of(arc, unknown, force);
+    const double u = unknown[1];
+    const double v = unknown[2];
+    const double l_r = unknown[3];
+    const double l_u = unknown[4];
+    const double l_v = unknown[5];
+    const double work = push * (l_u * force[0] + l_v * force[1]);
+    rate[0] = -u;
+    rate[1] = -(v * v * per_r - per_r * per_r + push * force[0]);
+    rate[2] = u * v * per_r - push * force[1];
+    rate[3] = -per_r * (per_r * (l_u * v * v - l_v * u * v - 2.0 * l_u * per_r) + 2.0 * work);
+    rate[4] = l_r - l_v * v * per_r;
+    rate[5] = per_r * (2.0 * l_u * v - l_v * u);
+}
+
+/* One step from `unknown`, whose rates are the first of the stages; returned is the estimate of its error. */
+static double step_by(const sailnet_arc *arc, const double *unknown, double step, double stage[STAGES][UNKNOWNS],
+                      double *reached)
+{
+    for (int32_t i = 0; i < (STAGES - 1); i++) {
+        (void)memcpy(reached, unknown, UNKNOWNS * sizeof reached[0]);
+        for (int32_t j = 0; j <= i; j++) {
+            const double share = step * stage_weights[i][j];
+            for (int32_t n = 0; n < UNKNOWNS; n++) {
+                reached[n] += share * stage[j][n];
+            }
+        }
+        rates(arc, reached, stage[i + 1]);
+    }
+    double size = 0.0;
+    for (int32_t n = STATES; n < UNKNOWNS; n++) {
+        size += sailnet_absolute(unknown[n]);
+    }
+    double error = 0.0;
+    for (int32_t n = 0; n < UNKNOWNS; n++) {
+        double sum = 0.0;
+        for (int32_t j = 0; j < STAGES; j++) {
+            sum += error_weights[j] * stage[j][n];
+        }
+        const double own = sailnet_absolute(step * sum);
+        /* Relative to the size of all costates; what is not a number stays none. */
+        const double counted = n < STATES ? own : own / size;
+        error = counted <= error ? error : counted;
+    }
+    return error;
+}
+
+/*
+ * The two functions that end an arc where they become negative: of the bound, and in the plane of the side there. In
+ * space the thrust turns about the Sun line without a jump.
+ */
+static double guard(const sailnet_arc *arc, const double *unknown, int32_t which)
+{
+    const double inside = inner(arc->problem, unknown);
+    double value = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        value = arc->bound != 0 ? -arc->side * unknown[LAMBDA_V] : 1.0;
+    }
+    return value;
+}
+
+/* Its slope: every guard is linear in the costates, but for the size of what is across the Sun line. */
+static double guard_slope(const sailnet_arc *arc, const double *unknown, const double *rate, int32_t which)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double change = unknown[LAMBDA_V] < 0.0 ? -rate[LAMBDA_V] : rate[LAMBDA_V];
+    const double inside = rate[LAMBDA_U] * problem->edge_radial - change * problem->edge_lateral;
+    double slope = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        slope = arc->bound != 0 ? -arc->side * rate[LAMBDA_V] : 0.0;
+    }
+    return slope;
+}
+
+/* The share of a step after which a guard is negative: by the cubic of its values and slopes at both ends. */
+static double share_until(double g0, double slope0, double g1, double slope1)
+{
+    double low = 0.0;
+    double high = 1.0;
+    for (int32_t i = 0; i < HALVINGS; i++) {
+        const double x = 0.5 * (low + high);
+        const double q = 1.0 - x;
+        const double value =
+            q * q * ((1.0 + 2.0 * x) * g0 + x * slope0) + x * x * ((3.0 - 2.0 * x) * g1 - q * slope1);
+        if (value < 0.0) {
+            high = x;
+        } else {
+            low = x;
+        }
+    }
+    return high;
+}
+
+/* Which arc begins at `unknown`. */
+static void begin_arc(sailnet_arc *arc, const double *unknown)
+{
+    arc->bound = inner(arc->problem, unknown) > 0.0 ? 0 : 1;
+    arc->side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/* Which guard a step ends with, and when; -1 if it ends none. */
+static int32_t event_in(const sailnet_arc *arc, const double *before, const double *after,
+                        double stage[STAGES][UNKNOWNS], double *step)
+{
+    int32_t which = -1;
+    const double whole = *step;
+    for (int32_t i = 0; i < (SAILNET_IN_SPACE ? 1 : 2); i++) {
+        const double g1 = guard(arc, after, i);
+        if (g1 < 0.0) {
+            /* Where the arc has just begun rounding may have left it a little below 0. */
+            const double g0 = guard(arc, before, i);
+            const double slope0 = guard_slope(arc, before, stage[0], i) * whole;
+            const double slope1 = guard_slope(arc, after, stage[STAGES - 1], i) * whole;
+            const double at = whole * share_until(g0 > 0.0 ? g0 : 0.0, slope0, g1, slope1);
+            if ((which < 0) || (sailnet_absolute(at) < sailnet_absolute(*step))) {
+                *step = at;
+                which = i;
+            }
+        }
+    }
+    return which;
+}
+
+/* The fifth root of a positive number, to 3.4 %: of its bits, which are nearly its logarithm, and of which the upper half
+   is divided by 5. */
+static double about_fifth_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x3325CFAACD9E8600) + (bits >> 32) * UINT64_C(0x33333333);
+    (void)memcpy(&root, &bits, sizeof root);
+    return root;
+}
+
+/* What the next step is multiplied by. */
+static double factor_of(double tolerance, double error)
+{
+    double factor = SHRINK;
+    if (error <= 1e-6 * tolerance) {
+        factor = GROW;
+    } else if (error == error) {
+        factor = 0.9 * about_fifth_root(tolerance / error);
+    } else {
+        /* It is not a number: much shorter. */
+    }
+    factor = factor > SHRINK ? factor : SHRINK;
+    return factor < GROW ? factor : GROW;
+}
+
+/* A step, or the longest that the primer leaves. */
+static double limited_step(const double *unknown, const double *rate, double step)
+{
+    double primer = 0.0;
+    double change = 0.0;
+    double limited = step;
+    const int32_t first = LAMBDA_U;
+    for (int32_t n = first; n < UNKNOWNS; n++) {
+        primer += unknown[n] * unknown[n];
+        change += rate[n] * rate[n];
+    }
+    if (!(step * step * change <= OF_PRIMER * OF_PRIMER * primer)) {
+        const double longest = OF_PRIMER * sailnet_root(primer / change);
+        limited = longest > SHORTEST_STEP ? longest : SHORTEST_STEP;
+    }
+    return limited < step ? limited : step;
+}
+
+/* The first trial of `step` from `unknown` that ends an arc, or none: as in event_in; and to the event itself. */
+static int32_t end_at_event(const sailnet_arc *arc, const double *unknown, double stage[STAGES][UNKNOWNS],
+                            double *reached, double left, double *step)
+{
+    const int32_t which = event_in(arc, unknown, reached, stage, step);
+    if (which >= 0) {
+        (void)step_by(arc, unknown, *step, stage, reached);
+        /* By one step of Newton's method. */
+        const double slope = guard_slope(arc, reached, stage[STAGES - 1], which);
+        const double more = slope != 0.0 ? -guard(arc, reached, which) / slope : 0.0;
+        if ((sailnet_absolute(more) < 0.1 * sailnet_absolute(*step)) && (sailnet_absolute(*step + more) < left)) {
+            *step += more;
+            (void)step_by(arc, unknown, *step, stage, reached);
+        }
+    }
+    return which;
+}
+
+/*
+ * An end of an extremal, `span` [TU] farther from arrival; nearer, if that is negative. Its rates are computed.
+ * Returns the steps it took; 0 if it did not get there.
+ */
+static int32_t fly(const sailnet_problem *problem, double span, double tolerance, sailnet_end *end)
+{
+    sailnet_arc arc = {problem, {0.0, 0.0}, 0, 1.0};
+    double *const unknown = end->value;
+    double stage[STAGES][UNKNOWNS];
+    double reached[UNKNOWNS];
+    const double sign = span < 0.0 ? -1.0 : 1.0;
+    double left = sailnet_absolute(span);
+    double wanted = FIRST_STEP;
+    int32_t steps = 0;
+    force_at(problem, problem->bound_cosine, problem->bound_sine, arc.at_bound);
+    begin_arc(&arc, unknown);
+    rates(&arc, unknown, stage[0]);
+    while ((left > 0.0) && (steps < SAILNET_MOST_STEPS)) {
+        const double longest = limited_step(unknown, stage[0], wanted);
+        double step = sign * (longest < left ? longest : left);
+        const double error = step_by(&arc, unknown, step, stage, reached);
+        steps++;
+        wanted = sign * step * factor_of(tolerance, error);
+        if (error <= tolerance) {
+            const int32_t which = end_at_event(&arc, unknown, stage, reached, left, &step);
+            (void)memcpy(unknown, reached, sizeof reached);
+            left = sign * step < left ? left - sign * step : 0.0;
+            if (which == 0) {
+                arc.bound = 1 - arc.bound;
+                arc.side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+            } else if (which > 0) {
+                arc.side = -arc.side;
+            } else {
+                /* The same arc goes on. */
+            }
+            if (which >= 0) {
+                wanted = FIRST_STEP;
+                rates(&arc, unknown, stage[0]);
+            } else {
+                (void)memcpy(stage[0], stage[STAGES - 1], sizeof stage[0]);
+            }
+        }
+    }
+    (void)memcpy(end->rate, stage[0], sizeof end->rate);
+    return left > 0.0 ? 0 : steps;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end)
+{
+    (void)memset(end->value, 0, sizeof end->value);
+    end->value[0] = problem->target_radius;
+    end->value[STATES - 1 - SAILNET_IN_SPACE] = sailnet_reciprocal_root(problem->target_radius);
+    (void)memcpy(&end->value[STATES], direction, (size_t)STATES * sizeof direction[0]);
+    return fly(problem, tau > 0.0 ? tau : 0.0, tolerance, end);
+}
+
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end)
+{
+    return fly(problem, -lapse, tolerance, end);
+}
+
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude)
+{
+    double unknown[UNKNOWNS] = {0.0};
+    (void)memcpy(&unknown[STATES], costate, (size_t)STATES * sizeof costate[0]);
+    const double lateral = lateral_of(unknown);
+    if (inner(problem, unknown) > 0.0) {
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &attitude->cosine, &attitude->sine);
+    } else {
+        attitude->cosine = problem->bound_cosine;
+        attitude->sine = problem->bound_sine;
+    }
+    attitude->across[0] = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/*
+ * Newton's method that keeps a plan at the state of the sail.
+ */
+#ifndef SAILNET_PLAN_H
+#define SAILNET_PLAN_H
+
+
+
+/* The largest residual of a plan that counts as solved [AU, AU/TU], by the time to go [TU]: towards arrival an error of
+   the state takes a time that grows as its root. */
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go);
+
+/* Whether a plan passes through the state that it was last corrected for. */
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan);
+
+/* A budget is never larger, whatever is asked for. */
+#define SAILNET_MOST_EXTREMALS 64
+
+/* The problem of the vehicle that a plan is for; of `problem` the rest is used. */
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan);
+
+/*
+ * Correct a plan by damped Newton steps until its extremal of `problem` passes through `state`. The plan is replaced by a
+ * trial only if that has a smaller residual. What is not converged goes on in the next call.
+ *
+ * most: extremals that may be computed, at least 1; so many more than the components of a state are one step with new
+ *     derivatives.
+ * Returns how many extremals were computed: from 1 to `most`.
+ */
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan);
+
+/*
+ * Correct a plan, with its vehicle moved towards that of `problem`: beta by at most the share `largest` of it, and the
+ * force along the surface by at most as much. Where no extremal is found for that, the plan is corrected for its vehicle as
+ * it was: beyond the edge of what the sail can reach the last plan that exists is better than another revolution.
+ *
+ * The rest is as for sailnet_correct_plan.
+ */
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan);
+
+/* Whether a plan is for the vehicle of `problem`. */
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem);
+
+/* Bring the end of a plan to the present, and with it its residual: by how much it misses the state. */
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan);
+
+/* The attitude of a plan, `ahead` [TU] later than the state that `end` is of, and its costates there, scaled to H = 0. */
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude);
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+/* What is unknown of a plan: all components of the direction but one, and the time to go. */
+#define TIME (STATES - 1)
+
+/* Longest step of Newton's method: of the direction, per its largest component, and of the time to go [TU]. */
+#define LARGEST_TURN 0.2
+#define LARGEST_SHIFT 0.1
+/* By how much the direction is changed to differentiate by it. */
+#define DIFFERENCE 1e-5
+/* A shorter step is given up: derivatives are renewed, or there is no way. */
+#define SHORTEST_SHARE 1e-3
+/* Of the residual: derivatives that leave more of it are renewed. */
+#define STALE 0.5
+/* Of the goal: a residual in which integration errors are a part. */
+#define FLOOR 0.1
+/* A component that was the largest is replaced when it is less than so much of the one that is. */
+#define STILL_LARGE 0.4
+#define LEAST_TIME 1e-4
+/* The goal far from arrival [AU, AU/TU], and its smallest share. */
+#define LARGEST_GOAL 4e-6
+#define SMALLEST_SHARE 1e-4
+/* Of the goal: the local error of extremals. */
+#define TOLERANCE 0.03
+/* A residual of what cannot be flown. */
+#define NOWHERE 1e9
+
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go)
+{
+    const double square = time_to_go * time_to_go;
+    const double share = square < 1.0 ? square : 1.0;
+    return LARGEST_GOAL * (share > SMALLEST_SHARE ? share : SMALLEST_SHARE);
+}
+
+/* A plan that is tried. */
+typedef struct {
+    double direction[STATES];
+    double time_to_go;
+    double error[STATES];
+    double residual;
+    sailnet_end end;
+} trial;
+
+static void compare(const double state[STATES], trial *tried)
+{
+    double worst = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        tried->error[n] = state[n] - tried->end.value[n];
+        /* What is not a number leads nowhere. */
+        const double size = sailnet_absolute(tried->error[n]);
+        const double counted = size < NOWHERE ? size : NOWHERE;
+        worst = counted > worst ? counted : worst;
+    }
+    tried->residual = worst;
+}
+
+static void fly_back(const sailnet_problem *problem, const double state[STATES], trial *tried)
+{
+    const double tolerance = TOLERANCE * sailnet_plan_goal(tried->time_to_go);
+    const int32_t steps = sailnet_extremal(problem, tried->direction, tried->time_to_go, tolerance, &tried->end);
+    compare(state, tried);
+    tried->residual = steps > 0 ? tried->residual : NOWHERE;
+}
+
+/* Another direction: its components, per the largest, plus a share of a step. */
+static void turn_direction(const double from[STATES], int32_t largest, const double step[STATES], double share,
+                           double to[STATES])
+{
+    const double per = 1.0 / sailnet_absolute(from[largest]);
+    double square = 0.0;
+    int32_t k = 0;
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] = from[n] * per;
+        if (n != largest) {
+            to[n] += share * step[k];
+            k++;
+        }
+        square += to[n] * to[n];
+    }
+    const double scale = sailnet_reciprocal_root(square);
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] *= scale;
+    }
+}
+
+/* By which component the others are divided: the largest, or still the one that was. */
+static void choose_largest(sailnet_plan *plan)
+{
+    int32_t largest = 0;
+    for (int32_t n = 1; n < STATES; n++) {
+        if (sailnet_absolute(plan->direction[n]) > sailnet_absolute(plan->direction[largest])) {
+            largest = n;
+        }
+    }
+    const int32_t known = ((plan->largest >= 0) && (plan->largest < STATES)) ? plan->largest : largest;
+    const double size = sailnet_absolute(plan->direction[known]);
+    if ((known != plan->largest) || !(size >= STILL_LARGE * sailnet_absolute(plan->direction[largest]))) {
+        plan->largest = largest;
+        plan->differentiated = 0;
+    }
+}
+
+/* The derivatives by differences. */
+static void differentiate(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, const trial *at)
+{
+    trial near = *at;
+    plan->differentiated = 1;
+    for (int32_t k = 0; k < TIME; k++) {
+        double step[STATES] = {0.0};
+        step[k] = DIFFERENCE;
+        turn_direction(at->direction, plan->largest, step, 1.0, near.direction);
+        fly_back(problem, state, &near);
+        if (near.residual >= NOWHERE) {
+            plan->differentiated = 0;
+        }
+        for (int32_t n = 0; n < STATES; n++) {
+            plan->jacobian[n][k] = (near.end.value[n] - at->end.value[n]) / DIFFERENCE;
+        }
+    }
+}
+
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan)
+{
+    sailnet_problem own = *problem;
+    own.beta = plan->beta;
+    sailnet_push_aside(&own, plan->across - problem->across);
+    return own;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem)
+{
+    return ((plan->beta == problem->beta) && (plan->across == problem->across)) ? 1 : 0;
+}
+
+/* The derivative by what differs of another vehicle, `change`; of a plan that cannot be flown by that it is none. */
+static void differentiate_by_one(const sailnet_problem *other, const double state[STATES], double change,
+                                 sailnet_plan *plan, double derivative[STATES])
+{
+    trial near;
+    (void)memset(&near, 0, sizeof near);
+    (void)memcpy(near.direction, plan->direction, sizeof near.direction);
+    near.time_to_go = plan->time_to_go;
+    fly_back(other, state, &near);
+    if (near.residual >= NOWHERE) {
+        plan->differentiated = 1;
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        derivative[n] = (near.end.value[n] - plan->end.value[n]) / change;
+    }
+}
+
+/* Both derivatives by the vehicle: two extremals. */
+static void differentiate_by_vehicle(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    sailnet_problem stronger = own;
+    sailnet_problem aside = own;
+    const double change = DIFFERENCE * plan->beta;
+    stronger.beta += change;
+    sailnet_push_aside(&aside, DIFFERENCE);
+    plan->differentiated = 2;
+    differentiate_by_one(&stronger, state, change, plan, plan->per_beta);
+    differentiate_by_one(&aside, state, DIFFERENCE, plan, plan->per_across);
+}
+
+/* Newton's step: solve jacobian step = error by elimination with pivots; 0 if there is no solution. */
+static int32_t solve(const sailnet_plan *plan, const double error[STATES], double step[STATES])
+{
+    double m[STATES][STATES + 1];
+    int32_t solved = 1;
+    for (int32_t i = 0; i < STATES; i++) {
+        (void)memcpy(m[i], plan->jacobian[i], sizeof plan->jacobian[i]);
+        m[i][STATES] = error[i];
+    }
+    for (int32_t c = 0; c < STATES; c++) {
+        int32_t pivot = c;
+        for (int32_t i = c + 1; i < STATES; i++) {
+            pivot = sailnet_absolute(m[i][c]) > sailnet_absolute(m[pivot][c]) ? i : pivot;
+        }
+        solved = sailnet_absolute(m[pivot][c]) > 0.0 ? solved : 0;
+        for (int32_t j = 0; j <= STATES; j++) {
+            const double other = m[c][j];
+            m[c][j] = m[pivot][j];
+            m[pivot][j] = other;
+        }
+        for (int32_t i = 0; i < STATES; i++) {
+            const double factor = i != c ? m[i][c] / m[c][c] : 0.0;
+            for (int32_t j = c; j <= STATES; j++) {
+                m[i][j] -= factor * m[c][j];
+            }
+        }
+    }
+    for (int32_t i = 0; i < STATES; i++) {
+        step[i] = m[i][STATES] / m[i][i];
+        solved = step[i] == step[i] ? solved : 0;
+    }
+    return solved;
+}
+
+/* The share of a step of Newton's method that is within bounds. */
+static double share_within(const double step[STATES])
+{
+    double square = 0.0;
+    for (int32_t k = 0; k < TIME; k++) {
+        square += step[k] * step[k];
+    }
+    const double turned = square > 0.0 ? square * sailnet_reciprocal_root(square) : 0.0;
+    const double by_turn = turned > LARGEST_TURN ? LARGEST_TURN / turned : 1.0;
+    const double shift = sailnet_absolute(step[TIME]);
+    const double by_shift = shift > LARGEST_SHIFT ? LARGEST_SHIFT / shift : 1.0;
+    return by_turn < by_shift ? by_turn : by_shift;
+}
+
+/* Broyden's update: derivatives that say of the last step what it did, and of the change of the vehicle, by beta and by
+   the force along the surface, which what was before has in it as predicted. */
+static void mend(sailnet_plan *plan, const trial *before, const trial *after, const double step[STATES], double share,
+                 const double change[2])
+{
+    double moved[STATES];
+    double square = change[0] * change[0] + change[1] * change[1];
+    for (int32_t k = 0; k < STATES; k++) {
+        moved[k] = k < TIME ? share * step[k] : after->time_to_go - before->time_to_go;
+        square += moved[k] * moved[k];
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        double innovation = after->end.value[n] - before->end.value[n];
+        for (int32_t k = 0; k < STATES; k++) {
+            innovation -= plan->jacobian[n][k] * moved[k];
+        }
+        for (int32_t k = 0; k < STATES; k++) {
+            plan->jacobian[n][k] += innovation * moved[k] / square;
+        }
+        plan->per_beta[n] += innovation * change[0] / square;
+        plan->per_across[n] += innovation * change[1] / square;
+    }
+}
+
+/* The next trial, and what comes of it. */
+static void try_step(const sailnet_problem *problem, const double state[STATES], const sailnet_plan *plan,
+                     const trial *from, const double step[STATES], double share, trial *tried)
+{
+    const double later = from->time_to_go + share * step[TIME];
+    tried->time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
+    turn_direction(from->direction, plan->largest, step, share, tried->direction);
+    fly_back(problem, state, tried);
+}
+
+/* Take one damped step; 0 if it came no nearer. */
+static int32_t advance(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, trial *best,
+                       const double step[STATES], double share)
+{
+    static const double unchanged[2] = {0.0, 0.0};
+    trial tried;
+    try_step(problem, state, plan, best, step, share, &tried);
+    const int32_t nearer = tried.residual < best->residual ? 1 : 0;
+    if (nearer != 0) {
+        mend(plan, best, &tried, step, share, unchanged);
+        *best = tried;
+    }
+    return nearer;
+}
+
+static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
+{
+    for (int32_t n = 0; n < STATES; n++) {
+        plan->jacobian[n][TIME] = end->rate[n];
+    }
+}
+
+/* The first trial: a whole step from where the plan is predicted to be now, or the plan as it is. Returned are the
+   extremals that were computed. */
+static int32_t begin(const sailnet_problem *problem, const double state[STATES], int32_t most, sailnet_plan *plan,
+                     trial *best)
+{
+    const double change[2] = {problem->beta - plan->beta, problem->across - plan->across};
+    const double floor = FLOOR * sailnet_plan_goal(plan->time_to_go);
+    int32_t count = 0;
+    (void)memcpy(best->direction, plan->direction, sizeof best->direction);
+    best->time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
+    choose_largest(plan);
+    if ((plan->differentiated != 0) && (most > 1)) {
+        trial tried;
+        double step[STATES];
+        sailnet_bring_up(problem, state, plan);
+        best->end = plan->end;
+        for (int32_t n = 0; n < STATES; n++) {
+            best->end.value[n] += plan->per_beta[n] * change[0] + plan->per_across[n] * change[1];
+        }
+        compare(state, best);
+        differentiate_by_time(plan, &best->end);
+        if (solve(plan, best->error, step) != 0) {
+            const double share = share_within(step);
+            try_step(problem, state, plan, best, step, share, &tried);
+            count = 1;
+            if (tried.residual <= floor) {
+                *best = tried;
+            } else if (tried.residual < best->residual) {
+                const int32_t stale = tried.residual > STALE * best->residual ? 1 : 0;
+                mend(plan, best, &tried, step, share, change);
+                plan->differentiated = stale != 0 ? 0 : plan->differentiated;
+                *best = tried;
+            } else {
+                plan->differentiated = 0;
+                fly_back(problem, state, best);
+                count = 2;
+            }
+        }
+    }
+    if (count == 0) {
+        fly_back(problem, state, best);
+        count = 1;
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    trial now;
+    int32_t steps = 1;
+    if (plan->age > 0.0) {
+        const double tolerance = TOLERANCE * sailnet_plan_goal(plan->time_to_go);
+        steps = sailnet_move_end(&own, plan->age, tolerance, &plan->end);
+        plan->age = 0.0;
+    }
+    now.end = plan->end;
+    compare(state, &now);
+    plan->residual = steps > 0 ? now.residual : NOWHERE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan)
+{
+    trial best;
+    double step[STATES] = {0.0};
+    const double goal = sailnet_plan_goal(plan->time_to_go);
+    double damped = 1.0;
+    int32_t fresh = 0;
+    int32_t going = 1;
+    const int32_t limit = most < SAILNET_MOST_EXTREMALS ? most : SAILNET_MOST_EXTREMALS;
+    int32_t count = begin(problem, state, limit, plan, &best);
+    while ((going != 0) && (count < limit) && ((best.residual > goal) || (plan->differentiated == 0)) &&
+           (best.residual < NOWHERE)) {
+        choose_largest(plan);
+        const int32_t renewed = plan->differentiated == 0 ? TIME : 0;
+        going = count < (limit - renewed) ? 1 : 0;
+        if ((going != 0) && (renewed != 0)) {
+            differentiate(problem, state, plan, &best);
+            count += TIME;
+            fresh = 1;
+        }
+        differentiate_by_time(plan, &best.end);
+        if ((going != 0) && (plan->differentiated != 0)) {
+            going = solve(plan, best.error, step);
+            plan->differentiated = going != 0 ? plan->differentiated : 0;
+        }
+        going = plan->differentiated != 0 ? going : 0;
+        if (going != 0) {
+            const double before = best.residual;
+            const double share = damped * share_within(step);
+            count++;
+            if (advance(problem, state, plan, &best, step, share) != 0) {
+                plan->differentiated = ((best.residual > STALE * before) && (fresh == 0)) ? 0 : plan->differentiated;
+                fresh = 0;
+                damped = damped < 0.5 ? 2.0 * damped : 1.0;
+            } else if (fresh == 0) {
+                plan->differentiated = 0;
+            } else {
+                damped *= 0.25;
+                going = damped > SHORTEST_SHARE ? 1 : 0;
+            }
+        }
+    }
+    (void)memcpy(plan->direction, best.direction, sizeof best.direction);
+    plan->time_to_go = best.time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = best.residual;
+    plan->end = best.end;
+    plan->age = 0.0;
+    plan->differentiated = best.residual < NOWHERE ? plan->differentiated : 0;
+    /* It is no more than the limit: the comparison shows that to an analyser. */
+    return count < limit ? count : limit;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan)
+{
+    return plan->residual <= sailnet_plan_goal(plan->time_to_go) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan)
+{
+    const double stronger = problem->beta - plan->beta;
+    const double aside = problem->across - plan->across;
+    const double by_beta = sailnet_absolute(stronger) / plan->beta;
+    const double by_aside = sailnet_absolute(aside);
+    const double by = by_beta > by_aside ? by_beta : by_aside;
+    int32_t count = 0;
+    int32_t moves = by > 0.0 ? most - 2 : 0;
+    if (moves > 0) {
+        sailnet_problem next = *problem;
+        if (by > largest) {
+            const double share = largest / by;
+            next.beta = plan->beta + share * stronger;
+            sailnet_push_aside(&next, (share - 1.0) * aside);
+        }
+        if ((plan->differentiated == 1) && (moves > 3)) {
+            sailnet_bring_up(problem, state, plan);
+            differentiate_by_vehicle(problem, state, plan);
+            count = 2;
+        }
+        sailnet_plan moved = *plan;
+        count += sailnet_correct_plan(&next, state, moves - count, &moved);
+        if (sailnet_plan_is_solved(&moved) != 0) {
+            *plan = moved;
+        } else {
+            moves = 0;
+        }
+    }
+    if (moves <= 0) {
+        const sailnet_problem own = sailnet_problem_of(problem, plan);
+        count += sailnet_correct_plan(&own, state, most - count, plan);
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude)
+{
+    double product = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = end->value[STATES + n] - ahead * end->rate[STATES + n];
+        /* Rates are by the time to go. */
+        product += end->value[STATES + n] * end->rate[n];
+    }
+    sailnet_optimal_attitude(problem, costates, attitude);
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = product != 0.0 ? costates[n] / product : 0.0;
+    }
+}
+
+/*
+ * The tracker: the plan that is flown, when it is corrected, and when a plan of the networks replaces it.
+ */
+#ifndef SAILNET_TRACKER_H
+#define SAILNET_TRACKER_H
+
+
+
+/* The guidance period of `held` [TU] is over. */
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
+
+/* Whether the networks are to be evaluated, for sailnet_propose. */
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker);
+
+/*
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time to go
+ * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ */
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[SAILNET_STATES], double time_to_go);
+
+/* Fly by a plan from elsewhere, of the same numbers, if it converges to pass through the state; 0 if it does not. */
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[SAILNET_STATES],
+                                              const double direction[SAILNET_STATES], double time_to_go);
+
+/*
+ * Correct the plan, and the candidate, with at most `most` extremals in all; the command is the attitude in the middle
+ * of the next `hold` [TU].
+ *
+ * problem: of the vehicle to plan for.
+ * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
+ *     flown only while its beta moves.
+ * Returns 1; 0 if there is no plan that passes through the state.
+ */
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[SAILNET_STATES], double estimated, double hold,
+                                           int32_t most, sailnet_planned *planned);
+
+#endif
+
+#include <string.h>
+
+/* A plan is corrected after so much of its time to go, and at the latest after so long [TU]; in every guidance period while
+   it is not solved for the vehicle. While another attitude than its own is flown it stays, since it measures the time lost
+   by that. */
+#define CORRECT_AFTER 0.007
+#define CORRECT_AT_LATEST 0.1
+/* By how much a plan's vehicle moves in a correction, as a share of its force: at most, and at least. A step that fails
+   makes the next one shorter. */
+#define LARGEST_STRIDE 0.01
+#define SMALLEST_STRIDE 1e-4
+#define SHORTER 0.25
+#define LONGER 2.0
+/* The networks are evaluated for a plan once in so long [TU]. */
+#define SEARCH_EVERY 0.1
+/* A faster plan saves at least so much of the time to go: what networks err by. */
+#define FASTER 0.01
+/* A plan that was not solved for the vehicle for so long [TU] has failed: its family of extremals has ended, and any other
+   is better. */
+#define FAILED_AFTER 0.2
+/* Extremals that a candidate may take until it is given up. */
+#define CANDIDATE_EXTREMALS 80
+/* A plan that misses the state by more [AU, AU/TU] is not flown. */
+#define USABLE 1e-3
+#define UNSOLVED 1e9
+/* Hysteresis: an attitude is kept until that has lost so much of the time to go, and not while the plan misses the state by
+   more [AU, AU/TU]. A plan that misses by more and is not solved spends the thrust margin. */
+#define OF_TIME_TO_GO 1.6e-2
+#define STILL_NEAR 4e-4
+/* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
+   the side of the thrust. */
+#define TURN_COSINE 0.939
+#define LATE 1.0
+
+#define STATES SAILNET_STATES
+
+/* A time that has passed [TU]; of what is none, as long as counts. */
+static double passed(double before, double held)
+{
+    const double now = before + held;
+    return ((now >= 0.0) && (now < 1.0)) ? now : 1.0;
+}
+
+static void grow_older(sailnet_plan *plan, double held)
+{
+    plan->time_to_go -= held;
+    plan->age = passed(plan->age, held);
+}
+
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held)
+{
+    grow_older(&tracker->plan, held);
+    grow_older(&tracker->candidate, held);
+    tracker->since = passed(tracker->since, held);
+    tracker->searched = passed(tracker->searched, held);
+}
+
+/* Whether there is no plan, or none that will be flown on. */
+static int32_t has_failed(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER)) ? 1 : 0;
+}
+
+/* Whether a plan of so long a time to go is better than the one that is flown. */
+static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
+{
+    return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker)
+{
+    const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
+    return tracker->searching <= 0 ? due : 0;
+}
+
+/* A plan that is not corrected yet. */
+static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
+                       sailnet_plan *plan)
+{
+    (void)memset(plan, 0, sizeof *plan);
+    (void)memcpy(plan->direction, direction, sizeof plan->direction);
+    plan->largest = -1;
+    plan->time_to_go = time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = UNSOLVED;
+}
+
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[STATES], double time_to_go)
+{
+    tracker->searched = 0.0;
+    if (is_better(tracker, time_to_go) != 0) {
+        begin_plan(problem, direction, time_to_go, &tracker->candidate);
+        tracker->searching = CANDIDATE_EXTREMALS;
+    }
+}
+
+/* Fly by a plan that is solved. */
+static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
+{
+    tracker->plan = *plan;
+    tracker->since = 0.0;
+    tracker->stride = LARGEST_STRIDE;
+    tracker->planned = 1;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[STATES], const double direction[STATES],
+                                              double time_to_go)
+{
+    sailnet_plan plan;
+    begin_plan(problem, direction, time_to_go, &plan);
+    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
+    const int32_t solved = sailnet_plan_is_solved(&plan);
+    if (solved != 0) {
+        adopt(tracker, &plan);
+        tracker->searching = 0;
+    }
+    return solved;
+}
+
+/* Correct the candidate, and fly it if it is better. */
+static void advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                              int32_t most)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, &tracker->candidate);
+    const int32_t computed = sailnet_correct_plan(&own, state, most, &tracker->candidate);
+    tracker->computed += computed;
+    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
+    tracker->searching = left - computed;
+    if (sailnet_plan_is_solved(&tracker->candidate) != 0) {
+        tracker->searching = 0;
+        if (is_better(tracker, tracker->candidate.time_to_go) != 0) {
+            adopt(tracker, &tracker->candidate);
+        }
+    } else if (!(tracker->candidate.residual < UNSOLVED)) {
+        /* It leads nowhere. */
+        tracker->searching = 0;
+    } else {
+        /* It goes on in the next period. */
+    }
+}
+
+/* Keep the attitude while another hardly gains: noise would else turn the sail far again and again. */
+static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                          double hold, sailnet_planned *planned)
+{
+    const sailnet_attitude *const before = &tracker->flown;
+    sailnet_attitude *const attitude = &planned->attitude;
+    double alike = 0.0;
+    double size2 = 0.0;
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        alike += attitude->across[i] * before->across[i];
+        size2 += before->across[i] * before->across[i];
+    }
+    const double turn_cosine = attitude->cosine * before->cosine + attitude->sine * before->sine * alike;
+    /* Nothing else than unit vectors are directions. */
+    const double square = before->cosine * before->cosine + before->sine * before->sine;
+    const int32_t known = ((sailnet_absolute(size2 - 1.0) < 1e-6) && (sailnet_absolute(square - 1.0) < 1e-6)) ? 1 : 0;
+    double regret = 0.0;
+    if ((known != 0) && (turn_cosine < TURN_COSINE) && ((alike < 0.0) || (planned->time_to_go < LATE))) {
+        const double per_r = 1.0 / state[0];
+        const double loss = sailnet_work(problem, planned->costates, before) -
+                            sailnet_work(problem, planned->costates, attitude);
+        regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
+    }
+    const double share = OF_TIME_TO_GO * planned->time_to_go;
+    const int32_t near = tracker->plan.residual < STILL_NEAR ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (near != 0)) ? 1 : 0;
+    tracker->regret = keep != 0 ? regret : 0.0;
+    if (keep != 0) {
+        *attitude = *before;
+    }
+    tracker->flown = *attitude;
+}
+
+/* The next step of the plan's beta, by whether the last one found a plan. */
+static void keep_stride(sailnet_tracker *tracker, int32_t moved)
+{
+    const double next = (moved != 0 ? LONGER : SHORTER) * tracker->stride;
+    tracker->stride = next > SMALLEST_STRIDE ? next : SMALLEST_STRIDE;
+    tracker->stride = tracker->stride < LARGEST_STRIDE ? tracker->stride : LARGEST_STRIDE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[STATES], double estimated, double hold, int32_t most,
+                                           sailnet_planned *planned)
+{
+    sailnet_plan *const plan = &tracker->plan;
+    tracker->computed = 0;
+    if (tracker->planned != 0) {
+        sailnet_bring_up(problem, state, plan);
+    }
+    /* A plan that is not solved, or has failed, leaves the budget to the candidate. */
+    const int32_t first = ((tracker->planned == 1) && (has_failed(tracker) == 0)) ? 1 : 0;
+    if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
+        const sailnet_problem before = sailnet_problem_of(problem, plan);
+        int32_t corrected = 1;
+        if ((tracker->planned > 1) && (plan->residual > STILL_NEAR)) {
+            /* What no plan for less leads through, one for all that the vehicle has may. */
+            sailnet_problem all = *problem;
+            all.beta = estimated;
+            tracker->computed = sailnet_track(&all, state, LARGEST_STRIDE, most, plan);
+        } else if (tracker->planned > 1) {
+            tracker->computed = sailnet_correct_plan(&before, state, most, plan);
+        } else if (!(tracker->regret > 0.0) &&
+                   (!(tracker->since < CORRECT_AFTER * plan->time_to_go) || !(tracker->since < CORRECT_AT_LATEST))) {
+            const int32_t there = sailnet_is_for(plan, problem);
+            tracker->computed = sailnet_track(problem, state, tracker->stride, most, plan);
+            keep_stride(tracker, ((there != 0) || (sailnet_is_for(plan, &before) == 0)) ? 1 : 0);
+        } else {
+            corrected = 0;
+        }
+        if (corrected != 0) {
+            tracker->planned = 2 - sailnet_plan_is_solved(plan);
+            if ((tracker->planned == 1) && (plan->beta <= estimated)) {
+                /* On its way to another vehicle it goes on at once. */
+                const int32_t under_way = sailnet_is_for(plan, &before) + sailnet_is_for(plan, problem);
+                tracker->since = under_way == 0 ? CORRECT_AT_LATEST : 0.0;
+            }
+        }
+    }
+    if ((tracker->searching > 0) && (tracker->computed < (most - 1))) {
+        advance_candidate(problem, tracker, state, most - tracker->computed);
+    }
+    /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
+    const double stronger = (1.0 + LARGEST_STRIDE) * estimated;
+    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= LARGEST_STRIDE)) ? 1 : 0;
+    const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
+    if (flown != 0) {
+        const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
+        planned->time_to_go = plan->time_to_go;
+        sailnet_planned_attitude(problem, &plan->end, 0.5 * (hold < left ? hold : left), planned->costates,
+                                 &planned->attitude);
+        keep_attitude(problem, tracker, state, hold, planned);
+    } else {
+        (void)memset(&tracker->flown, 0, sizeof tracker->flown);
+        tracker->regret = 0.0;
+    }
+    return flown;
+}
+
+/* The direction of the arrival costates by the networks, of any size, from a state that is finite. */
+
+/* The time scale of the approach below which costates of position are scaled down [TU]. */
+#define SAILNET_ARRIVAL_SCALE R(1.0)
+/* Stage "plan": arrival_lambda_r [20, 20, 20], arrival_lambda_u [20, 20, 20], arrival_lambda_v [20, 20, 20]. */
+#define STAGE(name) sailnet_plan_##name
+#define STAGE_NETWORKS 3
+#define STAGE_INPUTS 5
+#define STAGE_EVEN_INPUTS 6
+#define STAGE_DEPTH 3
+#define STAGE_ROWS 20
+#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)
+#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == 16
+#define STAGE_SIDE_BY_SIDE 1
+#define STAGE_SHARE 5
+#define STAGE_PARTS 4
+#define STAGE_PART SAILNET_LANES
+#define STAGE_OUTPUTS STAGE_ROWS
+#define STAGE_OUTPUT SAILNET_PER_16_BYTES
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0), (n0_1), (n1_1), (n2_1), (n0_2), (n1_2), (n2_2), (n0_3), (n1_3), (n2_3), (n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5), (n0_6), (n1_6), (n2_6), (n0_7), (n1_7), (n2_7), (n0_8), (n1_8), (n2_8), (n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10), (n0_11), (n1_11), (n2_11), (n0_12), (n1_12), (n2_12), (n0_13), (n1_13), (n2_13), (n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15), (n0_16), (n1_16), (n2_16), (n0_17), (n1_17), (n2_17), (n0_18), (n1_18), (n2_18), (n0_19), (n1_19), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0)}, {(n0_1), (n1_1), (n2_1)}, {(n0_2), (n1_2), (n2_2)}, {(n0_3), (n1_3), (n2_3)}, {(n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5)}, {(n0_6), (n1_6), (n2_6)}, {(n0_7), (n1_7), (n2_7)}, {(n0_8), (n1_8), (n2_8)}, {(n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10)}, {(n0_11), (n1_11), (n2_11)}, {(n0_12), (n1_12), (n2_12)}, {(n0_13), (n1_13), (n2_13)}, {(n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15)}, {(n0_16), (n1_16), (n2_16)}, {(n0_17), (n1_17), (n2_17)}, {(n0_18), (n1_18), (n2_18)}, {(n0_19), (n1_19), (n2_19)}}
+#else
+#define STAGE_SIDE_BY_SIDE 0
+#define STAGE_PARTS STAGE_NETWORKS
+#define STAGE_PART STAGE_WIDTH
+#define STAGE_OUTPUTS STAGE_NETWORKS
+#define STAGE_OUTPUT STAGE_WIDTH
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#endif
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_lower[STAGE_INPUTS] =
+{R(0.135136), R(0.0007173753842423255), R(-0.9998372054535432), R(-0.9990855897873586), R(-0.49999999980638954)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_min[STAGE_INPUTS] =
+{R(8.326672684688674e-17), R(-4.6146006050249655), R(-4.998305873375383), R(-4.9971738707876066), R(-2.4999999993716884)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_max[STAGE_INPUTS] =
+{R(0.3378399999999999), R(6.9236943459980544), R(4.997865796429216), R(4.998046831713013), R(2.4999999995415587)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-70.7417297053621), R(4.120692015623378), R(64.90527180100244), R(-36.50875938457223), R(1.1392258155819712), R(-9.291922159194742), R(-1.316785501846071), R(-12.934299612671563), R(90.18585537085897), R(-49.93238968788622), R(-0.5008986553205117), R(3.997108931170241), R(-7.6642435757859255), R(2.9140668448250238), R(-4.068413977714608), R(32.72760398799512), R(-5.726021886323713), R(154.0478236156065), R(-1.7577018977828054), R(-1.0212068162535972), R(-38.81637814589975), R(-23.280525495063888), R(5.011367913424797), R(-32.74528159119534), R(-16.561469087938747), R(-9.035724531596081), R(18.203974842462383), R(-8.644262610400917), R(9.202145143989721), R(-17.345072424727174), R(-5.218869696028306), R(4.215182652771601), R(33.78967050455716), R(82.87297010954934), R(14.874976222323362), R(-57.28245630565887), R(32.52915421398428), R(11.076270023534088), R(7.439091542579407), R(-3.8179170410259915), R(-21.08225858850935), R(-80.29688973440969), R(67.3894282723993), R(-22.1934626507757), R(-27.190908502107824), R(-49.79101547968865), R(35.50394414168002), R(-11.100008071558948), R(34.02170796575286), R(7.194627430982089), R(-21.32644017041365), R(-20.626986557930927), R(45.94184989599023), R(9.375777512286756), R(-0.4701439782380756), R(-40.23827262284298), R(54.737274577147545), R(-115.37396658475588), R(0.1129991928600416), R(11.296963782070168)),
+STAGE_ROW(R(-2.298894155065903), R(-3.2727499240162827), R(8.73884645331058), R(3.187588847348756), R(4.728899107057712), R(6.369498338054256), R(-4.483949837560165), R(-4.821805279397517), R(-20.32677664428162), R(0.9889735794604324), R(-5.7023214760930685), R(-13.43251149734223), R(-7.529187440395344), R(-5.087084421051198), R(5.749615085704019), R(6.821269858286461), R(17.587146078209834), R(7.6222579051576425), R(0.4395478104012327), R(1.7966711361274987), R(-1.8921772671827803), R(-3.233565389848048), R(-3.0981180490483022), R(-0.8116713441366443), R(-0.5962704522628863), R(13.113921231560871), R(-7.466644216753897), R(-0.7504751662504812), R(5.382216504449226), R(-0.5113920448659603), R(1.3886890808313044), R(-5.808882162270554), R(3.8480462933089083), R(3.0827453060027583), R(2.575714090473624), R(8.471203289922702), R(-1.230025552519466), R(9.607354475231364), R(2.0338367145056893), R(8.851190099920734), R(-6.445287812658962), R(-7.197852882628349), R(-8.95566814495672), R(4.7487311329571655), R(-0.42276616416136087), R(8.513534632290666), R(-7.735215951388071), R(0.8464750136561232), R(-1.6737446321653424), R(-6.446052130431008), R(-5.527987741442123), R(-1.5802286438709396), R(-2.9345579864533007), R(-6.971723752405588), R(15.692759680321544), R(0.8157047994571913), R(-6.6536430849423365), R(23.625804091385234), R(2.4795808372520947), R(-0.14167129110969662)),
+STAGE_ROW(R(-5.3407316106721945), R(-2.036263312398097), R(-1.8701111075409254), R(-0.735980696112486), R(3.3867255084893606), R(2.935057014225201), R(-3.455127671652583), R(5.494982146308322), R(0.9148270394365576), R(0.11077830594920811), R(2.6573911728392776), R(-3.042351997148576), R(1.3997821720501087), R(5.366756699514252), R(1.5310755399639522), R(-1.883314170324555), R(0.2361518314642343), R(-18.19512049466279), R(4.821325676577472), R(-3.4526531172640733), R(0.9100970740796654), R(-0.4570606056249876), R(-2.022831569149651), R(6.946580081206277), R(3.954329312716345), R(3.363042558221711), R(-3.405575347278796), R(4.608029136472741), R(1.6363851374643474), R(0.0032509028559642964), R(2.808484037225826), R(-1.9803909380073237), R(-11.751594155972132), R(-2.4813351198634055), R(3.009062412753087), R(7.399770152564673), R(0.1284665252525569), R(4.156625278362764), R(2.291338049685423), R(-1.320402198263629), R(8.480192112943001), R(19.360925015272564), R(-9.344946154024177), R(-4.28445032280224), R(-0.11370856139105034), R(-3.345380287070386), R(-0.2329763181681271), R(25.793957530719442), R(6.004236454859592), R(-0.515221104441848), R(-1.1878344210792438), R(-4.099000005617146), R(-7.986638087204334), R(5.674752654001421), R(1.4026629327522855), R(-2.886144936247937), R(-10.67491555854), R(51.594819442147994), R(2.928695350174576), R(-2.5773964136928758)),
+STAGE_ROW(R(-2.643787817187265), R(1.6720798229392009), R(-11.203081786193419), R(0.25621442697406144), R(-4.553943274159136), R(2.035346572086554), R(13.202101752004845), R(3.9520673359835854), R(19.14212291443593), R(-1.938883161650476), R(3.194202242933535), R(4.638270163494645), R(2.2503682925603816), R(7.880474910162701), R(2.7574475119689232), R(0.22329600433910787), R(1.167704586328021), R(-1.7728646976093043), R(-0.7284626539174144), R(-11.363297746009975), R(1.3462930345229422), R(0.41223176032958203), R(0.04217359685649021), R(3.7974864412021057), R(0.056429186283392996), R(-0.3343112974890344), R(7.305834338846349), R(1.1778055447463864), R(-1.2851777301823852), R(-4.103772080891084), R(2.204922557982455), R(-5.371583476887051), R(-6.116669570497258), R(2.216822660533764), R(-6.342560247376557), R(9.352749622512095), R(-0.502854869251737), R(-4.185568464971593), R(3.5576686406041462), R(0.6974870477795717), R(-1.5758115828531742), R(-0.3884923143916028), R(24.80367833826281), R(-1.0284551349882356), R(1.3627055409576088), R(3.3890597246620366), R(5.163807248418725), R(3.9523303917092765), R(5.881800889996108), R(-3.643667888534371), R(6.5841078002923155), R(0.22862132523215012), R(-2.164079743604828), R(3.744399473551753), R(-1.141525345774237), R(-2.5228454937762814), R(-2.631572543164726), R(14.685689993695133), R(1.4939783718319402), R(-2.4898007734390526)),
+STAGE_ROW(R(-0.6869214228315266), R(-5.156163352755729), R(5.535657027018308), R(-5.2179180441661765), R(1.5141782940476995), R(2.352548721560299), R(0.33016067717616837), R(5.852068332737199), R(2.11471281807113), R(0.07502984672755443), R(6.30265943790652), R(-7.0076079607936865), R(-9.462799687569166), R(-2.530533568467014), R(5.149963915394341), R(-10.53432158571569), R(-4.51882485223857), R(-6.46938221400838), R(2.4529607818320294), R(0.5156666182152476), R(4.945683516511103), R(-4.625812988728843), R(0.45411879086485263), R(-6.19413334144933), R(-6.271439801246869), R(-4.917258278511592), R(1.0338170797617854), R(4.176571533705777), R(0.9311233785370135), R(3.5176559442702677), R(5.210487767617909), R(-3.399121167627556), R(-5.749047020632265), R(-2.2108810927582567), R(3.2959365982649156), R(-3.9693755010960214), R(-3.2965355372594143), R(-2.7131153834684465), R(2.2525961984026), R(1.7434135731559233), R(6.2811600415993905), R(-4.400433881782434), R(-0.19984112174961013), R(-11.192214477997751), R(-10.242160378712848), R(4.123708253768196), R(0.6255431678076835), R(3.2706780522650285), R(13.653284257743469), R(3.563732603061361), R(7.396126517277002), R(-5.275704836389345), R(-8.42160645917367), R(-0.07388835542083869), R(2.457219917302346), R(-7.684062762953703), R(6.09992320300077), R(-27.958323461422555), R(1.9680810109489801), R(-0.28616484247062934))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-3.8159436682089574), R(8.943561599347259), R(-10.560379236875937), R(3.511396141771302), R(2.155144409083815), R(10.383411458846625), R(1.4924966475383612), R(-7.251108267073869), R(7.940196993222973), R(-1.159404761920329), R(-3.534421681433465), R(12.180394223006006), R(8.882600857140773), R(-6.0759767286975785), R(-4.725890632572009), R(1.0906763605262393), R(2.8999485237554543), R(-6.006842214924463), R(-5.454620199824707), R(3.5985608548573773), R(-4.386549466215718), R(8.199233012649021), R(-13.82144379565214), R(2.215363522894107), R(7.337902221380174), R(4.155844106056801), R(1.9022842479091455), R(-6.789945195306335), R(-1.9883513164629991), R(0.47539322376794324), R(-3.148927660975648), R(7.751689483730556), R(9.086608262897421), R(-8.65694877211388), R(-5.136558235314339), R(-18.150934351093667), R(3.50626477163884), R(-4.4011856855579845), R(-5.075361605320413), R(1.3149747356973567), R(0.4034246050807098), R(11.782175268705561), R(4.563057962033479), R(8.16677684878364), R(9.985965781866499), R(5.25896006116167), R(4.344214367548446), R(-15.311825422371207), R(-13.519419983635279), R(2.4714014145747165), R(-3.3379909175572338), R(6.601760928012657), R(11.901609915034559), R(-6.485575955743839), R(-2.344410410173791), R(-5.92878717817226), R(6.41164305148899), R(-36.52066258603397), R(-5.484054556198448), R(2.9797129090263508)),
+STAGE_ROW(R(15.47879805681789), R(42.6366117717711), R(-1.3231266471135656), R(6.3497588067547674), R(79.38159630134483), R(-11.473176569540065), R(-25.489006114244486), R(-4.227784139289847), R(-3.1768030959750786), R(-17.292180464498824), R(9.41250571488654), R(1.945845256291401), R(-3.420629108822683), R(4.266683879231272), R(-199.41889840359048), R(-12.70026922461935), R(-3.5385228509841746), R(15.766420302458487), R(-15.793536197589624), R(5.918952063311801), R(32.71229293997875), R(33.537755162982606), R(-7.301543777735226), R(-19.39631153996724), R(20.43877137177025), R(-19.058125125015437), R(38.24660325543627), R(6.547770084716263), R(-3.7867321438649157), R(-3.822803626914798), R(-0.6729395899354798), R(5.780758984578682), R(-3.2547418679560085), R(-22.25891118934999), R(-265.9110493224444), R(1.3539211331067607), R(33.28608031697621), R(37.41082091744294), R(13.578629699591243), R(9.539737619791888), R(28.544283235364123), R(153.13991761671556), R(11.589549722340232), R(-8.586644757256275), R(57.68194144329245), R(4.051181788373855), R(60.948129133884485), R(9.080193829710472), R(-3.4536260417645157), R(-8.105464063177086), R(21.426203784989813), R(17.459353992651547), R(6.06171894608121), R(13.26931727926038), R(-183.57607112432126), R(12.094584949931653), R(-2.222809339442927), R(-29.166828009935216), R(55.16706619505654), R(10.963149034495856)),
+STAGE_ROW(R(5.236291467181261), R(0.5646184673720109), R(-0.18404635745194486), R(19.198366687198373), R(-1.934848739178441), R(-5.85822122361807), R(1.8380507893716669), R(7.285229843750075), R(15.299486068494152), R(-0.26216887860488775), R(3.756783998336371), R(27.371851882238023), R(-4.935611730923069), R(0.7282868764284288), R(7.283201776394347), R(-2.657564428954243), R(149.2707999923832), R(2.2605253811246784), R(-2.898730766363345), R(-2.999657485798347), R(11.731741470073855), R(8.267109131757651), R(2.3130844180759835), R(20.00544272248041), R(5.148159545806382), R(3.02286719213116), R(-4.216462489729843), R(10.151354988092715), R(24.704994707549655), R(9.921017223915353), R(-2.459764139023427), R(36.022126343844704), R(6.405632019038079), R(1.9460800534805247), R(5.161267958077272), R(-5.671621571234561), R(83.7724753622295), R(-2.3725204531916266), R(-11.176020743171302), R(0.533473050283653), R(4.457951680491649), R(-2.470057648804672), R(-8.499958028814612), R(8.079024412586568), R(5.16681922108243), R(4.3450775187331345), R(-3.5736964325341964), R(-0.8091006937504958), R(-51.091637236827616), R(-7.116320525420531), R(-9.323902856388743), R(26.46524919915984), R(0.38212234808766676), R(1.8444005258313814), R(2.098618405988222), R(3.350098925819807), R(172.70516409481368), R(2.017099678951234), R(-9.547442466369608), R(14.683540812883818))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_hidden[2][STAGE_ROWS][STAGE_PARTS][STAGE_PART] =
+{
+{
+STAGE_ROW(R(-1.195735678194017), R(0.07932037064072656), R(-1.082887499604437), R(-0.19231769498524537), R(2.6372848953056396), R(0.5307054556041177), R(0.3792457413045075), R(0.0042386729044417695), R(-0.19629893734711257), R(0.1496243576998481), R(0.5777889593133685), R(2.0500589248429257), R(0.33677531632999397), R(0.35437974706074776), R(-6.5842631818551585), R(-0.675671724320627), R(1.0982551436598527), R(-0.3493633244854567), R(0.09651905514170729), R(0.1430628525043031), R(0.19065934522178254), R(0.24634891078158017), R(0.5946783740993538), R(-0.852163501899011), R(-2.7683781051882637), R(-0.6836644007028143), R(0.6219607660950368), R(0.7267803150134273), R(1.570247276085746), R(-3.1313343998272574), R(0.17273030334721168), R(-0.24021973557881277), R(0.3177764042626491), R(0.6906741753095242), R(-6.056608693005119), R(-0.8130956942793952), R(-0.3841284266100633), R(1.5788611652686357), R(-0.5374689900016921), R(0.8717251981311683), R(-0.07847969720710202), R(1.195412836880544), R(-0.5685809272669091), R(-0.47791122925213825), R(1.0561229022755731), R(1.138150965495045), R(-7.098147728966537), R(-0.09731321438893899), R(-3.256807204986335), R(-0.8009409054776692), R(10.863031441212888), R(-0.342056547087086), R(0.3531236375106666), R(0.1920081626896581), R(-2.24945974294868), R(3.245350319583733), R(-1.8196599422351631), R(-8.267183119716602), R(1.2003088611728674), R(3.1126375252232465)),
+STAGE_ROW(R(-4.822416747755497), R(-0.1550738297881371), R(-1.3629132798020112), R(0.662255477713002), R(9.044081793205054), R(0.06178834468379809), R(-8.799633807241738), R(0.9769770271865538), R(-6.426890229341821), R(-1.7999859357142625), R(-0.8951685597345785), R(-12.453395871351221), R(-1.6356864264570163), R(-2.9724785295849716), R(-5.280296148173635), R(-3.6254053158003994), R(-6.436939046617636), R(2.181578060554574), R(9.848862221200678), R(-1.7005410274589583), R(1.6167825788708095), R(-0.41572731206097335), R(1.3055968139001464), R(1.104833249514577), R(18.191497047116123), R(22.270001294683752), R(-2.675284857985709), R(-0.7484317123787199), R(-2.5741238738653074), R(3.8275884643532776), R(-1.4494143840678324), R(1.0858525437788455), R(-0.6542451738410584), R(-1.0410781356370173), R(-2.3326075884123942), R(-0.5740007631508159), R(1.6424050379850643), R(4.477808009953182), R(0.7527622160371437), R(-0.810991546986063), R(0.9187449520182728), R(3.8958426591687387), R(2.763192975089292), R(2.23628549069775), R(6.9104687278322166), R(-1.696268875714303), R(47.97865113179807), R(-2.437633052241441), R(4.034318248640873), R(6.5400362291637295), R(2.72192423222428), R(19.575601864121264), R(-1.2094601508245224), R(2.40959331734293), R(8.871104958268356), R(-21.12815845950921), R(-4.3560968709161205), R(-0.37325732205436707), R(5.742201656436173), R(-18.16185580634362)),
+STAGE_ROW(R(-0.2069494011908383), R(1.3529140089538632), R(-1.0286601456920843), R(-0.2236344761915749), R(0.7386014253361554), R(-0.10847139692750059), R(-0.9336433760075014), R(-0.030951760042469027), R(-0.39583487444417037), R(-0.9375005548717494), R(0.14059690376038944), R(1.2214664295745254), R(0.05841765014255713), R(-0.2544844106941932), R(-5.599603709876458), R(0.412826849414298), R(1.6797904693557795), R(1.2322169440834738), R(0.05648199874500589), R(0.38192929055367625), R(0.45984288425930103), R(1.4341647975095606), R(-0.3460321012400576), R(-0.3106360999229438), R(-0.8261093562645767), R(-0.7218902166023404), R(-0.20961150896310002), R(0.17222037552169048), R(-0.656828640768872), R(-0.7976104389118287), R(-0.24010218401650527), R(0.7910181854450491), R(0.08274806792065789), R(-0.23401561066014723), R(-6.008919221437366), R(0.5000435271474215), R(0.24592235650938565), R(2.2109779933298674), R(0.2772857247799551), R(0.6676536666977545), R(0.21367520824343833), R(3.74842697130549), R(-0.5890214214145132), R(-1.5651928874010121), R(0.04042857558698144), R(-0.32416449486523985), R(-5.711028899460318), R(0.3638161605548227), R(-0.15357632047180078), R(-0.5735375591522173), R(0.6145340629676809), R(-0.2996935452990146), R(-0.5842093144502023), R(0.1361403550071553), R(-3.509277850178972), R(-0.15601765307853904), R(0.35591273576533106), R(1.2628686653852828), R(0.9682499912564153), R(-0.5733601732922555)),
+STAGE_ROW(R(-2.1839287353381365), R(5.885077788111179), R(-0.22433183635216158), R(0.5020916817553615), R(9.652552002179073), R(-1.20087565482666), R(6.827184857495897), R(0.5527530785820506), R(-0.8538238095852824), R(-0.12643577718941218), R(0.42622928495692924), R(-2.273652899449485), R(1.2119825697090512), R(0.6121549506682429), R(-14.99288368186641), R(1.0491696894906732), R(-3.925940442738385), R(-0.23084027945237262), R(0.34775606008738713), R(-1.5214688268485952), R(0.26185937192753017), R(4.573577121158931), R(-1.7401502761816081), R(1.5260146377129857), R(-2.1209162056313704), R(-39.721783837895266), R(3.0519537055928345), R(1.0212222827735828), R(1.0429538563193983), R(1.8164675159410162), R(-0.19586566694185462), R(-1.198391508205733), R(0.6773187314776024), R(1.3523153772120244), R(-9.568298765159934), R(-1.2857041941755096), R(-4.120270201938264), R(2.271894884177984), R(-1.1140582173354672), R(-3.396788381908414), R(-0.6329317554235275), R(15.29326433001248), R(-0.29809332174674313), R(0.6286242391341702), R(8.887764643741775), R(-2.642868073086221), R(11.099704988253107), R(0.22664251167085714), R(1.6213387927402803), R(-2.058412974732874), R(-4.630537465523116), R(6.006730710061191), R(1.288172058232388), R(0.2312629674598812), R(-5.572460108381763), R(-1.9150394801673547), R(-0.32936052960013984), R(5.335000586258752), R(0.4429343041367609), R(0.19691674401744158)),
+STAGE_ROW(R(0.2359626609934262), R(2.3348883709598383), R(-0.5148883574208892), R(-0.3952643956379045), R(7.528010504735081), R(0.1144218784949232), R(15.988070097968848), R(1.2663646763222964), R(-4.18017223477032), R(-0.5644335344936156), R(-0.18217362001484516), R(0.4431807702357604), R(0.8905496564693773), R(-4.250220452418394), R(-13.134705607419138), R(-0.5069606009401869), R(-4.384402331680888), R(0.22855328579594084), R(-3.8614438404040716), R(0.5410071394410412), R(1.2586667749047682), R(0.5043007578299693), R(-1.2207928814141256), R(-3.2493648402005286), R(-4.642220682529075), R(-5.295712173076801), R(12.549451633507662), R(2.1762370198049665), R(2.671812636123379), R(-0.07419050999076901), R(4.07277204201117), R(15.774415681085728), R(2.3676154159524154), R(4.854619988130901), R(-4.543931766028963), R(-4.963116161875836), R(12.753412954959014), R(1.6363683989981752), R(-1.4001214440487788), R(0.48791320431111806), R(-0.30787642956284283), R(4.680632685052821), R(-0.13020739268121073), R(-3.420180144162994), R(4.339258117746315), R(-0.9108955100374411), R(45.16979964688624), R(2.338743235578035), R(-0.6265598032510975), R(0.4874656147489823), R(-1.8034799524151053), R(-5.348979507575903), R(-0.005127315717077881), R(2.3319275501576664), R(-9.13804766407319), R(-0.8275077663145897), R(1.3828849747457734), R(-1.8469357142731966), R(2.8280990873282605), R(-0.8491200431337051)),
+STAGE_ROW(R(0.6449943327160059), R(2.285556107995782), R(-0.40826654337574564), R(-0.6315793774229658), R(14.603657220728339), R(-1.240408583786096), R(2.914060650750131), R(0.06766171364985174), R(0.09832883213170764), R(-0.5243253675316811), R(0.03858125548001026), R(2.0084330098329635), R(-0.49658856123351125), R(-0.4612746913931278), R(-21.401506396920013), R(-0.7914263252338828), R(-0.5378557089995227), R(0.9668342399838026), R(-1.0729910614281748), R(0.424665711795087), R(1.770113504676987), R(0.2803007402748059), R(-1.6517603232029463), R(0.03206957520495673), R(3.1847542454474937), R(3.223436006077351), R(-0.10436520843247064), R(1.6206584363531111), R(1.565636139179014), R(0.10695879215053199), R(0.629591992334542), R(-13.20522191147631), R(0.2304121729535381), R(-3.2420419152391964), R(-10.633717353985322), R(0.07744592285966213), R(18.185590510016148), R(1.3156711486422874), R(8.340547361322312), R(-0.5252999253660523), R(2.2386863951995366), R(1.8636984621730504), R(-0.30441528982011007), R(1.1087458476295942), R(8.07678169440683), R(-1.9227676011108377), R(16.993958988764277), R(-0.44089809613518727), R(-1.8833977789002159), R(0.2521395257343505), R(-0.23697963333247227), R(-3.5508901312779475), R(-0.3446250741952921), R(-0.4975136671364517), R(-14.662673830499633), R(-1.1427727322981074), R(0.726555430355292), R(-1.3203152999640977), R(1.2535777028308044), R(0.3039479467981449)),
+STAGE_ROW(R(-7.167773087907933), R(-0.4201333926261783), R(-0.4504862889004119), R(-0.47345559489842093), R(1.6793592656277467), R(0.7435168594275382), R(-3.420067994796054), R(-2.9571639166187196), R(8.349800627768742), R(-0.8129381160678665), R(-0.5080421189621043), R(-2.8500325474246626), R(-1.9885509040416036), R(5.211037498442585), R(-7.8437876572813625), R(-2.203591683909067), R(3.6367707482585363), R(0.16759578162759547), R(1.0850632752754577), R(-0.05216966187702852), R(-0.5044886839099354), R(0.6623110663850126), R(-1.5767305793645707), R(-1.021645573242169), R(14.011988278158782), R(3.0063295198667226), R(-1.3931645640474961), R(-4.003650810578524), R(3.988965528133837), R(0.9805667980146756), R(-2.987713587418487), R(7.761271793554074), R(-0.7667186380560994), R(-0.7282013401899424), R(-9.705826749620526), R(3.018113697384261), R(-7.048148235468436), R(0.6156561013603408), R(-1.5462321968776187), R(-1.7552677886316035), R(-1.2710972851590627), R(-5.773979481631163), R(-0.7215358606730298), R(1.5575659138389157), R(0.6580741783753807), R(-1.2183066480298428), R(22.783338544368732), R(-2.0350501467749074), R(8.837308160124131), R(-6.953008435545345), R(-18.88304003176656), R(-9.407360592882927), R(1.8847480004843107), R(-2.190545215482955), R(9.02891377444703), R(17.871948854332807), R(-5.089953321793188), R(7.081245946494122), R(1.298862231191243), R(3.398167626359717)),
+STAGE_ROW(R(-2.47747696888152), R(0.3906404478941538), R(-0.8077361772797026), R(0.7794172193495329), R(1.3199705631743686), R(0.0012930354611555353), R(-5.6651016375236285), R(-0.1887266403116978), R(7.690800938322559), R(-0.8783290122319549), R(0.7174521355585294), R(1.0908493406744235), R(0.053947458810525886), R(2.464050521971905), R(-3.7128260291421684), R(0.8206323506984969), R(9.08300723022195), R(0.3190713579589214), R(-0.7113454257080063), R(0.39744864108801614), R(0.7034033030714614), R(1.068655230931863), R(-0.9180174900663274), R(-0.683753132915268), R(-3.471964415064323), R(-2.6644297683749545), R(-0.43258943179487214), R(0.4093429988504153), R(2.6393241388571287), R(-1.1843793825976188), R(2.073333671467894), R(2.5027682514061644), R(1.0123669448312596), R(2.125923503870431), R(-11.33359916632769), R(-0.4489994104335036), R(2.2901986821696045), R(0.5624997825061063), R(-3.282307028139011), R(-2.316424544080799), R(0.5078422881079189), R(5.031372457159034), R(0.1896414330988368), R(0.8034960336854766), R(0.39870001967020763), R(1.3974343951085442), R(7.293390681452437), R(1.7895791294926795), R(4.464645578085408), R(3.6122975568699003), R(3.4382006507237604), R(3.1632984957448174), R(0.5583039798021286), R(-1.7836303134169236), R(-2.2207060684355135), R(-4.230246653363894), R(-1.4324180028897502), R(2.8764054431292463), R(2.207590090416022), R(-0.5972182656248186)),
+STAGE_ROW(R(-3.6730065078752983), R(0.6645867466153931), R(-0.3601815077483271), R(-0.510132046334074), R(0.7949393914361803), R(0.005611602756036322), R(-34.62313854736429), R(-1.943381993236155), R(-2.7194047402391215), R(-0.5636284373578424), R(-0.048003360947281075), R(-1.6641923148617415), R(-0.24269267800199726), R(1.3971393101033536), R(-3.523253976296148), R(-0.8829819320861026), R(-7.772443992956088), R(1.281673006884601), R(-4.598336368515125), R(-0.35966078310289756), R(0.5328311716333373), R(0.5242222163138675), R(-0.06890335646281527), R(-2.208446034417112), R(-1.302483237070537), R(8.950118009757345), R(3.151437040833703), R(1.920098774545386), R(-3.784395601038029), R(0.5358532195257723), R(4.32354075430023), R(4.61261831817847), R(-1.4160678120718924), R(0.546423423900653), R(-7.525414185287428), R(-0.9986316076934714), R(7.948410888491916), R(0.4267217596031564), R(-1.6176397183109583), R(-2.5480101391904646), R(-0.02233001527908908), R(0.9241566532454729), R(1.4011921657628985), R(-5.734081948618862), R(-0.010824187656324159), R(2.2441624823153554), R(-2.345142233704064), R(2.715869861354347), R(-0.9479405829382757), R(-1.9066134939532327), R(17.74054584105175), R(8.94488445530094), R(0.6949601168154713), R(2.0657929872680723), R(-8.783186780726412), R(-0.2434536660161706), R(7.280776298172415), R(-9.904434910245309), R(3.782180556410138), R(2.5574538047181705)),
+STAGE_ROW(R(1.1983824551590418), R(-0.014046197497484219), R(0.11522068776040813), R(0.9995804296781551), R(10.152156864738885), R(-1.3081287040692853), R(-4.0014212810203365), R(-0.0872716766440754), R(0.5157305923614286), R(-1.9693675279820089), R(2.963569746904598), R(0.36442484717656054), R(-0.4097357586717737), R(1.0556130744423793), R(-13.13389127026867), R(0.4102178745532932), R(1.9403068423766876), R(1.30770117437315), R(1.0286543469483507), R(0.33532332822878486), R(3.603032847805603), R(0.8391306313644217), R(1.108167361579529), R(-0.7103548820528168), R(0.5185994650286446), R(2.52829884530472), R(-3.0512383679537938), R(0.34804035035941394), R(-4.665250111771607), R(-1.630530288918153), R(0.9673779731448964), R(4.759413253600243), R(-0.4732609692168852), R(-0.4105432335924604), R(-17.68105368996672), R(0.8062098066028185), R(-0.9548455281065305), R(1.673594618045006), R(-1.3956415593094127), R(3.3560595849333676), R(3.2868758538137928), R(11.121363222739664), R(3.2311788543237436), R(-3.231200427131404), R(4.855274244625899), R(-2.4018742450088313), R(-21.793266630311862), R(10.492669911378217), R(-6.239557676004508), R(-1.5076416602764804), R(-0.8716579349485046), R(-0.08146969412845248), R(-1.376749309203805), R(21.284953122183598), R(-18.312429349521793), R(-2.607014038687496), R(0.6087449693229389), R(-0.19430668651365843), R(5.993097409401505), R(-1.0475299718170885)),
+STAGE_ROW(R(20.495082617621726), R(-1.9693424617613298), R(2.183120391683666), R(-0.9316526847124461), R(9.664210919169456), R(0.3055998618947929), R(10.83928214077776), R(-0.7399652333933086), R(14.020655235074413), R(-0.5243327947074893), R(0.6796959766594158), R(-11.723440000217263), R(-2.489902636865649), R(0.8142379057053328), R(-2.2441314476793996), R(-0.27940409642166963), R(27.129782407672334), R(0.08914270232891092), R(-4.525786003949938), R(2.675107862665174), R(-1.0027142897980734), R(0.3279300249871355), R(-0.3085181156686724), R(-10.177825912634532), R(10.973159490033208), R(-5.281436137878896), R(16.291779557611363), R(-2.697341284285029), R(-12.197107165190795), R(-4.540192302879443), R(-8.954189887799815), R(-14.980053915287137), R(-0.9973055692564292), R(-28.457624570750927), R(-17.93970440007433), R(10.336498104081377), R(2.314959843834652), R(2.8896148781674027), R(27.74267504211649), R(12.413626647130735), R(-1.489951043863225), R(-2.597390528121165), R(0.2024427914147673), R(-3.224229012999299), R(3.879389008350211), R(1.6743496722311242), R(-102.46130890036261), R(0.1747287275463704), R(-3.7774602189629056), R(-3.7534627030382746), R(-2.866505020732111), R(6.060189980392733), R(0.6052017949771074), R(-4.849689612098708), R(4.970751602341262), R(8.78965929193875), R(-9.27250720680281), R(3.2504411063482324), R(12.000919097682726), R(14.581103241300267)),
+STAGE_ROW(R(-2.6509974076042564), R(-0.03372633925082824), R(0.4422960073913512), R(0.8513990352530152), R(2.7394498790527044), R(-0.42783904474025725), R(-0.9937360010267625), R(0.7470920834780004), R(-8.551460871925773), R(-0.5013317141994718), R(1.125083191876449), R(-12.429927794190483), R(-0.13435924979516195), R(-3.5400159384187817), R(-4.319830377444014), R(-0.020374828262172795), R(-15.829224890661514), R(1.5379605521532567), R(-1.272409179669005), R(1.067610856843925), R(1.1344591579704006), R(-0.23353297981937476), R(-1.060873631585215), R(0.7430655236920594), R(-0.43713226078938877), R(2.1835644944401404), R(-2.0346536903634487), R(0.12132273994911182), R(-6.210967725975644), R(3.484928260601931), R(0.4975573440038024), R(-3.664990060868405), R(-0.8408161364431272), R(-0.5965871179251738), R(-2.6797548803960165), R(1.549547354778513), R(-0.5170703680831723), R(5.825043311940881), R(5.022222350949172), R(-1.2275847860177198), R(0.11388110267943066), R(3.0982370786071907), R(-0.17559363099935063), R(2.8134728221704566), R(1.195491215802196), R(0.2853167496387425), R(-3.932328429332559), R(-1.2454592503444446), R(-0.49311196414538166), R(0.9442902080712587), R(1.4790129125663483), R(-0.5125545100954082), R(-1.09693912874682), R(-0.39370770955212453), R(0.5297415046810142), R(1.8996718340705974), R(0.07687422374080317), R(2.580894253831661), R(4.92046717821898), R(-0.5222255201860024)),
+STAGE_ROW(R(-0.21175307755983133), R(1.5002666043818913), R(-1.641362160566531), R(0.6861641143928401), R(1.7577538080478445), R(-0.6219173674301849), R(-3.3443245777101485), R(0.5109751341170127), R(-10.02370081727392), R(0.5629579494878996), R(-0.45324864862807973), R(-0.9249228946379796), R(-0.13563125501981546), R(-0.13486699596782944), R(-5.113126135096234), R(-0.10061389312036602), R(-10.152095896300064), R(0.07521720246435294), R(-1.3731408400893386), R(-0.5742785584760576), R(-0.023033133492247695), R(1.1764805739567734), R(0.2044519160806324), R(1.2499871762503776), R(3.2013757037049566), R(-0.3792580714824189), R(0.8380906489160589), R(-0.33640266580047795), R(-2.3938923782911754), R(6.587557487754961), R(-1.3705734796740423), R(0.3912666275165509), R(-1.190228156107103), R(0.8614164206424797), R(-3.655110230581031), R(0.9599620807685526), R(0.34997498144123146), R(0.9390763678846187), R(0.9857610623478827), R(-2.645983595695695), R(-0.6097871952032438), R(3.528942284397759), R(-1.0506895204389755), R(1.051128163670319), R(0.7682220214884143), R(-1.0954307810340778), R(1.0154569379788358), R(-1.3412328534393532), R(-0.14646837381504701), R(-0.2735430063649224), R(-0.8336125991583626), R(2.012497686747934), R(0.2759568177149405), R(-0.4531004355857972), R(-1.0164382964798901), R(-2.359815971214924), R(-1.640383329313369), R(4.526765501857938), R(0.49987410362080603), R(-0.1267550851214516)),
+STAGE_ROW(R(3.4793982540020183), R(0.5247352535991467), R(-1.9592128300105505), R(0.3250910707626561), R(0.010051173395046778), R(-0.7042265334666977), R(0.3773809140933585), R(-0.10852972408483219), R(-1.0451633442575077), R(0.1359824452212166), R(-0.09397262531631229), R(9.219237848676794), R(0.08954171186543364), R(0.070578541208747), R(-4.681933144374797), R(-0.2943911706266711), R(1.8259667718602233), R(-0.05118944944440171), R(2.039340980952843), R(-0.8972265667712492), R(0.33585569729181314), R(0.5390028082706306), R(-0.5663008915982365), R(0.12558103147447985), R(-0.05415436068658062), R(-4.10502925762817), R(0.490202955084859), R(-0.2449196737850382), R(2.4089967502026313), R(-0.3397751300172263), R(-0.8312898289909074), R(0.8473475565400544), R(-0.31434000579702304), R(-0.3815962520514978), R(-5.0503305388209005), R(0.6203998660839689), R(-1.1072865088599613), R(0.5344461441984322), R(0.2671999978191532), R(-0.07129826978751666), R(-0.03297545027787988), R(0.2574075282808), R(-0.028121803825830228), R(1.8296040531065767), R(-0.37960692892254394), R(-0.6867645915556491), R(3.1404775251599246), R(1.2612670204536551), R(1.1388269429037208), R(3.1708659629837137), R(-3.281387866068147), R(-1.1848863138797048), R(-0.18016254455058334), R(-1.252371321919596), R(-1.2413698001697862), R(2.6721668501993237), R(0.45935555285329854), R(-0.26505352753997563), R(1.052971281303579), R(-1.7311168126156233)),
+STAGE_ROW(R(4.259018966282995), R(4.048849828598631), R(-0.48545735134724854), R(0.6924878688429407), R(-0.7614245415103341), R(-0.6490658473050969), R(-3.02260938688222), R(1.6316136340734868), R(-9.856266239013904), R(-1.124141372941497), R(0.12857170022386988), R(-3.8217459270587106), R(-0.6886108553482151), R(-0.11147829980091883), R(-14.614956792656297), R(-6.970956983471046), R(3.001539685866296), R(1.3869957694650783), R(-15.30442672954674), R(1.4596224648498801), R(1.6129039659875088), R(3.696278312239672), R(1.5362587536985486), R(-0.23937756410307343), R(-2.558098181462553), R(0.9249716446374228), R(1.7511966225573545), R(1.4708966768879355), R(-1.2882375662421368), R(-2.7004049397029637), R(-0.16021028619125766), R(0.22004207122257227), R(-0.42101798983629474), R(0.3069199881391759), R(-15.626302972057028), R(-0.8402430898111367), R(2.1096797455029805), R(2.0245983095283178), R(-2.2015551687366277), R(1.6786037852735214), R(1.7964846470347968), R(5.806523493514955), R(0.5802318731339966), R(-3.061031497116862), R(-1.439918465368744), R(4.072921046745956), R(25.643423893599927), R(0.10152996287450891), R(-5.525547649599754), R(-2.2061736072113156), R(2.199617028358191), R(4.178823285344499), R(3.3576776053891577), R(-4.1953177282473275), R(-25.5540042673406), R(6.9889799792185165), R(8.843950167246408), R(-9.196035979846261), R(-2.3935861048683393), R(4.17381835807485)),
+STAGE_ROW(R(-0.6614533548967287), R(-0.25150378538040036), R(-0.30844375557280634), R(0.7488300181986783), R(0.5121427962130877), R(-0.5703044870939941), R(-1.0107837439314002), R(0.39911032054383194), R(-0.920191256125152), R(-1.0783066282664096), R(0.6221978093206063), R(-4.903273563633472), R(-0.38012664971729637), R(-0.06778324377723441), R(-4.984543844406291), R(-0.6392819665388086), R(-2.242563612226214), R(-0.31214230512243185), R(-0.035626643547399806), R(-0.6694192351767821), R(-0.04928199974684734), R(-0.5299865443136902), R(-1.2013749494639472), R(1.0117603894546745), R(2.983202949400968), R(-1.8592745268320345), R(0.19900141240645053), R(1.2424074492973334), R(-0.09203924190529407), R(0.4626576836261569), R(0.9037751394823896), R(-0.4290182074948315), R(0.11850005665371288), R(1.3436326013160542), R(-4.048608694471196), R(-1.5875824398379217), R(0.4939648364678343), R(0.4146391122570115), R(-0.37999151375723733), R(-0.4276142218908107), R(-0.21464635156458226), R(1.2803513798520654), R(-0.160674538669307), R(1.4379020193557503), R(0.07878235331068151), R(0.37568869195108845), R(4.446447334256152), R(0.7307367573796477), R(-1.9515188400088153), R(-1.0842203362533722), R(0.9932842331749372), R(-2.1400293202010405), R(-0.4571965884096233), R(1.091090114382137), R(-2.534358636358218), R(0.9870172737431027), R(0.060120997832408915), R(-0.7778016943945555), R(0.7995314504077135), R(-0.47080196845813765)),
+STAGE_ROW(R(2.670217159321904), R(0.7000694558500177), R(3.7375801653433856), R(-0.4396986652707325), R(0.637950455408309), R(-0.6985449867658666), R(-3.492565733712053), R(0.4810684937353063), R(2.687741264721757), R(0.2768891351452617), R(0.26791950841696566), R(17.857907103642138), R(-0.8199644389077321), R(2.195716815643701), R(-3.9726177899715474), R(-0.8531866862230272), R(-1.0241879047461655), R(0.259370278242088), R(4.6035305415875465), R(0.12630838888264856), R(0.8421743123029614), R(0.30987636431497545), R(0.5313470180452368), R(-0.5130457472772981), R(-5.1332165846232165), R(6.054367996488492), R(-0.6677536554585918), R(0.7343030285648361), R(2.20727960412589), R(-2.2409381882118757), R(-0.31667854611720847), R(0.3594600439465168), R(-0.21361663738871495), R(0.6104300978911313), R(-3.677227088485992), R(-1.0596786106486777), R(1.134956912476171), R(1.1442746941047794), R(0.6108536838675539), R(1.2030788890642763), R(0.6649859824649359), R(1.870831927407982), R(1.1670893039242844), R(-0.5411814901636346), R(0.06318622382048503), R(-0.36823872947912983), R(-26.48977719264029), R(0.40972142333237416), R(-2.7858921889637314), R(-0.743005760047929), R(1.7740540051404334), R(4.343802818444886), R(-0.2023671127821169), R(-0.9113736292597452), R(-1.1070265018937737), R(-3.2009573547672177), R(-0.056481549114156246), R(-0.2942585421017047), R(0.985208495886475), R(3.210058322854359)),
+STAGE_ROW(R(-0.7522627226672567), R(0.4262390003303352), R(-0.15892755608597275), R(0.46292367428187897), R(1.1597502793854004), R(-0.3282978508383824), R(-1.3395810091478477), R(0.5962225426156691), R(0.2612491615593177), R(-1.0330547067612146), R(0.8147286571561277), R(3.0066633075701548), R(0.7244744411743742), R(-0.8151952171579624), R(-5.4615488612825756), R(-1.22110567489898), R(0.5540935861792993), R(0.4838904299234009), R(0.7791193028315014), R(-0.9033137717431622), R(-0.2266259476954168), R(0.17693751060005766), R(0.2968391046809906), R(1.1647960282122802), R(2.331191725180295), R(-6.463550866379309), R(1.116194172352115), R(1.9828401522817682), R(-0.1544808475917046), R(-2.3479189020452385), R(0.6671977573115891), R(-1.5920684621593761), R(1.0662089410416042), R(0.3387790673073849), R(-5.126778570947157), R(-2.27632218280443), R(1.232844544964601), R(1.2920813951208987), R(0.6559034756588725), R(-1.3556069424878747), R(-0.6052286189651319), R(2.125271908057776), R(0.0657743173519708), R(0.24215204646043811), R(0.6106983154636879), R(-0.1897731891741756), R(-5.499557175165275), R(1.2359496221709771), R(1.2849573738963962), R(-0.9648577337181953), R(1.5713497950801747), R(0.181159203200847), R(-0.04142037513585941), R(0.1949606435479852), R(-3.2736800900751137), R(-7.53815908804151), R(-0.22550744552233803), R(1.1430617053517205), R(1.3258912124401798), R(-3.950809739892428)),
+STAGE_ROW(R(-0.13703380709310525), R(5.949669384883125), R(-0.6163792094890086), R(0.9566650312905136), R(0.8536739503671024), R(-2.25505076534238), R(2.799272550722727), R(-1.3953512040124942), R(7.203109079536962), R(-1.383934834773573), R(0.9818644893696604), R(19.647808726499377), R(0.7935385251023698), R(4.176458871680884), R(-17.82010355287829), R(3.6901586693920807), R(7.549262418809822), R(1.0620382453727726), R(7.024539882568978), R(0.5621995407051339), R(2.595832589524189), R(7.251209176247447), R(-0.8134947392042826), R(-1.0938027468304297), R(-3.473178128958087), R(-21.62009703079447), R(-1.4241703782082134), R(2.4551513102810802), R(-0.19224333141058442), R(-6.120408513192459), R(3.2022144233899508), R(4.2393555440131205), R(0.47334709935912056), R(-0.8560612047929922), R(-15.526333302011542), R(-2.8149804449332905), R(4.4200624377295705), R(-0.4222280028374978), R(-5.232179034282164), R(0.7982421346780301), R(3.3177344626125924), R(25.045404460316036), R(1.0169233352111506), R(-1.656649910349945), R(0.89842205990082), R(2.665981857362291), R(21.064559601665707), R(-6.147592181494391), R(-0.8271220861819688), R(-7.684317446801785), R(16.50404396165795), R(7.804527997851596), R(-0.8151820821641066), R(3.5043688152077617), R(-26.11431567650305), R(3.5491379422843985), R(2.9090916344433024), R(-11.935234663055628), R(-3.178311843503763), R(2.817814334462676)),
+STAGE_ROW(R(0.08994365529010133), R(17.84127084289967), R(-0.5595188952337646), R(2.42318185018089), R(-1.471833853511588), R(-1.69127281512072), R(6.8649728052257215), R(1.2633891125722163), R(-2.5725265248429268), R(-5.765829505363394), R(1.2101761463666605), R(-0.6260274430718061), R(0.2130075486838612), R(0.7323741027002014), R(-32.55575293357208), R(-1.9582051999945937), R(-9.975667577073418), R(4.7780832300375256), R(-12.949198851056211), R(0.23463153886215188), R(7.79110853417378), R(9.67520860691246), R(-7.00182689369329), R(-5.272132978115982), R(-14.269092586897996), R(22.883056037473807), R(11.05412857074848), R(3.0856279583499306), R(9.002342860890945), R(2.1236724989115285), R(-2.0241613098166225), R(0.43909594770185323), R(-3.9171574867191103), R(3.159746628118209), R(-98.9342401333318), R(-1.003431193677335), R(-6.180833768914418), R(5.022327286049814), R(-15.425117149921832), R(0.16712807218368309), R(11.409487414751291), R(66.2802545875152), R(-0.2827841106093986), R(-0.7369594625644507), R(11.928860409332628), R(3.2161046061664407), R(21.668131510807143), R(6.138042925278234), R(2.9531225834337005), R(6.312134941983256), R(-6.71561139464425), R(-14.057842025585659), R(2.252794792025089), R(-1.361662040726848), R(-77.26471108056766), R(5.621267739343352), R(1.441774608449267), R(-11.22502709664621), R(8.896517148116569), R(0.26959423629319573))
+},
+{
+STAGE_ROW(R(-0.08126615157271902), R(11.593270851048933), R(-1.262288494139312), R(0.27684415187542927), R(1.7151115558698562), R(0.06190510359445244), R(-2.9997802377221787), R(-7.388357444319147), R(0.9869977001819292), R(-0.5382864137767664), R(2.7054775044403323), R(0.8969055379205997), R(-1.4237231165627504), R(-0.47945566128420863), R(-0.7353546087540397), R(0.7503621451560196), R(3.46265872365753), R(-1.623214266134548), R(2.9475151426821933), R(-0.38498619597427397), R(-0.049370330453741444), R(0.42607557710153504), R(-0.4240821766409792), R(-0.31352968856405605), R(0.31314759964094396), R(0.21549665928308712), R(-0.3167804110894062), R(0.8680886517505944), R(0.6651298351689133), R(0.4993347021783267), R(0.4743496906563604), R(0.4983577811395981), R(-0.8615276346407947), R(0.09981546435250435), R(0.270962588395912), R(0.8904190216069703), R(2.7063024794244335), R(-0.5881278385419783), R(0.6368110506840275), R(-0.07504584998611884), R(-0.020787319541067727), R(0.8448038866540044), R(-0.4563626169837409), R(-0.9919178571097106), R(0.3584400703533542), R(0.3170415022655998), R(-0.19387222463901047), R(0.9828597698523344), R(0.7709796676932821), R(0.5506555791090374), R(0.43168010308322385), R(0.7848861132039223), R(-0.9638688994050885), R(0.12807888016457739), R(0.369866161387822), R(0.8532698232926977), R(5.094271587799005), R(-0.52164165958601), R(0.11283868632956515), R(-0.036926317365066685)),
+STAGE_ROW(R(0.953351046109415), R(0.8684236806323975), R(-0.9773633101673677), R(-0.5537871481003664), R(-0.1920081307350391), R(0.050663345687480064), R(-0.23277050392401527), R(1.2970026908110053), R(-0.4705381710762688), R(-0.2013847566068551), R(-0.05848976816686244), R(0.6047393581209596), R(0.38850409832523397), R(-0.051933617474167255), R(0.7652590803256948), R(-0.32588118064923943), R(7.9553229468529825), R(-0.674494434042795), R(-0.038907828809215256), R(-0.13266815349984282), R(0.9259509494973056), R(0.5275789973984738), R(-0.9411733225280587), R(-0.7544830136886599), R(-0.21552479867930407), R(-0.022580064896526326), R(-0.28905775805907086), R(1.209000103334126), R(-0.5743799360032157), R(-0.2214416598796062), R(-0.04013903165220316), R(0.013524595326932266), R(0.5008793495459929), R(-0.08365146518312142), R(0.707435352946219), R(-0.3010926014478886), R(7.1112280709036035), R(-0.7086056174246935), R(0.17710297741825323), R(-0.16822396469387232), R(0.9508202114375487), R(0.414411391353481), R(-1.0639102521408412), R(-0.9997130902412484), R(-0.1444649924649037), R(0.20704338653578475), R(-0.02209184590243635), R(1.4393295254758687), R(-0.26926287975043817), R(-0.1442134209971707), R(-0.1325765442323538), R(0.6783345810616385), R(0.29947808731781894), R(-0.010975824126480616), R(0.8050099055903092), R(-0.37840938051982964), R(12.194653601213956), R(-0.5644393447818019), R(-0.2281453828126726), R(-0.027537044551379508)),
+STAGE_ROW(R(0.9522388608162892), R(-0.26974428628657043), R(-0.5819882001987016), R(-0.24087488460001322), R(-1.2732410534130607), R(1.559447244036525), R(1.4445481584271207), R(2.352421586779439), R(-0.8127596776525109), R(1.1283626606730157), R(0.02850482574558807), R(-0.5111218530488322), R(-2.087742444528711), R(1.6074221005621114), R(0.7911274678652754), R(0.6496334928602611), R(-2.320803044507432), R(0.679938533022905), R(-0.3427086031724729), R(0.7800058865658864), R(1.154702102690376), R(0.960079100453895), R(-0.45351422381215534), R(0.19576783379557886), R(1.5262410915906257), R(-0.8066532847845339), R(-3.0921562993283698), R(3.3829595114405713), R(2.749637839270027), R(3.25548322954648), R(-0.6779317752405657), R(0.2811953255857274), R(2.638890442138453), R(0.9832382482031808), R(-22.965653646929425), R(1.6833682676498423), R(1.6154195067813488), R(-3.060254035885053), R(-1.983911240813675), R(1.5957704464463542), R(-0.27506702265304556), R(-5.033624784899524), R(-0.89573097654149), R(-14.385300343630817), R(-1.0121196599246731), R(4.822727928743824), R(-0.5805273163821641), R(-4.055879009176656), R(1.3399258361159143), R(-0.036003840244318644), R(-0.46731716070319806), R(0.023817250384372785), R(-0.038820953575375475), R(-0.8480799534175028), R(-5.371315066659799), R(0.626593137237157), R(7.824712979595791), R(0.09972302967996373), R(-0.6748957790368183), R(0.8518145635744986)),
+STAGE_ROW(R(-0.055859451415967785), R(1.345540189663609), R(0.5068357875555567), R(0.8832630020281079), R(-0.04219114814341362), R(0.5814594453355384), R(0.7214035284878119), R(1.2573053534248335), R(1.1861199401939295), R(-0.2513750058634127), R(0.5275729983142976), R(3.126125244591928), R(-1.0970189490412912), R(-0.39278334572766765), R(0.6194707154255875), R(-0.5304736989362514), R(22.409048653882014), R(0.6363667779998246), R(1.3095112762202117), R(-0.4649052249943096), R(-2.0697164157759667), R(10.055419698825352), R(1.6092720006112324), R(4.241165503296212), R(3.137508132162127), R(9.233278491337703), R(-0.48380065008401923), R(9.344688471194868), R(-8.519003742694743), R(-4.489287066696538), R(1.5704463643866784), R(1.4590878277766635), R(0.12736588493222306), R(2.1121919563995464), R(5.716015605914309), R(-3.195389067510775), R(11.751356615983116), R(2.743026326390823), R(-4.25628834723509), R(-0.7276122256954742), R(2.082004147543289), R(5.3245278265483265), R(-1.8271746593115386), R(1.5919423564317217), R(0.6414816871909478), R(-7.274482822395604), R(0.1453171192465239), R(-7.5320074134367045), R(1.1088411781380205), R(-1.1646295665069584), R(-2.0239908135036964), R(3.002125272942585), R(-2.3065903930770544), R(-3.1733908409720044), R(-1.2888811087714678), R(-0.6151494638419069), R(21.233532115156578), R(8.87185286401675), R(1.0927518160910068), R(3.909521924917804)),
+STAGE_ROW(R(-0.09541531822055391), R(0.984155454788131), R(0.5223670452468453), R(-0.38946690001384726), R(-0.3723483393702686), R(0.04322115674971848), R(-0.7682147483468907), R(1.0029966536390018), R(0.4403135030568752), R(0.46856673293184176), R(-0.7305182541528003), R(0.6188462863626817), R(0.2082049195542017), R(0.4704777960289923), R(0.9041100348936807), R(-0.11356733716289792), R(8.149474202234956), R(-0.10832726077506484), R(-0.8097113810046158), R(0.6284963452891397), R(1.2429395856567989), R(5.524972613429344), R(3.93606776049532), R(21.15166665656706), R(-1.6668094618686056), R(1.1028081571407127), R(-1.2831811468967513), R(0.848224676890811), R(8.387690426138246), R(-1.4088554052887035), R(-1.5529613457620903), R(0.12221958608451447), R(2.0917607552849637), R(-0.5983166318374452), R(-8.117012359110037), R(-5.572705211651021), R(0.2806245512454909), R(-3.221682950100213), R(-1.8472631543799383), R(0.7186759706314066), R(-0.18005576019423603), R(0.40342912294823674), R(0.5942289457463512), R(0.41839528677477295), R(-0.4529229576764457), R(-0.13782483095862172), R(-0.9027161139340865), R(0.6426923889515088), R(0.04617851105449556), R(0.3575160828908572), R(-0.6654050078204853), R(-0.38599963135203097), R(0.356791364655371), R(0.395038166664433), R(0.6940699681156637), R(-0.016219160285063403), R(-0.10235044139763215), R(-0.22262892924137043), R(-0.4931094173089471), R(0.5347956336545001)),
+STAGE_ROW(R(0.18752554291332962), R(-0.18315114544999314), R(0.5580179812049554), R(0.35983755097491843), R(0.7484203133379658), R(-0.7200580574792906), R(0.6800919104171753), R(-0.38358684069621607), R(-0.8602665267193546), R(0.05233175593854592), R(-0.7667645217865542), R(0.7737376036494513), R(-0.5064907288470117), R(-0.5842137055239203), R(-0.4497185931007975), R(-0.20087186703978052), R(4.378640551557068), R(0.3690759186751844), R(-0.30937021866291486), R(0.001254352567025699), R(1.5431106714705605), R(-0.6300629200052681), R(1.0985253950897462), R(0.6320643609635531), R(0.9581005418632651), R(0.8341289873871821), R(4.400580817263182), R(-6.485435015484124), R(-1.548763693373463), R(2.5850337574653817), R(-0.8430290910090292), R(0.6790801264559552), R(-1.6848760254300736), R(-0.8711788834264238), R(-0.15260428237697424), R(-1.4953444083543288), R(2.7483591099292726), R(-0.1900319569169533), R(0.3931619363915611), R(-0.5516235528561313), R(2.09706822725968), R(-2.852703656047642), R(0.1190613520583843), R(0.42550615821971977), R(2.234801395946716), R(0.532080501578855), R(1.035751551270541), R(1.5538590231107012), R(-2.16371651811476), R(-0.12511323993725915), R(-2.7073458085733617), R(0.5938801029777745), R(-0.8631470599855541), R(-0.8666625142551073), R(-5.232693857774596), R(-4.771755265568027), R(4.167669187448211), R(-0.4831446348166516), R(-1.3939963379377482), R(1.3392804554463988)),
+STAGE_ROW(R(0.8328624434264092), R(0.06188475545556383), R(-0.7477037222887911), R(0.011784190600891373), R(-1.9550940570848536), R(2.376786054394722), R(0.4639584736395405), R(1.3622341634836708), R(-0.747624554136502), R(1.0464648850671356), R(-0.21233980401667507), R(0.8496587596182756), R(-1.6702784458567255), R(1.2547439069780892), R(-0.17544838237390278), R(0.9986212650232534), R(13.775108100227863), R(-0.4274680916899015), R(-0.1617206056100204), R(1.7620792243655299), R(1.1329051301461657), R(-5.3623544436568285), R(-2.533837219352488), R(-0.6734684071470781), R(-1.103801051911754), R(-1.1651386655699683), R(-2.673487206483681), R(8.917679754695543), R(1.4974758291575878), R(3.4049322305869163), R(-0.18557088841850064), R(-0.40389284735361186), R(-1.0022370165290089), R(2.3101496128258088), R(4.212104397155725), R(1.6737026481956683), R(5.957184501514511), R(0.22117586631628838), R(-2.489147044404163), R(-0.19479284146696274), R(1.2602002029704884), R(2.8118484756771407), R(-0.5500583675495148), R(0.5569351396318019), R(-1.059440201418107), R(1.6446756456363858), R(-2.2344313206894877), R(-4.2594125706934465), R(-12.264962806719097), R(0.235940813237291), R(-1.485433455225852), R(0.7246948173159067), R(0.6139841523498912), R(2.6162752798469517), R(-0.03399914841044918), R(2.969795951109323), R(11.281282701925415), R(-0.32557870195142563), R(-1.6103395815328732), R(1.394516885540084)),
+STAGE_ROW(R(-0.1566445866337114), R(0.0040809061983689745), R(1.2723404042085023), R(-1.0018812637409575), R(-0.9757598921839307), R(-1.247940508636444), R(0.5610455060070801), R(-1.0588741006946591), R(-0.2911302716294332), R(-0.25250598823057413), R(1.1447695165519034), R(0.906889956983782), R(-0.2058008903599233), R(-0.3410235540598534), R(-0.791900982365217), R(-0.374119310514636), R(5.537482674208758), R(0.5883981004107985), R(3.3487875705785863), R(-1.4085502827846745), R(0.6575597331435848), R(-3.1938769004236884), R(1.2026382174359165), R(-0.9397292000317433), R(-0.30829080923567875), R(-6.132366003681041), R(-4.026007291703492), R(-0.4658196473894441), R(3.535396580144015), R(1.8618628863185778), R(-0.4962771101968572), R(0.6275745775818414), R(4.139784551206315), R(0.021875366706041177), R(-17.39391744994456), R(-0.29049793918632066), R(4.388873065607982), R(-1.2119592998254993), R(0.3064756908367776), R(0.0852320751588125), R(0.5074705818759944), R(-5.83005839648202), R(0.8365779080630779), R(-0.6027590375907005), R(1.2992195876103751), R(0.14001249920821274), R(1.8009334892531734), R(10.203802639937184), R(0.2688859078159915), R(-0.23448260547769015), R(0.3002294742013616), R(0.9543559761645479), R(1.1396980605454565), R(-1.4271580975004323), R(1.1679732485710006), R(0.9590248292572554), R(6.97545822080749), R(1.4882844352424895), R(-0.005567561807529865), R(-0.09031328666942451)),
+STAGE_ROW(R(0.5312917559968745), R(-11.331254327608429), R(-0.29196747372593257), R(-0.2768413814853059), R(-1.1608217975564048), R(-4.2570811112464), R(-0.664805208858111), R(8.357142801641515), R(0.11799073785105416), R(1.838840665853103), R(-0.08287822696371576), R(2.0278202089758977), R(-0.4797520791164307), R(1.1126483523606159), R(-0.4822294585290874), R(1.802775466186069), R(10.89374544593533), R(0.385700823939059), R(-5.95295838460851), R(-0.7182365567988506), R(1.33040479876801), R(1.7876061738089475), R(-0.2622694470268007), R(-1.0259914322898216), R(-0.6600024173914208), R(0.5799896276245223), R(-1.5855454655476162), R(-3.4494131740034613), R(3.2994305312453203), R(1.397140187980811), R(-0.39785316980793833), R(2.104339462497708), R(1.0237733110805638), R(0.7733679813399043), R(-0.7466974825025405), R(0.8625761192203254), R(5.998509842164524), R(-2.109139182112581), R(-1.174643619627894), R(0.1364207836988779), R(0.4420037343463971), R(-1.6229890811280832), R(-0.2534248607814027), R(0.3595802534940709), R(-1.0846679432512254), R(-1.5289451955275737), R(0.405560013104058), R(1.558786003011699), R(-7.529663075430422), R(0.17497168511846536), R(0.011973634225064634), R(1.7408788872099203), R(0.379888024961862), R(2.139973442496666), R(-1.3861869472764252), R(1.8841995159595288), R(6.897224775173827), R(0.28236172097636986), R(-0.3229437878006453), R(0.5585696578696727)),
+STAGE_ROW(R(-1.020998704079364), R(-2.020016549570797), R(-0.1933047758884654), R(-0.2501505978583935), R(-0.24037520130878395), R(-0.7875466550894659), R(0.22626997671526344), R(-0.4427288930642586), R(-0.8040209983302954), R(-0.6059612849373431), R(0.37510552681117293), R(0.5551565384192675), R(-0.2844899140369234), R(0.25845782367387393), R(0.5676249991618144), R(-1.0143607858336245), R(6.294663609086384), R(0.33857573801860813), R(0.13983644173317172), R(0.21829772954175986), R(-1.1074385307122896), R(-4.386455842889109), R(0.7608996885239676), R(0.723517984862476), R(-0.8115242787638857), R(1.5413320742464478), R(-0.18505039323721958), R(-4.848294680875177), R(3.3867666280982958), R(0.6694462017485555), R(-0.9872799555284484), R(0.8638008091946514), R(-0.302370804046656), R(-0.08476089402983131), R(10.760634728255305), R(-0.7912659718157665), R(2.352235048588694), R(-1.9610953735577585), R(1.8677580173144839), R(1.3467325161281556), R(-0.5819077215256704), R(1.2114503991758547), R(-0.7390716303773006), R(-0.01646670106292852), R(0.8984694413089609), R(-3.8256806033455746), R(-0.28484807697752335), R(-3.5411194968184523), R(-0.6131124621589608), R(-2.5466626449269802), R(-0.5548987140279086), R(1.6400662768448333), R(-0.6094787108552994), R(2.148304600614294), R(-2.3393591564359624), R(-2.398311354853058), R(4.55936685365835), R(1.9647410342248548), R(0.4993343656628263), R(4.194722303706051)),
+STAGE_ROW(R(-0.40114572741616467), R(0.44274693792115194), R(-0.8682237893956118), R(0.5882003731696738), R(0.24407218989809534), R(-0.024989356422347078), R(-0.25174157459329305), R(0.20673751788801256), R(0.3120718408681768), R(-0.6052505595418464), R(0.10015094699926745), R(1.98612267847637), R(-0.8897243391231036), R(-0.014743358068644756), R(0.8399920961732139), R(0.8102352646339354), R(9.324272928448604), R(-0.6957967252726225), R(-0.40446728268306015), R(0.6672568579579012), R(-0.6791267983091777), R(1.0662613312909532), R(-2.0447193915652044), R(-8.713981348955407), R(1.102014225328556), R(-5.194890421512334), R(-3.838969407767575), R(7.824116114625719), R(11.702540195871237), R(-1.270685846150828), R(-0.8243575093917311), R(0.8910976022471621), R(-1.6996127505227152), R(-1.3963144244412107), R(0.2632198580640594), R(2.5242519884155965), R(3.8202335292466407), R(-0.892946633669473), R(-1.417647652256718), R(3.7974277982199016), R(-1.2354028383239744), R(9.83616540206872), R(-1.0603548262138989), R(6.37839651080607), R(0.7929527317329168), R(2.334057692429568), R(-1.7673423148118519), R(-10.85294081448443), R(-10.429457597284797), R(1.5724580034539424), R(1.3900577611335139), R(2.017647680403866), R(-2.1400715506942745), R(-0.7330859072119768), R(-0.9956620490186584), R(-1.5053645524464587), R(12.863114132867343), R(-1.6653725955012741), R(-0.7137853351905867), R(-1.6244569311536414)),
+STAGE_ROW(R(1.1802374000532725), R(-3.6371036090062496), R(-1.455523683460526), R(-1.5089994267797793), R(-1.1522138572205447), R(-2.362588110143207), R(0.28497295746997975), R(4.792972511238809), R(1.1914353009705216), R(2.0897538495921797), R(0.8880034442616002), R(1.5368313482006157), R(0.7901708906958628), R(-1.7843173684579183), R(1.8623484370040655), R(-1.776582899714496), R(9.81709381456929), R(2.028180150450806), R(-13.918277355396182), R(-0.08222189600550923), R(0.6043117298610796), R(3.8558582677223487), R(-1.6252095809254015), R(-4.134279240996269), R(-0.5542530759995542), R(-0.8267035586826234), R(-0.9059037950506735), R(1.2590279534089213), R(9.673232348713384), R(2.3854492996804852), R(1.4779283538599965), R(0.8024341350524549), R(1.682478238124609), R(-0.9423413577172282), R(0.9341168443975476), R(-0.5995452538686152), R(6.3797963429564355), R(1.4116489764567648), R(-6.465713932127143), R(-0.8258210624126269), R(-0.2557441366196176), R(0.8663692224414918), R(-1.0859083210259501), R(-1.4279187479201494), R(-0.5459019546923835), R(0.35824723158861616), R(0.6213842677461717), R(3.1223927706750825), R(-6.394802505945262), R(0.39845932435303844), R(0.5351954860923349), R(1.2535738691847316), R(1.2621951508747233), R(-1.0637940707679125), R(-0.8608504572680729), R(-1.4713087794100914), R(8.51899262987231), R(2.7604137477203397), R(-1.7574425901639994), R(1.5115502055886008)),
+STAGE_ROW(R(0.13622318062901137), R(2.0765790904315646), R(0.2681351506870641), R(-3.2448062844828836), R(0.31794656218599154), R(-2.8588034022236735), R(0.06986974774835623), R(1.237541071909056), R(-0.029901368418409558), R(-1.0043330884108854), R(0.46376170718897547), R(1.7320027340757085), R(-0.340033101483531), R(0.33204513785188267), R(0.40299545736632786), R(-0.2571763634725647), R(9.401350644744596), R(0.6181459180770708), R(12.237687943044733), R(0.8545299787104941), R(0.3746440649236933), R(-6.313487502731759), R(0.35908466082910373), R(0.7898821505232216), R(0.3550765711452705), R(-2.066842134843049), R(-2.4512110005568997), R(0.6488407927558582), R(-2.2246043366418533), R(1.384223206030911), R(1.8588711763730459), R(0.7370608512648473), R(0.3120725460658443), R(-0.45671685974303167), R(-4.435398528770576), R(-0.24770577534198787), R(2.7123007163094717), R(2.309107213872923), R(-0.29678812592104464), R(0.9684677616765383), R(-2.5946885909774795), R(2.379444861185142), R(0.1826799119629419), R(14.47050525571877), R(-0.03714325086011294), R(-0.4214125223636237), R(-4.002884033455958), R(1.7240146354370742), R(-0.4871245979456198), R(-1.7391934336590662), R(1.0467280938521095), R(1.456077013601873), R(0.38206921706782376), R(-0.7889297467044042), R(6.472422045253919), R(5.602116410429917), R(6.2293046112058965), R(3.360925203182953), R(-3.288681287356207), R(-5.428242613029098)),
+STAGE_ROW(R(-0.1146417813596871), R(-0.4417642623812179), R(1.1879272664701614), R(0.9813840339509229), R(-0.3924159343173175), R(-0.0742343066509279), R(-0.3002280874919416), R(0.06928675818441409), R(-0.6637369968336667), R(-0.8838180032832549), R(0.394253460471594), R(1.2724797774958196), R(0.1223295191310507), R(1.181333813396342), R(-0.02964713910802168), R(0.9361540369055891), R(7.281665542848799), R(-1.0332798245233308), R(-0.9359511129972596), R(-1.3498557203628512), R(4.518717044030082), R(13.414978276353036), R(1.625489189230308), R(8.045775861981962), R(2.705619240077816), R(7.225239213885472), R(1.095213290684695), R(-0.6453584651104285), R(-6.495443160546896), R(3.5650570673866184), R(-2.5849618558880967), R(2.2817490142047694), R(2.2551461196654987), R(1.1378073248658152), R(1.1906396076074235), R(0.46644819449849706), R(5.63856091862383), R(0.9315435601215937), R(-0.77288931131012), R(-0.7416517906876883), R(-1.2967534594535652), R(-2.183907269136169), R(0.4638887025771525), R(-2.781485689563481), R(1.5660919652415013), R(11.763047991347497), R(-2.34699219124953), R(3.2919048372120225), R(0.545765801054969), R(-3.2751217953277103), R(-3.319892857003026), R(1.0082026080836577), R(-0.5439006235831625), R(1.4307633904535892), R(1.3497126096278569), R(1.2633801311976272), R(6.13762723007499), R(-8.030091704889145), R(-2.117523837622956), R(1.6002328309979594)),
+STAGE_ROW(R(-0.9510112628468982), R(-0.11835196794307991), R(0.0687637935197535), R(0.4629625303221146), R(0.746647523664411), R(-0.736214541235968), R(-0.31543605769213523), R(0.6411129003847208), R(0.4351069492444704), R(-0.38723970248298545), R(0.8215366451013209), R(-0.12392454983082819), R(-0.23383540491456328), R(0.414986915677176), R(-0.025255561175002914), R(-0.4110193113320691), R(4.403592754259934), R(0.6129526957521687), R(0.3206228935683222), R(0.4784740916043127), R(-0.7466874530199362), R(-0.29346844172310366), R(-0.09025460134173971), R(0.09940400450529856), R(0.811783643175025), R(-1.2219094878579007), R(-0.10164904965401202), R(0.5498034112604637), R(3.203170844294591), R(-0.5122513711292891), R(1.0304323284655394), R(-0.25736992527434827), R(-0.006394603421824745), R(-0.14535969233851884), R(-0.09121126774037516), R(-0.6764524287642062), R(2.720480696265095), R(0.40590248833083925), R(0.7496324001227298), R(0.4554836929564533), R(-1.3414245838018826), R(-1.3614823352457077), R(-0.6338898584402536), R(0.8566187419678651), R(1.5219918065553497), R(-1.1634113400980326), R(0.12282163160372686), R(1.7156904404683635), R(-1.3259676468820014), R(-0.7174209733328285), R(0.28880592507756175), R(0.1095480728754669), R(0.09975765418997051), R(-0.02320923262420114), R(2.3860581886670835), R(-0.3642491857607895), R(4.106153777458853), R(1.6464845710599945), R(-0.12997167562497833), R(0.8565781922676828)),
+STAGE_ROW(R(-0.7307415627072625), R(-0.29389579718460557), R(-0.5929588268489578), R(0.3266698872383178), R(0.7089193643695477), R(2.225413165784014), R(0.4957409230232323), R(-1.7955777341865728), R(-0.639967764471989), R(-1.4092322411914586), R(0.019269941831983012), R(0.6962268735843685), R(0.7711960817474527), R(0.22501239702891537), R(0.5638544119132338), R(-1.787004361995376), R(5.166209779262163), R(1.308011558622094), R(-1.1764473904294155), R(1.0622242945043956), R(-0.09962200269653472), R(2.0300972130153347), R(-1.4999461764895863), R(3.845451082697299), R(0.5352904152129739), R(0.25093193066422703), R(5.923092940623399), R(-0.9913551791382719), R(-1.1692186881923068), R(-1.68111239971752), R(-0.8822552683814175), R(0.5294898689390617), R(-1.9369588893409466), R(-0.6362018300196078), R(2.7469703306444915), R(-1.547979317157823), R(3.033571506272241), R(4.759693866470925), R(1.203498709472601), R(1.157546372542555), R(-1.0005325918314734), R(-0.3248685412866834), R(-0.5677887769931146), R(0.7942117769604947), R(2.0900393214586197), R(-2.0451253042538746), R(1.2478989707912356), R(-0.5485834443881424), R(-1.4317236366191701), R(-2.903092001564896), R(-1.6428450324819879), R(0.5138402142851037), R(0.555732456816697), R(1.2336173596871136), R(-2.713778104246185), R(-2.374232239226489), R(4.858825728172829), R(1.7359156385793186), R(1.0921318141226288), R(13.030764645821145)),
+STAGE_ROW(R(-1.7990917161523268), R(3.843705455691742), R(-0.46904642135374286), R(-0.4168634993944095), R(1.6658712357096557), R(0.3736104694341309), R(-0.7871643196678938), R(-3.275360426919769), R(1.047777544505038), R(1.9648479051619254), R(-0.06145339883219121), R(1.2253141405213812), R(1.8024562940729132), R(-2.2282132642705754), R(-0.5126292266281597), R(-1.1756261344907406), R(3.684302301182425), R(-0.04654475237426201), R(-4.333608299262879), R(0.38553346273506156), R(1.2612414092659865), R(-1.6226050252828241), R(-0.33182774761352785), R(-1.0944449559296492), R(0.13383889568564153), R(-0.08616333933015957), R(-1.0076735197804412), R(0.27418455917339224), R(3.8411244703106884), R(1.2750486981162588), R(0.00634695105550662), R(1.019903468015837), R(3.0645937174001037), R(0.004781627986225551), R(-10.974745908521314), R(-0.37923295735819906), R(3.6335812581591895), R(-0.7077519647949314), R(-3.72919414284173), R(0.9986684027150873), R(0.4590174847961007), R(-1.57651877786361), R(-0.5379737278013134), R(-0.3243348889306944), R(-0.8566415368596053), R(1.9985240645481457), R(-1.182001865542612), R(-0.5729732485060375), R(-3.6745692251671005), R(1.800550379189266), R(-1.4317381977901504), R(1.4133811130762637), R(-0.8911871592386805), R(-0.44639122764565803), R(0.743013547212048), R(0.04563585292889793), R(7.582270040920254), R(-4.595266480653794), R(-1.8349579094595498), R(-0.7462145207337983)),
+STAGE_ROW(R(-0.821482939411936), R(-0.44731130358030285), R(-0.5247974177497614), R(0.2521017454656912), R(-0.32294212273826334), R(-0.5850068564738085), R(0.7014847561282884), R(1.023303222322345), R(0.38050651283866066), R(-0.40697562025204265), R(-0.09470264237758327), R(0.331892004268932), R(-0.6786563677526947), R(-0.7261334927674832), R(-0.48400881213463737), R(0.07103140218821985), R(4.871249426579199), R(0.28787769771202526), R(0.4315187627672082), R(0.8631274962901723), R(-0.8354049541385276), R(-0.29647866899432984), R(-0.5278354166069618), R(-0.09670078560404022), R(-0.33359294872878603), R(-0.5732316588862565), R(0.673113109982464), R(0.9737601393766261), R(0.3007780671571647), R(-0.4174602990210783), R(-0.0892753740514505), R(-0.02046598073527828), R(-0.664703674614797), R(-0.7318516402605525), R(-0.48187167757090765), R(0.08614348075883688), R(3.186765616402453), R(0.2729622186211086), R(0.09574126743696773), R(0.8585404784362916), R(-1.557737885114233), R(-3.2855835223642584), R(-1.1704894633515603), R(6.855940947137588), R(0.17079053061569432), R(-2.312546793181805), R(1.1830897617106053), R(4.2821188264586985), R(-0.72612195705384), R(-1.5597155397694036), R(0.728523492043144), R(0.554075682193544), R(-0.5105147301508167), R(-1.655588358546018), R(-1.1449736318867028), R(0.9268417650290591), R(4.424191814695701), R(2.515583699004619), R(-0.15123843093457467), R(1.9620641399730538)),
+STAGE_ROW(R(0.6715815031224457), R(-5.366880577169212), R(0.5178443703581135), R(21.324514803965094), R(0.9453121215838469), R(1.0218457414766093), R(-0.1649386443918098), R(3.1414744794703915), R(16.21811539222259), R(-1.1882558325416754), R(-0.712866417078827), R(3.630921759078908), R(-0.16267325892560394), R(-0.03366509891317877), R(1.3808795327672059), R(0.1944134153166959), R(4.712399690000319), R(1.614330068450947), R(-1.1973395777441944), R(-0.5100079105122148), R(-3.599724182249643), R(-2.6873073321071628), R(0.8867178545018727), R(1.2252351787051061), R(1.3793113591067176), R(1.355710677223119), R(5.528005567587613), R(-9.467787389850823), R(-6.430308900842907), R(-0.7827437120816935), R(1.7330870012131563), R(18.87942456763158), R(-3.7936036578515133), R(2.3937229047965487), R(38.65580959708554), R(2.789219294657695), R(-1.108122488334345), R(4.652736911220208), R(1.5353299784428733), R(-4.165707942415996), R(0.3212238266707882), R(0.012613666876397318), R(0.40916166254249103), R(-2.2100181538289645), R(0.9313770318013255), R(0.48557688613873295), R(0.8745603798928883), R(0.9489119396291114), R(0.8660502559640001), R(-0.43740412623384534), R(-0.02954029164843241), R(2.1991798559332496), R(-0.6575318570633385), R(0.9535371423550186), R(1.3903386491156542), R(0.44273233201842926), R(23.12471353632868), R(1.253788294970144), R(-0.8634337809809666), R(-0.4873302445806918)),
+STAGE_ROW(R(0.5239575035412593), R(3.876711892661185), R(0.48536808354204203), R(-0.7929657690151204), R(-0.6654242386623527), R(-2.456182565016831), R(0.30470925451641206), R(-1.5637329636185138), R(0.7602539442773855), R(0.5623544520527484), R(0.3079441958666557), R(1.675254336943325), R(-1.1612589535234656), R(-0.24932608065478182), R(-0.23791540716877416), R(-0.8402384397943933), R(3.225533827584013), R(0.7166840507444956), R(0.007268310694662439), R(-1.0219356612776316), R(0.3523564170905753), R(-5.675314808550252), R(-0.5097738371177201), R(-4.895704122015435), R(-1.9525619828309644), R(-2.1030374909846326), R(-2.331891247230455), R(3.9177436305511453), R(-3.645948638314787), R(0.3600509688381083), R(-0.18795247986682673), R(1.6113683672327448), R(-2.2282245529465787), R(-1.6597935024555839), R(2.672023219909799), R(-0.9584218979909959), R(5.041604261245537), R(-1.6415051147795525), R(-0.47978558848571945), R(0.5768033831598867), R(1.9279856894176224), R(0.5962990945815542), R(-1.2533466200364354), R(-4.039314454310473), R(-3.36576635409815), R(-2.591703491336744), R(-0.7181623692150928), R(0.767224594849984), R(-3.393364033814709), R(4.952962197871601), R(2.7007358532363126), R(2.2749583936838373), R(1.8455600039327873), R(1.9100302325097325), R(1.447132835643348), R(1.7136834621252646), R(8.64355275728198), R(-6.138164146457971), R(-1.8162629812800946), R(-4.694575183517029))
+}
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(-0.48309861367372986), R(-0.14506130409046886), R(0.5565653624110862), R(0.10066595544633357), R(-0.6787856974159643), R(-0.39743320952731853), R(-0.6108517108161883), R(-0.4991134824866138), R(-0.08365656873606997), R(-0.3075627950948472), R(0.510951320729531), R(-0.017856544114258802), R(0.42001334749863833), R(-0.44715859601675334), R(-0.14573103876370497), R(0.5061204179962759), R(0.0038854643508108755), R(-0.29664504743497844), R(0.8131521499925155), R(-0.3060679449763663), R(-0.6896557967159158), R(-0.2986984600587789), R(0.7548491046552661), R(0.5510232083359441), R(-0.4818258852544482), R(-0.2642086413642771), R(-0.598911418557092), R(-0.3694060521596101), R(-0.2014196391987767), R(-0.46762883665890165), R(0.509518397479514), R(-0.0184110749844549), R(0.6186831660278214), R(-0.5163820972754658), R(-0.37976810965637836), R(0.5363411693043781), R(0.0006216159651134098), R(-0.3831841579987839), R(0.7203653748118055), R(-0.34998570518747896), R(-0.48336755830811595), R(-0.45171916227340214), R(0.5822350693530842), R(0.09271584949861471), R(-0.6339300427527915), R(-0.3071994863048665), R(-0.88955655921562), R(-0.4841806997347709), R(0.058531590225113034), R(-0.6572438625075665), R(0.594043947658483), R(-0.014980634245972776), R(0.7247392315827309), R(-0.45517013035536646), R(-0.4633190251193647), R(0.6618701523183113), R(0.003559892287274737), R(-0.33380329129822117), R(0.6577269312660488), R(-1.0073517267770367));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output_bias[STAGE_NETWORKS] =
+{R(-1.9767535443959434), R(-1.776331013767793), R(-3.105422340052998)};
+#define STAGE_DEPTHS {3, 3, 3}
+
+
+/*
+ * A stage: networks evaluated in step. Its tables, which come before this, define its sizes, STAGE_..., and the names
+ * of its tables and functions: STAGE(networks) computes it.
+ */
+#if STAGE_SIDE_BY_SIDE
+/*
+ * A stage on vectors of 16 numbers: its networks side by side. Lane l of part m is neuron STAGE_SHARE m +
+ * l / STAGE_NETWORKS of network l % STAGE_NETWORKS, and lanes left over are zeros. Sums are added up in the order of
+ * the other form of a stage, to the same bits.
+ */
+
+/* In each lane what its network has of neuron q of a part. */
+SAILNET_INLINE sailnet_lanes STAGE(neuron)(sailnet_lanes part, int32_t q)
+{
+    const sailnet_mask network = {
+        0 % STAGE_NETWORKS,  1 % STAGE_NETWORKS,  2 % STAGE_NETWORKS,  3 % STAGE_NETWORKS,
+        4 % STAGE_NETWORKS,  5 % STAGE_NETWORKS,  6 % STAGE_NETWORKS,  7 % STAGE_NETWORKS,
+        8 % STAGE_NETWORKS,  9 % STAGE_NETWORKS,  10 % STAGE_NETWORKS, 11 % STAGE_NETWORKS,
+        12 % STAGE_NETWORKS, 13 % STAGE_NETWORKS, 14 % STAGE_NETWORKS, 15 % STAGE_NETWORKS,
+    };
+    return _mm512_maskz_permutexvar_ps(0xFFFF, (__m512i)(network + q * STAGE_NETWORKS), part);
+}
+
+SAILNET_INLINE void STAGE(begin)(int32_t layer, sailnet_lanes sums[2][STAGE_PARTS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[0][m] = sailnet_at(STAGE(biases)[layer][m]);
+        sums[1][m] = nothing;
+    }
+}
+
+/* Two sums for each neuron: in one, an addition would wait for the one before it. */
+SAILNET_INLINE void STAGE(add)(sailnet_lanes a, const sailnet_real weights[STAGE_PARTS][STAGE_PART],
+                                      sailnet_lanes sums[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[m] += a * sailnet_at(weights[m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(activate)(sailnet_lanes sums[2][STAGE_PARTS], sailnet_lanes neurons[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        neurons[m] = sailnet_sigmoid(sums[0][m] + sums[1][m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    sailnet_lanes sums[2][STAGE_PARTS];
+    sailnet_lanes neurons[STAGE_PARTS];
+    STAGE(begin)(0, sums);
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_lanes clamped =
+            sailnet_lanes_clamped(nothing + input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        STAGE(add)(clamped - STAGE(lower)[i], STAGE(first)[i], sums[i % 2]);
+    }
+    STAGE(activate)(sums, neurons);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(begin)(layer, sums);
+        SAILNET_UNROLLED
+        for (int32_t i = 0; i < STAGE_ROWS; i++) {
+            STAGE(add)(STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE),
+                              STAGE(hidden)[layer - 1][i], sums[i % 2]);
+        }
+        STAGE(activate)(sums, neurons);
+    }
+    sailnet_16_bytes products[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_ROWS; i++) {
+        const sailnet_lanes neuron = STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE);
+        const void *const weights = STAGE(output)[i];
+        sailnet_16_bytes first;
+        (void)memcpy(&first, &neuron, sizeof first);
+        products[i % 4] += first * *(const sailnet_16_bytes *)weights;
+    }
+    const sailnet_16_bytes sum = (products[0] + products[2]) + (products[1] + products[3]);
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = sum[k] + STAGE(output_bias)[k];
+    }
+}
+#else
+/*
+ * A stage: STAGE_NETWORKS network(s) with the same STAGE_INPUTS inputs, layer by layer. STAGE_DEPTH
+ * hidden layers of at most STAGE_ROWS neurons; a shallower network uses the first ones.
+ */
+
+/* Physical input, clamped to the widened range it had in training, less the lower end of that range. */
+SAILNET_INLINE void STAGE(shifted)(const sailnet_real input[STAGE_INPUTS],
+                                          sailnet_real shifted[STAGE_EVEN_INPUTS])
+{
+    shifted[STAGE_EVEN_INPUTS - 1] = R(0.0);
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_real clamped =
+            sailnet_clamped(input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        shifted[i] = clamped - STAGE(lower)[i];
+    }
+}
+
+#define STAGE_VECTORS (STAGE_WIDTH / SAILNET_LANES)
+/* Sums of one network that registers hold, twice; and of how many networks they hold as many. */
+#if STAGE_VECTORS % 6 == 0
+#define STAGE_BLOCK 6
+#elif STAGE_VECTORS % 5 == 0
+#define STAGE_BLOCK 5
+#elif STAGE_VECTORS % 4 == 0
+#define STAGE_BLOCK 4
+#elif STAGE_VECTORS % 3 == 0
+#define STAGE_BLOCK 3
+#elif STAGE_VECTORS % 2 == 0
+#define STAGE_BLOCK 2
+#else
+#define STAGE_BLOCK 1
+#endif
+#if 2 * STAGE_BLOCK * STAGE_NETWORKS < SAILNET_REGISTERS
+#define STAGE_TOGETHER STAGE_NETWORKS
+#else
+#define STAGE_TOGETHER 1
+#endif
+
+/*
+ * activations becomes the sigmoids of biases + weights a, for each network: a[k] are the inputs of network k, an even
+ * number, and a[0] of all if `each` is 0.
+ */
+SAILNET_INLINE void STAGE(layer)(const sailnet_real *a, int32_t each, int32_t inputs,
+                                        const sailnet_real biases[STAGE_NETWORKS][STAGE_WIDTH],
+                                        const sailnet_real weights[][STAGE_NETWORKS][STAGE_WIDTH],
+                                        sailnet_real activations[STAGE_NETWORKS][STAGE_WIDTH])
+{
+    SAILNET_ROLLED
+    for (int32_t network = 0; network < STAGE_NETWORKS; network += STAGE_TOGETHER) {
+        SAILNET_ROLLED
+        for (int32_t block = 0; block < STAGE_WIDTH; block += STAGE_BLOCK * SAILNET_LANES) {
+            /* Two sums for each neuron: in one, an addition would wait for the one before it. */
+            sailnet_lanes even[STAGE_TOGETHER][STAGE_BLOCK];
+            sailnet_lanes odd[STAGE_TOGETHER][STAGE_BLOCK];
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const int32_t k = network + n;
+                    const int32_t j = block + m * SAILNET_LANES;
+                    even[n][m] = sailnet_at(&biases[k][j]) + a[k * each] * sailnet_at(&weights[0][k][j]);
+                    odd[n][m] = a[k * each + 1] * sailnet_at(&weights[1][k][j]);
+                }
+            }
+            SAILNET_ROLLED
+            for (int32_t i = 2; i < inputs; i += 2) {
+                SAILNET_UNROLLED
+                for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                    SAILNET_UNROLLED
+                    for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                        const int32_t k = network + n;
+                        const int32_t j = block + m * SAILNET_LANES;
+                        even[n][m] += a[k * each + i] * sailnet_at(&weights[i][k][j]);
+                        odd[n][m] += a[k * each + i + 1] * sailnet_at(&weights[i + 1][k][j]);
+                    }
+                }
+            }
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const sailnet_lanes sigmoids = sailnet_sigmoid(even[n][m] + odd[n][m]);
+                    (void)memcpy(&activations[network + n][block + m * SAILNET_LANES], &sigmoids, sizeof sigmoids);
+                }
+            }
+        }
+    }
+}
+
+/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
+SAILNET_INLINE sailnet_real STAGE(product)(const sailnet_real *a, const sailnet_real *b, int32_t count)
+{
+#ifdef SAILNET_VECTORS
+    sailnet_16_bytes sums = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
+    }
+#else
+    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
+            sums[lane] += a[j + lane] * b[j + lane];
+        }
+    }
+#endif
+#ifdef SAILNET_FLOAT64
+    return sums[0] + sums[1];
+#else
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+#endif
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    static const int32_t depth[STAGE_NETWORKS] = STAGE_DEPTHS;
+    SAILNET_ALIGNED sailnet_real layers[STAGE_DEPTH][STAGE_NETWORKS][STAGE_WIDTH];
+    sailnet_real shifted[STAGE_EVEN_INPUTS];
+    STAGE(shifted)(input, shifted);
+    STAGE(layer)(shifted, 0, STAGE_EVEN_INPUTS, STAGE(biases)[0], STAGE(first), layers[0]);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(layer)(layers[layer - 1][0], STAGE_WIDTH, STAGE_ROWS, STAGE(biases)[layer],
+                            STAGE(hidden)[layer - 1], layers[layer]);
+    }
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = STAGE(product)(layers[depth[k] - 1][k], STAGE(output)[k], STAGE_ROWS) +
+                    STAGE(output_bias)[k];
+    }
+}
+#endif
+#undef STAGE
+#undef STAGE_NETWORKS
+#undef STAGE_INPUTS
+#undef STAGE_EVEN_INPUTS
+#undef STAGE_DEPTH
+#undef STAGE_DEPTHS
+#undef STAGE_ROWS
+#undef STAGE_WIDTH
+#undef STAGE_SIDE_BY_SIDE
+#undef STAGE_SHARE
+#undef STAGE_PARTS
+#undef STAGE_PART
+#undef STAGE_OUTPUTS
+#undef STAGE_OUTPUT
+#undef STAGE_ROW
+#undef STAGE_OUTPUT_ROW
+#undef STAGE_VECTORS
+#undef STAGE_BLOCK
+#undef STAGE_TOGETHER
+
+SAILNET_PART void sailnet_direction(const sailnet_state *state, sailnet_real beta, double direction[SAILNET_STATES])
+{
+    const sailnet_real known = sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real now[3] = {state->r, state->u, state->v};
+    sailnet_real output[3];
+    const sailnet_real s = sailnet_approach(now, known, input, factors);
+    sailnet_plan_networks(input, output);
+    for (int32_t i = 0; i < 3; i++) {
+        direction[i] = (double)output[i];
+    }
+    /* The networks give the costates of position by the scale of the approach; nothing is divided by it. */
+    const sailnet_real scale = s / (s + SAILNET_ARRIVAL_SCALE);
+    for (int32_t i = SAILNET_STATES / 2; i < SAILNET_STATES; i++) {
+        direction[i] *= (double)scale;
+    }
+}
+
 /* ================================ Steering ================================ */
 
 /* Runge and Kutta's method of fourth order: where in the step its stages are, and what they weigh. */
@@ -1149,14 +2873,14 @@ typedef struct {
 } sailnet_change;
 
 /* One such step of Eq. (1), under a constant force. */
-SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
+SAILNET_PART void sailnet_predict(const sailnet_estimate *estimate, sailnet_change *change)
 {
-    const sailnet_state *const before = &memory->state;
-    sailnet_cosine_sine(memory->attitude, &change->cosine, &change->sine);
+    const sailnet_state *const before = &estimate->state;
+    sailnet_cosine_sine(estimate->attitude, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real push = memory->beta * cosine;
-    const sailnet_real across = SAILNET_FORCE_ACROSS + memory->tangential;
+    const sailnet_real push = estimate->beta * cosine;
+    const sailnet_real across = SAILNET_FORCE_ACROSS + estimate->tangential;
     change->normal = (SAILNET_FORCE_SQUARE * cosine + SAILNET_FORCE_LINEAR) * cosine;
     const sailnet_real radial = push * (change->normal + across * sine * sine) - R(1.0);
     const sailnet_real transverse =
@@ -1164,14 +2888,14 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     sailnet_state rate = {R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
-        const sailnet_real step = sailnet_stages[i][0] * memory->held;
+        const sailnet_real step = sailnet_stages[i][0] * estimate->held;
         const sailnet_real per_r = R(1.0) / (before->r + step * rate.r);
         const sailnet_real u = before->u + step * rate.u;
         const sailnet_real v = before->v + step * rate.v;
         rate.r = u;
         rate.u = (radial * per_r + v * v) * per_r;
         rate.v = (transverse * per_r - u * v) * per_r;
-        const sailnet_real share = sailnet_stages[i][1] * memory->held;
+        const sailnet_real share = sailnet_stages[i][1] * estimate->held;
         change->by.r += share * rate.r;
         change->by.u += share * rate.u;
         change->by.v += share * rate.v;
@@ -1179,688 +2903,207 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
 }
 
 /* The weight of a period in the mean of all at first, later of those not forgotten after a time. */
-SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_estimate *estimate, sailnet_real time)
 {
-    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-    const sailnet_real recent = memory->held * (R(1.0) / time);
+    const sailnet_real all = R(1.0) / ((sailnet_real)estimate->samples + R(1.0));
+    const sailnet_real recent = estimate->held * (R(1.0) / time);
     return recent > all ? recent : all;
 }
 
 /*
  * What one more period tells, by how much further the velocity changed than predicted: beta along the normal, the
- * tangential force across it, and how far such surprises differ. Changes are rounded finer than states. What is not
+ * tangential force across it, and how far such innovations differ. Changes are rounded finer than states. What is not
  * finite counts for nothing, what is large for the bound.
  */
-SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
+SAILNET_PART void sailnet_learn(sailnet_estimate *estimate, const sailnet_state *now, const sailnet_change *change)
 {
-    const sailnet_real held = memory->held;
-    const sailnet_state *const before = &memory->state;
+    const sailnet_real held = estimate->held;
+    const sailnet_state *const before = &estimate->state;
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
+    const sailnet_real turned = estimate->slewing * estimate->slewing * SAILNET_SLEW_RATE;
     /* Not held, or turned, or not seen before: that says nothing. */
-    int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
+    int32_t telling = ((held > R(0.0)) && (estimate->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
     telling &= (change->normal >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
-    const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
-    const sailnet_real surprise_v = (now->v - before->v) - change->by.v;
+    const sailnet_real innovation_u = (now->u - before->u) - change->by.u;
+    const sailnet_real innovation_v = (now->v - before->v) - change->by.v;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
     const sailnet_real per = distance * distance / (held * change->normal);
-    const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
-    const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
+    const sailnet_real along = (innovation_u * cosine + innovation_v * sine) * per;
+    const sailnet_real across = (innovation_v * cosine - innovation_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
-        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+        const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
-        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
+        estimate->beta += sailnet_weight(estimate, SAILNET_MEMORY) * counted;
         /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
-        memory->tangential -= R(2.0) * weight * sine * cosine * aside;
-        memory->variance += weight * (relative * relative - memory->variance);
-        memory->slow += weight * (relative * memory->surprise - memory->slow);
-        memory->surprise = relative;
+        estimate->tangential -= R(2.0) * weight * sine * cosine * aside;
+        if (estimate->samples > 0u) {
+            estimate->variance += weight * (relative * relative - estimate->variance);
+            estimate->autocovariance += weight * (relative * estimate->innovation - estimate->autocovariance);
+            estimate->innovation = relative;
+        }
+        /* The first says by how much the vehicle differs from the mission's, not how it varies. */
+        if (estimate->samples < UINT32_MAX) {
+            estimate->samples++;
+        }
     }
 }
 
 /* The share of beta that is not planned with. */
-SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
+SAILNET_PART sailnet_real sailnet_reserve(const sailnet_estimate *estimate, const sailnet_real *time_of_flight,
+                                          sailnet_real hold)
 {
-    const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
+    const sailnet_real tau = sailnet_limited(time_of_flight, SAILNET_OF_TIME_TO_GO);
     /* What white noise leaves in a mean of few products. */
-    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
-    const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
-    const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
-    const sailnet_real rest = memory->variance - slow;
+    const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
+    const sailnet_real chance = estimate->variance * weight * sailnet_per_root(&weight);
+    const sailnet_real slow = sailnet_clamped(estimate->autocovariance - chance, R(0.0), R(1.0));
+    const sailnet_real rest = estimate->variance - slow;
     /* Of its variance the mean of the periods left keeps so much. */
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
     const sailnet_real reserve =
         SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
-    const sailnet_real bounded = sailnet_clamped(reserve, SAILNET_LEAST_RESERVE, SAILNET_LARGEST_RESERVE);
+    const sailnet_real bounded = sailnet_clamped(reserve, R(0.0), SAILNET_LARGEST_RESERVE);
     return bounded * sailnet_clamped(tau * (R(1.0) / SAILNET_LET_GO), R(0.0), R(1.0));
 }
 
 /*
- * How late the sail is: by how much its time to go did not fall as time passed, less what of that is forgotten. And how
- * long it still waits.
+ * The tracker, see sailnet_tracker.h: what it is of this mission, a plan by the networks, and the command.
  */
-SAILNET_INLINE void sailnet_time_passes(sailnet_memory *memory, const sailnet_command *command)
+static const sailnet_problem sailnet_transfer = {
+    0.16892, /* beta */
+    0.387, /* target radius */
+    1.0, /* square */
+    0.0, /* linear */
+    0.0, /* across */
+    0.5000000000000001, /* bound cosine */
+    0.8660254037844386, /* bound sine */
+    -0.6495190528383292, /* edge radial */
+    -0.625, /* edge lateral */
+};
+
+/* Extremals that are computed in a guidance period at most. What has not converged then goes on in the next one. */
+#define SAILNET_EXTREMALS_PER_PERIOD 8
+
+/* The transfer of a vehicle of `beta`, as it was learnt: light pushes it along its surface by more than the mission's, or
+   less. */
+SAILNET_INLINE sailnet_problem sailnet_own_problem(const sailnet_memory *memory, double beta)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    memory->wait = sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT);
-    /* What came of something else says nothing. */
-    const sailnet_real behind =
-        held > R(0.0) ? (command->time_of_flight - memory->time_of_flight) + held : R(0.0);
-    const sailnet_real late = (memory->late - held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late) + behind;
-    memory->late = sailnet_limited(&late, SAILNET_OF_PERIOD);
+    sailnet_problem own = sailnet_transfer;
+    own.beta = beta;
+    sailnet_push_aside(&own, (double)sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL));
+    return own;
 }
 
-/*
- * The sign of the command. Where both are almost equally fast the sail keeps its side until that has cost more than a
- * reversal is worth. The other loses time at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian. A sail that
- * is late has turned over in vain: after every other reversal it waits, for on both sides alike it would circle.
- */
-SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
+/* The networks know the mission's optics alone: beta of such a sail that is as fast. */
+SAILNET_INLINE sailnet_real sailnet_for_networks(const sailnet_memory *memory, sailnet_real beta)
 {
-    const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
-    const sailnet_real facing = ratio * change->cosine;
-    const sailnet_real share = (SAILNET_FORCE_SQUARE - SAILNET_FORCE_ACROSS) * change->cosine + SAILNET_FORCE_LINEAR;
-    const sailnet_real regret = memory->regret + R(2.0) * memory->held * memory->stake * facing * (ratio * share) *
-                                                     sailnet_size(change->sine);
-    memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
-    memory->stake = -sailnet_size(command->lambda_v);
-    sailnet_time_passes(memory, command);
-    const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);
-    if ((command->cone_angle * memory->cone_angle < R(0.0)) && (step > SAILNET_REVERSAL)) {
-        if ((memory->regret < SAILNET_PATIENCE) || (memory->wait > R(0.0))) {
-            command->cone_angle = -command->cone_angle;
-            memory->stake = -memory->stake;
-        } else {
-            memory->wait = R(0.0);
-            if ((memory->late > SAILNET_LATE_TOLERATED) && (memory->waited <= R(0.0))) {
-                memory->wait = sailnet_clamped(SAILNET_WAIT * memory->late, R(0.0), SAILNET_LARGEST_WAIT);
-            }
-            memory->waited = memory->wait;
-            memory->regret = R(0.0);
-        }
-    }
+    const sailnet_real tangential = sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL);
+    const sailnet_real lost = tangential > R(0.0) ? SAILNET_TANGENTIAL_LOSS * tangential : R(0.0);
+    const sailnet_real asked = beta * (R(1.0) - lost);
+    return sailnet_limited(&asked, SAILNET_OF_BETA);
 }
 
-/*
- * Plans of homing: a few arcs of constant tilt from the Sun line, and one step of Newton's method towards one that ends
- * at the target.
- * A tilt is the cone angle.
- */
-
-/* What is corrected: the tilts of all arcs in each of the ways, and then their times. */
-#define SAILNET_TILTS (SAILNET_WAYS * SAILNET_ARCS)
-#define SAILNET_CORRECTIONS (SAILNET_TILTS + SAILNET_ARCS)
-
-/* States as numbers, in order; on the target; and what turns deviations from there into lengths and speeds. */
-#define SAILNET_COMPONENTS 3
-static const sailnet_real sailnet_home[SAILNET_COMPONENTS] = {SAILNET_TARGET_R, SAILNET_TARGET_U, SAILNET_TARGET_V};
-static const sailnet_real sailnet_lengths[SAILNET_COMPONENTS] = {R(1.0), R(1.0), R(1.0)};
-
-SAILNET_INLINE void sailnet_to_numbers(const sailnet_state *state, sailnet_real numbers[SAILNET_COMPONENTS])
+/* Whether the state is within the arrival tolerance of the target: 0, or SAILNET_THERE. */
+SAILNET_INLINE uint32_t sailnet_there(const sailnet_state *state)
 {
-    numbers[0] = state->r;
-    numbers[1] = state->u;
-    numbers[2] = state->v;
+    const sailnet_real known[3] = {state->r, state->u, state->v};
+    const int32_t components = 3;
+    uint32_t there = SAILNET_THERE;
+    for (int32_t i = 0; i < components; i++) {
+        const sailnet_real *const limit = sailnet_limits[SAILNET_OF_STATE + 3 * i + 2];
+        if (!((known[i] >= limit[0]) && (known[i] <= limit[1]))) {
+            there = 0u;
+        }
+    }
+    return there;
 }
 
-SAILNET_INLINE void sailnet_of_numbers(const sailnet_real numbers[SAILNET_COMPONENTS], sailnet_state *state)
+/* A state as the tracker has it. */
+SAILNET_PART void sailnet_to_tracker(const sailnet_state *state, double numbers[SAILNET_STATES])
 {
-    state->r = numbers[0];
-    state->u = numbers[1];
-    state->v = numbers[2];
+    numbers[0] = (double)state->r;
+    numbers[1] = (double)state->u;
+    numbers[2] = (double)state->v;
 }
 
-/* A state after so long [TU] under a tilt, in so many steps. */
-SAILNET_PART void sailnet_arc(const sailnet_memory *memory, const sailnet_real from[SAILNET_COMPONENTS],
-                              const sailnet_real tilt[SAILNET_WAYS], sailnet_real time, int32_t steps,
-                              sailnet_real to[SAILNET_COMPONENTS])
+sailnet_status sailnet_propose_plan(const sailnet_state *state, sailnet_real beta, sailnet_arrival *arrival)
 {
-    sailnet_memory sail;
-    sailnet_of_numbers(from, &sail.state);
-    sail.attitude = tilt[0];
-    sail.held = time / (sailnet_real)steps;
-    sail.beta = memory->beta;
-    sail.tangential = memory->tangential;
-    for (int32_t i = 0; i < steps; i++) {
-        sailnet_change change;
-        sailnet_predict(&sail, &change);
-        sail.state.r += change.by.r;
-        sail.state.u += change.by.u;
-        sail.state.v += change.by.v;
-    }
-    sailnet_to_numbers(&sail.state, to);
-}
-
-/* In which way the tilt of an arc is corrected, and how far it goes there: in the plane there is one. */
-SAILNET_PART void sailnet_ways(const sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
-                               sailnet_real size[SAILNET_WAYS])
-{
-    way[0][0] = R(1.0);
-    size[0] = tilt[0];
-}
-
-/*
- * How the plan ends, in arrival tolerances off the target: returned is what of it changes by each correction. All
- * differences are of small steps.
- */
-SAILNET_PART void sailnet_ends_off(const sailnet_memory *memory, const sailnet_state *known,
-                                   sailnet_real missed[SAILNET_COMPONENTS],
-                                   sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
-{
-    sailnet_real changes[SAILNET_ARCS][SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-    sailnet_real onward[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-    sailnet_real state[SAILNET_COMPONENTS];
-    sailnet_real end[SAILNET_COMPONENTS];
-    sailnet_real other[SAILNET_COMPONENTS];
-    sailnet_to_numbers(known, state);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const sailnet_real *const tilt = memory->arc_tilt[k];
-        const sailnet_real time = memory->arc_time[k];
-        sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, end);
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            const sailnet_real kept = state[i];
-            state[i] = kept + SAILNET_SMALL;
-            sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, other);
-            state[i] = kept;
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                changes[k][j][i] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            }
-        }
-        sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
-        sailnet_real size[SAILNET_WAYS];
-        sailnet_ways(tilt, way, size);
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            sailnet_real beside[SAILNET_WAYS];
-            for (int32_t l = 0; l < SAILNET_WAYS; l++) {
-                beside[l] = tilt[l] + SAILNET_SMALL * way[i][l];
-            }
-            sailnet_arc(memory, state, beside, time, SAILNET_SUBSTEPS, other);
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                by[j][i * SAILNET_ARCS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            }
-        }
-        sailnet_arc(memory, end, tilt, SAILNET_SMALL, 1, other);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            by[j][SAILNET_TILTS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            state[j] = end[j];
-        }
-    }
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        missed[j] = (state[j] - sailnet_home[j]) * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            onward[j][i] = i == j ? R(1.0) : R(0.0);
-        }
-    }
-    for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
-        for (int32_t i = k; i < SAILNET_CORRECTIONS; i += SAILNET_ARCS) {
-            sailnet_real own[SAILNET_COMPONENTS];
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                own[j] = by[j][i];
-            }
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                sailnet_real sum = R(0.0);
-                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
-                    sum += onward[j][l] * own[l];
-                }
-                by[j][i] = sum * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
-            }
-        }
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            sailnet_real row[SAILNET_COMPONENTS];
-            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-                row[i] = R(0.0);
-                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
-                    row[i] += onward[j][l] * changes[k][l][i];
-                }
-            }
-            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-                onward[j][i] = row[i];
-            }
-        }
-    }
-}
-
-/* The largest of several sizes; a NaN if one is. */
-SAILNET_INLINE sailnet_real sailnet_largest(const sailnet_real of[SAILNET_COMPONENTS])
-{
-    sailnet_real largest = R(0.0);
-    for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-        const sailnet_real size = of[i] < R(0.0) ? -of[i] : of[i];
-        largest = ((size > largest) || (size != size)) ? size : largest;
-    }
-    return largest;
-}
-
-/* The solution of equations that are symmetric and positive: L D L^T by Cholesky, in place; of them the lower half counts. */
-SAILNET_PART void sailnet_solved(sailnet_real of[SAILNET_COMPONENTS][SAILNET_COMPONENTS],
-                                 sailnet_real right[SAILNET_COMPONENTS])
-{
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        const sailnet_real per = R(1.0) / of[j][j];
-        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
-            const sailnet_real share = of[i][j] * per;
-            for (int32_t l = i; l < SAILNET_COMPONENTS; l++) {
-                of[l][i] -= share * of[l][j];
-            }
-            right[i] -= share * right[j];
-        }
-        right[j] *= per;
-        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
-            of[i][j] *= per;
-        }
-    }
-    for (int32_t j = SAILNET_COMPONENTS - 1; j > 0; j--) {
-        for (int32_t i = 0; i < j; i++) {
-            right[i] -= of[j][i] * right[j];
-        }
-    }
-}
-
-/* What a step leaves of what was missed. */
-SAILNET_PART void sailnet_leaves(const sailnet_real missed[SAILNET_COMPONENTS],
-                                 sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS],
-                                 const sailnet_real step[SAILNET_CORRECTIONS], sailnet_real left[SAILNET_COMPONENTS])
-{
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        left[j] = missed[j];
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            left[j] += by[j][i] * step[i];
-        }
-    }
-}
-
-/* What is corrected, within its bounds. */
-SAILNET_INLINE sailnet_real sailnet_bounded(sailnet_real value, int32_t of)
-{
-    sailnet_real bounded = sailnet_clamped(value, -SAILNET_PHI_MAX, SAILNET_PHI_MAX);
-    if (of >= SAILNET_TILTS) {
-        bounded = sailnet_clamped(value, SAILNET_LEAST_ARC, SAILNET_HOMING_HORIZON);
-    }
-    return bounded;
-}
-
-/* The tilt of an arc that goes so far in each of its ways, within the bound. */
-SAILNET_PART void sailnet_tilted(sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
-                                 const sailnet_real size[SAILNET_WAYS])
-{
-    tilt[0] = size[0] * way[0][0];
-}
-
-/*
- * One step of Newton's method, of least size where angles weigh as much as times; returned is what it leaves of what was
- * missed. What comes to a bound stays there. A plan that arrives is made shorter in all of its times, as far as the rest
- * can make up for that.
- */
-SAILNET_PART sailnet_real sailnet_improve(sailnet_memory *memory, const sailnet_real missed[SAILNET_COMPONENTS],
-                                          sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
-{
-    sailnet_real value[SAILNET_CORRECTIONS];
-    sailnet_real unit[SAILNET_CORRECTIONS];
-    sailnet_real weight[SAILNET_CORRECTIONS];
-    sailnet_real step[SAILNET_CORRECTIONS];
-    sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
-    sailnet_real size[SAILNET_WAYS];
-    const sailnet_real worst = sailnet_largest(missed);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const int32_t later = SAILNET_TILTS + k;
-        const sailnet_real there = memory->arc_time[k] > R(0.0) ? R(1.0) : R(0.0);
-        sailnet_ways(memory->arc_tilt[k], way, size);
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            const int32_t tilt = i * SAILNET_ARCS + k;
-            value[tilt] = size[i];
-            unit[tilt] = SAILNET_ANGLE_WEIGHT;
-            weight[tilt] = there * SAILNET_ANGLE_WEIGHT * SAILNET_ANGLE_WEIGHT;
-            step[tilt] = R(0.0);
-        }
-        value[later] = memory->arc_time[k];
-        unit[later] = SAILNET_HOMING_STEP;
-        weight[later] = there * SAILNET_HOMING_STEP * SAILNET_HOMING_STEP;
-        step[later] = R(0.0);
-        if ((there > R(0.0)) && (worst < R(0.3))) {
-            step[later] = sailnet_bounded(value[later] - R(0.05) * SAILNET_HOMING_STEP, later) - value[later];
-        }
-    }
-    sailnet_real left[SAILNET_COMPONENTS];
-    for (int32_t round = 0; round < 3; round++) {
-        sailnet_real square[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-        sailnet_real trace = R(0.0);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            for (int32_t l = 0; l <= j; l++) {
-                square[j][l] = R(0.0);
-                for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-                    square[j][l] += by[j][i] * weight[i] * by[l][i];
-                }
-            }
-            trace += square[j][j];
-        }
-        sailnet_leaves(missed, by, step, left);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            square[j][j] += R(0.02) + R(1.52587890625e-05) * trace;
-        }
-        sailnet_solved(square, left);
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            if (weight[i] > R(0.0)) {
-                sailnet_real wanted = R(0.0);
-                for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                    wanted -= by[j][i] * left[j];
-                }
-                wanted *= weight[i];
-                const sailnet_real taken = sailnet_clamped(wanted, -unit[i], unit[i]);
-                const sailnet_real free = value[i] + step[i] + taken;
-                const sailnet_real bounded = sailnet_bounded(free, i);
-                step[i] = bounded - value[i];
-                if ((bounded < free) || (bounded > free) || (taken < wanted) || (taken > wanted)) {
-                    weight[i] = R(0.0);
-                }
-            }
-        }
-    }
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        if (memory->arc_time[k] > R(0.0)) {
-            const int32_t later = SAILNET_TILTS + k;
-            /* For what rounding adds. */
-            memory->arc_time[k] = sailnet_bounded(value[later] + step[later], later);
-            sailnet_ways(memory->arc_tilt[k], way, size);
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                const int32_t tilt = i * SAILNET_ARCS + k;
-                size[i] = sailnet_bounded(value[tilt] + step[tilt], tilt);
-            }
-            sailnet_tilted(memory->arc_tilt[k], way, size);
-        }
-    }
-    sailnet_leaves(missed, by, step, left);
-    return sailnet_largest(left);
-}
-
-/*
- * The plan corrected: by how much it missed before that [arrival tolerances], and what is left of it. One that would miss
- * by too much for that to be told, or by what is no number, stays.
- */
-SAILNET_PART sailnet_real sailnet_correct(sailnet_memory *memory, const sailnet_state *known, sailnet_real *left)
-{
-    sailnet_real missed[SAILNET_COMPONENTS];
-    sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS];
-    sailnet_ends_off(memory, known, missed, by);
-    sailnet_real worst = sailnet_largest(missed);
-    sailnet_real steepest = worst;
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            const sailnet_real steep = by[j][i] < R(0.0) ? -by[j][i] : by[j][i];
-            steepest = ((steep > steepest) || (steep != steep)) ? steep : steepest;
-        }
-    }
-    if (steepest <= R(1000000.0)) {
-        *left = sailnet_improve(memory, missed, by);
-    } else {
-        *left = R(1000000.0);
-        worst = R(1000000.0);
-    }
-    return worst;
-}
-
-/*
- * Homing: the model flown ahead, so that what the networks would miss is not missed. A plan is a few arcs of constant
- * tilt, first as the networks would fly, then corrected each period by a step of Newton's method until it ends at
- * the target. While it does the networks steer; where it soon could no longer, or is sooner there, it is flown.
- */
-#define SAILNET_NO_PLAN 0u
-#define SAILNET_LOOKING 1u   /* the networks are flown ahead */
-#define SAILNET_CORRECTED 2u /* it does not end at the target yet */
-#define SAILNET_READY 3u     /* it does */
-#define SAILNET_FLOWN 4u
-
-/* How long the plan takes [TU]. */
-SAILNET_PART sailnet_real sailnet_planned(const sailnet_memory *memory)
-{
-    sailnet_real time = R(0.0);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        time += memory->arc_time[k];
-    }
-    return time;
-}
-
-/* So much of the plan is over [TU]. Arcs that are few are halved: there is the more to correct. */
-SAILNET_PART void sailnet_pass(sailnet_memory *memory, sailnet_real time)
-{
-    sailnet_real rest = time;
-    for (int32_t arc = 0; arc < SAILNET_ARCS; arc++) {
-        const sailnet_real first = memory->arc_time[0];
-        const sailnet_real over = first < rest ? first : rest;
-        rest -= over;
-        memory->arc_time[0] = first - over;
-        if (memory->arc_time[0] <= R(0.0)) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                const sailnet_real tilt = memory->arc_tilt[0][i];
-                for (int32_t k = 1; k < SAILNET_ARCS; k++) {
-                    memory->arc_tilt[k - 1][i] = memory->arc_tilt[k][i];
-                }
-                memory->arc_tilt[SAILNET_ARCS - 1][i] = tilt;
-            }
-            for (int32_t k = 1; k < SAILNET_ARCS; k++) {
-                memory->arc_time[k - 1] = memory->arc_time[k];
-            }
-            memory->arc_time[SAILNET_ARCS - 1] = R(0.0);
-        }
-    }
-    sailnet_real far = R(0.0);
-    for (int32_t k = SAILNET_ARCS / 2; k < SAILNET_ARCS; k++) {
-        far += memory->arc_time[k];
-    }
-    if (far <= R(0.0)) {
-        for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                memory->arc_tilt[k][i] = memory->arc_tilt[k / 2][i];
-            }
-            memory->arc_time[k] = R(0.5) * memory->arc_time[k / 2];
-        }
-    }
-    if (sailnet_planned(memory) <= R(0.0)) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
-}
-
-/* The plan ends where it came nearest the target, and what was flown meanwhile is over. */
-SAILNET_PART void sailnet_end_nearest(sailnet_memory *memory)
-{
-    sailnet_real left = memory->nearest_time;
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const sailnet_real time = memory->arc_time[k];
-        memory->arc_time[k] = sailnet_clamped(left, R(0.0), time);
-        left -= time;
-    }
-    memory->homing = SAILNET_CORRECTED;
-    sailnet_pass(memory, memory->looked);
-}
-
-/* The tilt of a command. */
-SAILNET_INLINE void sailnet_tilt_of(const sailnet_command *command, sailnet_real tilt[SAILNET_WAYS])
-{
-    tilt[0] = command->cone_angle;
-}
-
-/* The command of a tilt. */
-SAILNET_INLINE void sailnet_command_of(const sailnet_real tilt[SAILNET_WAYS], sailnet_command *command)
-{
-    command->cone_angle = tilt[0];
-}
-
-/* Fly the networks one step ahead, and remember it in the arc they are in: another where they turn over. */
-SAILNET_PART void sailnet_look(sailnet_memory *memory, sailnet_real plan)
-{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+#if SAILNET_PLANS
     sailnet_command command;
-    const sailnet_state state = memory->ahead;
-    const uint32_t seen = sailnet_law(&state, plan, &command);
-    const sailnet_real promised = command.time_of_flight;
-    const sailnet_real time = sailnet_clamped(promised, SAILNET_LEAST_ARC, SAILNET_HOMING_STEP);
-    const sailnet_real elapsed = sailnet_planned(memory);
-    uint32_t arc = memory->arc;
-    sailnet_real before = memory->arc_time[arc];
-    sailnet_real tilt[SAILNET_WAYS];
-    sailnet_tilt_of(&command, tilt);
-    sailnet_real alike = R(0.0);
-    for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-        alike += memory->arc_tilt[arc][i] * tilt[i];
+    if ((arrival != NULL) && ((sailnet_law(state, beta, &command) & ~SAILNET_THERE) != (uint32_t)SAILNET_INVALID_INPUT)) {
+        sailnet_direction(state, command.beta, arrival->direction);
+        arrival->time_to_go = (double)command.time_of_flight;
+        arrival->beta = (double)command.beta;
+        status = SAILNET_OK;
     }
-    if ((before > R(0.0)) && ((alike < R(0.0)) || (before >= SAILNET_LONGEST_ARC))) {
-        arc++;
-        before = R(0.0);
-    }
-    int32_t ends = 0;
-    if (promised <= SAILNET_HOMING_STEP) {
-        ends = 1;
-    }
-    if ((arc < (uint32_t)SAILNET_ARCS) && ((seen & ~SAILNET_THERE) < (uint32_t)SAILNET_OUTSIDE_DOMAIN) &&
-        (elapsed <= R(1.6) * memory->promised)) {
-        sailnet_real numbers[SAILNET_COMPONENTS];
-        const sailnet_real whole = before + time;
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            const sailnet_real mean = before > R(0.0) ? memory->arc_tilt[arc][i] : R(0.0);
-            memory->arc_tilt[arc][i] = (mean * before + tilt[i] * time) / whole;
-        }
-        memory->arc_time[arc] = whole;
-        memory->arc = arc;
-        sailnet_to_numbers(&state, numbers);
-        sailnet_arc(memory, numbers, tilt, time, 1, numbers);
-        sailnet_of_numbers(numbers, &memory->ahead);
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            numbers[i] = (numbers[i] - sailnet_home[i]) * sailnet_lengths[i];
-        }
-        const sailnet_real off = sailnet_largest(numbers);
-        if (off < memory->nearest) {
-            memory->nearest = off;
-            memory->nearest_time = elapsed + time;
-        }
-    } else {
-        ends = 1;
-    }
-    if (ends != 0) {
-        sailnet_end_nearest(memory);
-    }
+#else
+    (void)state;
+    (void)beta;
+    (void)arrival;
+#endif
+    return status;
 }
 
-/*
- * What becomes of a plan that is corrected. `fair` is the time to go without the reserve that the networks keep, which
- * costs time about in proportion.
- */
-SAILNET_PART void sailnet_judge(sailnet_memory *memory, const sailnet_state *known, sailnet_real promised,
-                                sailnet_real fair)
+/* Whether all numbers of what a plan commands are numbers, and no larger than SAILNET_OF_PLAN has it. */
+SAILNET_PART int32_t sailnet_are_numbers(const sailnet_planned *planned)
 {
-    sailnet_real left;
-    const sailnet_real missed = sailnet_correct(memory, known, &left);
-    const sailnet_real time = sailnet_planned(memory);
-    int32_t soon = 0;
-    int32_t given_up = 0;
-    if (time <= R(1.6) * promised + R(2.0) * SAILNET_HOMING_STEP) {
-        soon = 1;
-    }
-    if (memory->corrections <= 15u) {
-        memory->corrections++;
-    }
-    if ((memory->homing == SAILNET_CORRECTED) && (missed < R(0.3)) && (soon != 0)) {
-        memory->homing = SAILNET_READY;
-    }
-    if ((memory->homing == SAILNET_READY) && (soon != 0) && (time > R(0.6) * SAILNET_HOMING_STEP) &&
-        ((left > R(0.5)) || (time < fair - R(0.3) * SAILNET_HOMING_STEP))) {
-        memory->homing = SAILNET_FLOWN;
-    }
-    if (memory->homing == SAILNET_CORRECTED) {
-        if (memory->corrections > 15u) {
-            given_up = 1;
+    double numbers[sizeof(sailnet_planned) / sizeof(double)];
+    const double largest = (double)sailnet_limits[SAILNET_OF_PLAN][1];
+    int32_t are = 1;
+    (void)memcpy(numbers, planned, sizeof numbers);
+    for (uint32_t i = 0u; i < (sizeof numbers / sizeof numbers[0]); i++) {
+        if (!((numbers[i] >= -largest) && (numbers[i] <= largest))) {
+            are = 0;
         }
-    } else if (memory->homing == SAILNET_READY) {
-        given_up = 1 - soon;
-    } else if (left > R(1.0)) {
-        given_up = 1;
-    } else {
-        /* It is flown. */
     }
-    if (given_up != 0) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
+    return are;
 }
 
-/* The memory may have held any bits. */
-SAILNET_PART void sailnet_limit_plan(sailnet_memory *memory)
+/* The same as a number of the command: the clamp tells an analyser that it is one. */
+SAILNET_PART sailnet_real sailnet_of_plan(double number)
 {
-    if (memory->homing > SAILNET_FLOWN) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
-    if (memory->arc >= (uint32_t)SAILNET_ARCS) {
-        memory->arc = 0u;
-    }
-    if (memory->corrections > 15u) {
-        memory->corrections = 15u + 1u;
-    }
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            memory->arc_tilt[k][i] = sailnet_limited(&memory->arc_tilt[k][i], SAILNET_OF_CONE_ANGLE);
-        }
-        memory->arc_time[k] = sailnet_clamped(memory->arc_time[k], R(0.0), SAILNET_HOMING_HORIZON);
-    }
-    memory->looked = sailnet_clamped(memory->looked, R(0.0), SAILNET_HOMING_HORIZON);
-    memory->nearest_time = sailnet_clamped(memory->nearest_time, R(0.0), R(2.0) * SAILNET_HOMING_HORIZON);
+    const sailnet_real value = (sailnet_real)number;
+    return sailnet_limited(&value, SAILNET_OF_PLAN);
 }
 
-/*
- * Whether the plan is flown: then it is the command, and nobody is late, or waits. `plan` is the beta that the networks
- * read.
- */
-SAILNET_PART int32_t sailnet_homes(sailnet_memory *memory, const sailnet_state *known, sailnet_real plan,
-                                   sailnet_command *command)
+/* The command by the plan; 0 if there is none that passes through the state: then the networks' is to be flown. */
+SAILNET_PART int32_t sailnet_tracks(sailnet_memory *memory, const sailnet_state *known, sailnet_real beta,
+                                    sailnet_real estimated, sailnet_real hold, sailnet_command *command)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    const sailnet_real promised = command->time_of_flight;
-    sailnet_limit_plan(memory);
-    if (memory->homing >= SAILNET_CORRECTED) {
-        sailnet_pass(memory, held);
-    } else if (memory->homing == SAILNET_LOOKING) {
-        memory->looked += held;
-    } else {
-        /* There is none. */
+    sailnet_tracker *const tracker = &memory->tracker;
+    sailnet_planned planned;
+    double state[SAILNET_STATES];
+    sailnet_to_tracker(known, state);
+    sailnet_time_passes(tracker, (double)memory->estimate.held);
+    const sailnet_problem own = sailnet_own_problem(memory, (double)beta);
+    sailnet_arrival arrival;
+    if ((sailnet_needs_proposal(tracker) != 0) &&
+        (sailnet_propose_plan(known, sailnet_for_networks(memory, beta), &arrival) == SAILNET_OK)) {
+        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go);
     }
-    if ((memory->homing == SAILNET_NO_PLAN) && (promised <= SAILNET_HOMING_HORIZON) && (promised > SAILNET_HOMING_STEP)) {
-        for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                memory->arc_tilt[k][i] = R(0.0);
-            }
-            memory->arc_time[k] = R(0.0);
-        }
-        memory->homing = SAILNET_LOOKING;
-        memory->ahead = *known;
-        memory->promised = promised;
-        memory->nearest = R(1000000000.0);
-        memory->nearest_time = R(0.0);
-        memory->looked = R(0.0);
-        memory->arc = 0u;
-        memory->corrections = 0u;
+    int32_t flown = sailnet_follow(&own, tracker, state, (double)estimated, (double)hold,
+                                   SAILNET_EXTREMALS_PER_PERIOD, &planned);
+    /* The memory may have held any bits. */
+    if ((flown != 0) && (sailnet_are_numbers(&planned) == 0)) {
+        flown = 0;
     }
-    for (int32_t i = 0; i < 2; i++) {
-        if (memory->homing == SAILNET_LOOKING) {
-            sailnet_look(memory, plan);
-        }
-    }
-    if ((memory->homing >= SAILNET_CORRECTED) &&
-        ((memory->homing != SAILNET_READY) || ((memory->periods % 2u) == 0u))) {
-        sailnet_judge(memory, known, promised, promised * plan / memory->beta);
-    }
-    int32_t flown = 0;
-    if (memory->homing == SAILNET_FLOWN) {
-        flown = 1;
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            memory->arc_tilt[0][i] = sailnet_limited(&memory->arc_tilt[0][i], SAILNET_OF_CONE_ANGLE);
-        }
-        sailnet_command_of(memory->arc_tilt[0], command);
-        command->time_of_flight = sailnet_planned(memory);
-        memory->stake = R(0.0);
-        memory->regret = R(0.0);
-        memory->late = R(0.0);
-        memory->wait = R(0.0);
-        memory->waited = R(0.0);
+    if (flown != 0) {
+        const double unit = (double)beta / (sailnet_transfer.target_radius * sailnet_transfer.target_radius);
+        const sailnet_real along = sailnet_of_plan(planned.attitude.cosine);
+        const sailnet_real beside = sailnet_of_plan(planned.attitude.sine);
+        const sailnet_real size = sailnet_angle(&along, &beside);
+        command->hold = R(0.0);
+        command->beta = beta;
+        command->time_of_flight = sailnet_of_plan(planned.time_to_go);
+        command->lambda_v = sailnet_of_plan(unit * planned.costates[SAILNET_STATES - SAILNET_ACROSS]);
+        const sailnet_real angle = planned.attitude.across[0] < 0.0 ? -size : size;
+        command->cone_angle = sailnet_limited(&angle, SAILNET_OF_CONE_ANGLE);
     }
     return flown;
 }
@@ -1876,11 +3119,11 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
     if ((inside != 0) && (tau <= longest)) {
         *hold = sailnet_limited(&longest, SAILNET_OF_PERIOD);
         status = SAILNET_ARRIVED;
-    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) &&
+    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->estimate.periods > 0u) &&
                (tau >= memory->time_of_flight)) {
         *hold = R(0.0);
         status = SAILNET_ARRIVED;
-    } else if (memory->unseen > R(0.0)) {
+    } else if (memory->estimate.unseen > R(0.0)) {
         status = SAILNET_RECKONED;
     } else if ((SAILNET_READS_BETA != 0) && (inside != 0) && (plan < SAILNET_BETA_MIN)) {
         status = SAILNET_AT_LIMIT;
@@ -1894,16 +3137,16 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
  * For how long to hold the last command: on the straight line of one predicted step, until the target is nearest. By
  * then the time of flight is below what the networks know it to.
  */
-SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
+SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_estimate *estimate)
 {
     sailnet_change change;
-    sailnet_predict(memory, &change);
-    const sailnet_state *const from = &memory->state;
+    sailnet_predict(estimate, &change);
+    const sailnet_state *const from = &estimate->state;
     const sailnet_state *const by = &change.by;
     const sailnet_real forward =
         (SAILNET_TARGET_R - from->r) * by->r + (SAILNET_TARGET_U - from->u) * by->u + (SAILNET_TARGET_V - from->v) * by->v;
     const sailnet_real share = forward / (by->r * by->r + by->u * by->u + by->v * by->v);
-    return memory->held * sailnet_clamped(share, R(0.0), R(1.0));
+    return estimate->held * sailnet_clamped(share, R(0.0), R(1.0));
 }
 
 void sailnet_start(sailnet_memory *memory)
@@ -1911,48 +3154,49 @@ void sailnet_start(sailnet_memory *memory)
     if (memory != NULL) {
         /* Of a real, too, bits that are all 0 are 0. */
         (void)memset(memory, 0, sizeof *memory);
-        memory->beta = SAILNET_BETA;
+        memory->estimate.beta = SAILNET_BETA;
     }
 }
 
 /* The command by which a cone angle comes true. */
-SAILNET_PART sailnet_real sailnet_told(const sailnet_memory *memory, sailnet_real cone_angle)
+SAILNET_PART sailnet_real sailnet_told(const sailnet_estimate *estimate, sailnet_real cone_angle)
 {
-    const sailnet_real told = cone_angle - memory->offset;
+    const sailnet_real told = cone_angle - estimate->offset;
     return sailnet_limited(&told, SAILNET_OF_CONE_ANGLE);
 }
 
 void sailnet_measured(sailnet_memory *memory, sailnet_real cone_angle)
 {
     if ((memory != NULL) && (sailnet_is_finite(cone_angle) != 0)) {
-        const sailnet_real turn = cone_angle - memory->measured;
-        const sailnet_real askew = cone_angle - sailnet_told(memory, memory->cone_angle);
+        sailnet_estimate *const estimate = &memory->estimate;
+        const sailnet_real turn = cone_angle - estimate->measured;
+        const sailnet_real askew = cone_angle - sailnet_told(estimate, estimate->cone_angle);
         /* Farther off it lags. */
         if (askew * askew <= SAILNET_LARGEST_OFFSET * SAILNET_LARGEST_OFFSET) {
-            memory->offset += sailnet_weight(memory, SAILNET_SURPRISE_MEMORY) * (askew - memory->offset);
+            estimate->offset += sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY) * (askew - estimate->offset);
         }
-        memory->measured = cone_angle;
-        memory->attitude = cone_angle;
+        estimate->measured = cone_angle;
+        estimate->attitude = cone_angle;
         /* A mean tells the force if the sail hardly turned. */
-        memory->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : memory->held;
+        estimate->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : estimate->held;
     }
 }
 
 /* The state to steer by: the one shown, or where the sail must be; null if neither is known. */
-SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
+SAILNET_PART const sailnet_state *sailnet_known(sailnet_estimate *estimate, const sailnet_state *shown,
                                                 sailnet_change *change)
 {
     const sailnet_state *known = NULL;
     if ((shown != NULL) && (sailnet_is_state(shown) != 0)) {
-        sailnet_learn(memory, shown, change);
-        memory->unseen = R(0.0);
+        sailnet_learn(estimate, shown, change);
+        estimate->unseen = R(0.0);
         known = shown;
     } else {
-        memory->unseen += memory->held;
-        change->by.r += memory->state.r;
-        change->by.u += memory->state.u;
-        change->by.v += memory->state.v;
-        if ((memory->held > R(0.0)) && (memory->unseen <= SAILNET_LONGEST_RECKONING) &&
+        estimate->unseen += estimate->held;
+        change->by.r += estimate->state.r;
+        change->by.u += estimate->state.u;
+        change->by.v += estimate->state.v;
+        if ((estimate->held > R(0.0)) && (estimate->unseen <= SAILNET_LONGEST_RECKONING) &&
             (sailnet_is_state(&change->by) != 0)) {
             known = &change->by;
         }
@@ -1967,66 +3211,150 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         (void)sailnet_law(NULL, SAILNET_BETA, command);
         return SAILNET_INVALID_INPUT;
     }
+    sailnet_estimate *const estimate = &memory->estimate;
     sailnet_change change;
     const sailnet_state *known = NULL;
     sailnet_real hold = R(0.0);
     /* The memory may have held any bits. */
-    memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);
-    memory->attitude = sailnet_limited(&memory->attitude, SAILNET_OF_ATTITUDE);
-    memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);
+    estimate->cone_angle = sailnet_limited(&estimate->cone_angle, SAILNET_OF_CONE_ANGLE);
+    estimate->attitude = sailnet_limited(&estimate->attitude, SAILNET_OF_ATTITUDE);
+    estimate->offset = sailnet_limited(&estimate->offset, SAILNET_OF_OFFSET);
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
-        sailnet_predict(memory, &change);
-        known = sailnet_known(memory, state, &change);
+        sailnet_predict(estimate, &change);
+        known = sailnet_known(estimate, state, &change);
     }
-    memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
-    memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
-    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
-    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
-    const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
-    sailnet_real share = R(1.0) - lost;
+    estimate->beta = sailnet_limited(&estimate->beta, SAILNET_OF_BETA);
+    estimate->tangential = sailnet_limited(&estimate->tangential, SAILNET_OF_TANGENTIAL);
+    estimate->variance = sailnet_limited(&estimate->variance, SAILNET_OF_SHARE);
+    estimate->autocovariance = sailnet_limited(&estimate->autocovariance, SAILNET_OF_SHARE);
+    sailnet_real own = estimate->beta;
 #if SAILNET_AGES
     if (known != NULL) {
-        share *= sailnet_aged(memory, known);
+        own *= sailnet_aged(estimate, memory->time_of_flight, known);
     }
 #endif
-    const sailnet_real plan = memory->beta * share * (R(1.0) - sailnet_reserve(memory, hold));
-    uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
-    command->beta = memory->beta;
+    const sailnet_real plan = own * (R(1.0) - sailnet_reserve(estimate, &memory->time_of_flight, hold));
+    const sailnet_real beta = sailnet_limited(&plan, SAILNET_OF_BETA);
+    const sailnet_real estimated = sailnet_limited(&own, SAILNET_OF_BETA);
+    uint32_t seen = 0u;
+    if ((known == NULL) || (sailnet_tracks(memory, known, beta, estimated, hold, command) == 0)) {
+        seen = sailnet_law(known, sailnet_for_networks(memory, beta), command);
+        memory->source = (uint32_t)SAILNET_FROM_NETWORKS;
+    } else {
+        seen = sailnet_there(known);
+        memory->source = (uint32_t)SAILNET_FROM_PLAN;
+    }
+    command->beta = estimate->beta;
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (known == NULL) {
         /* What was learnt stays, but the next state is not what came of the last command. */
-        memory->held = R(0.0);
-        memory->homing = SAILNET_NO_PLAN;
+        estimate->held = R(0.0);
+        memory->source = (uint32_t)SAILNET_FROM_NOTHING;
     } else {
-        if (sailnet_homes(memory, known, sailnet_limited(&plan, SAILNET_OF_BETA), command) != 0) {
-            /* Where the model knows the way it is not for the networks to say whether they know it. */
-            seen &= SAILNET_THERE;
-        } else {
-            sailnet_keep_side(memory, &change, command);
-        }
         status = sailnet_ends(memory, seen, plan, command, &hold);
-        if (memory->periods > 0u) {
-            const sailnet_real left = memory->slewing - memory->held;
-            const sailnet_real turn = sailnet_size(command->cone_angle - memory->cone_angle);
-            memory->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
+        const sailnet_real turn = sailnet_size(command->cone_angle - estimate->cone_angle);
+        if (estimate->periods > 0u) {
+            const sailnet_real left = estimate->slewing - estimate->held;
+            estimate->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
         }
-        memory->state = *known;
-        memory->cone_angle = command->cone_angle;
-        command->cone_angle = sailnet_told(memory, command->cone_angle);
-        memory->attitude = command->cone_angle + memory->offset;
-        memory->held = hold;
+        estimate->state = *known;
+        estimate->cone_angle = command->cone_angle;
+        command->cone_angle = sailnet_told(estimate, command->cone_angle);
+        estimate->attitude = command->cone_angle + estimate->offset;
+        estimate->held = hold;
         if ((status == SAILNET_ARRIVED) && (hold > R(0.0))) {
-            hold = sailnet_until_nearest(memory);
-            memory->held = hold;
+            hold = sailnet_until_nearest(estimate);
+            estimate->held = hold;
         }
         memory->time_of_flight = command->time_of_flight;
-        if (memory->periods < UINT32_MAX) {
-            memory->periods++;
+        if (estimate->periods < UINT32_MAX) {
+            estimate->periods++;
         }
     }
     command->hold = hold;
     return status;
+}
+
+/* What is saved over a reboot, and the report of the plan. */
+
+/* A checksum of all that is before it: CRC-32 of IEEE 802.3, bit by bit. */
+SAILNET_PART uint32_t sailnet_checksum(const sailnet_memory *memory)
+{
+    const unsigned char *const bytes = (const unsigned char *)memory;
+    uint32_t remainder = UINT32_MAX;
+    for (uint32_t i = 0u; i < (uint32_t)offsetof(sailnet_memory, checksum); i++) {
+        remainder ^= bytes[i];
+        for (int32_t bit = 0; bit < 8; bit++) {
+            remainder = (remainder >> 1) ^ (((remainder & 1u) != 0u) ? 0xEDB88320u : 0u);
+        }
+    }
+    return ~remainder;
+}
+
+void sailnet_seal(sailnet_memory *memory)
+{
+    if (memory != NULL) {
+        memory->version = (uint32_t)SAILNET_API_VERSION;
+        memory->checksum = sailnet_checksum(memory);
+    }
+}
+
+sailnet_status sailnet_restore(sailnet_memory *memory)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if (memory != NULL) {
+        if ((memory->version == (uint32_t)SAILNET_API_VERSION) && (memory->checksum == sailnet_checksum(memory))) {
+            status = SAILNET_OK;
+        } else {
+            sailnet_start(memory);
+        }
+    }
+    return status;
+}
+
+/* Whether a text is the digest of this mission. */
+SAILNET_PART int32_t sailnet_is_mission(const char *digest)
+{
+    static const char own[] = SAILNET_MISSION_DIGEST;
+    int32_t same = 1;
+    for (uint32_t i = 0u; (same != 0) && (i < sizeof own); i++) {
+        same = digest[i] == own[i] ? 1 : 0;
+    }
+    return same;
+}
+
+sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_digest, const sailnet_state *state,
+                                   const sailnet_arrival *plan)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if ((memory != NULL) && (mission_digest != NULL) && (state != NULL) && (plan != NULL) &&
+        (sailnet_is_mission(mission_digest) != 0) && (sailnet_is_state(state) != 0) &&
+        (plan->beta >= (double)SAILNET_BETA_MIN) && (plan->beta <= (double)SAILNET_BETA_MAX)) {
+        double numbers[SAILNET_STATES];
+        const sailnet_problem own = sailnet_own_problem(memory, plan->beta);
+        sailnet_to_tracker(state, numbers);
+        if (sailnet_take_plan(&own, &memory->tracker, numbers, plan->direction, plan->time_to_go) !=
+            0) {
+            status = SAILNET_OK;
+        }
+    }
+    return status;
+}
+
+void sailnet_report_plan(const sailnet_memory *memory, sailnet_plan_report *report)
+{
+    if ((memory != NULL) && (report != NULL)) {
+        const sailnet_tracker *const tracker = &memory->tracker;
+        (void)memset(report, 0, sizeof *report);
+        (void)memcpy(report->direction, tracker->plan.direction, sizeof report->direction);
+        report->time_to_go = tracker->plan.time_to_go;
+        report->beta = tracker->plan.beta;
+        report->residual = tracker->plan.residual;
+        report->extremals = tracker->computed;
+        report->planned = tracker->planned;
+        report->source = memory->source;
+    }
 }

@@ -3,13 +3,19 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_mercury_3d: do not edit.
  * mission   155c5e476cc5297d0184da8aa96909b36923acb5188beab09bdcc35169e32139
- * networks  6a25f6e3aeac38a096c3c1e5b2d56759f4fbe63206169a8bae1be66e2f4e3ff4
+ * networks  74ce7132962142285a5aa55fc5cca5df4928f43c2ee27b622a3cc81f62f9b534
  * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (tau)
  * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (alpha_pre)
  * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (lambda_v)
  * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (lambda_w)
+ * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (arrival_lambda_r)
+ * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (arrival_lambda_latitude)
+ * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (arrival_lambda_u)
+ * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (arrival_lambda_v)
+ * data set  e43cd566e40b8c657e7b1d4a715b805f55c82121a5454d12d2ecf9807d49eb72 (arrival_lambda_w)
  *
- * sailnet_steer is what a flight computer calls once a guidance period; sailnet_guidance is the law alone.
+ * Two tiers: sailnet_guidance is the law of the networks alone; sailnet_steer is what a flight computer calls once a
+ * guidance period. With -DSAILNET_LAW_ONLY only the first is compiled.
  *
  * C99 (also C++11), freestanding: nothing is allocated, nothing static is written, no libm.
  * One compilation is one precision: float, or double with -DSAILNET_FLOAT64; the same flag must
@@ -30,17 +36,107 @@
 
 #include <stdint.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
-#define SAILNET_API_VERSION 6
+#define SAILNET_API_VERSION 7
 #define SAILNET_IN_SPACE 1
 #define SAILNET_VERSION "0.2.0"
 #define SAILNET_MISSION "earth_mercury_3d"
 #define SAILNET_SAIL "ideal"
 #define SAILNET_MISSION_DIGEST "155c5e476cc5297d0184da8aa96909b36923acb5188beab09bdcc35169e32139"
-#define SAILNET_NETWORKS_DIGEST "6a25f6e3aeac38a096c3c1e5b2d56759f4fbe63206169a8bae1be66e2f4e3ff4"
+#define SAILNET_NETWORKS_DIGEST "74ce7132962142285a5aa55fc5cca5df4928f43c2ee27b622a3cc81f62f9b534"
+
+/*
+ * What the tracker of optimal extremals computes with and remembers. Everything is in double precision, whatever
+ * sailnet_real is: perturbations grow by thousands along a flight.
+ */
+#ifndef SAILNET_TRACKER_TYPES_H
+#define SAILNET_TRACKER_TYPES_H
+
+#include <stdint.h>
+
+#ifndef SAILNET_IN_SPACE
+#define SAILNET_IN_SPACE 0
+#endif
+
+/* Components of a state: r [AU], u and v [AU/TU]; in space r, the tangent of the latitude, u, v and w. */
+#define SAILNET_STATES 5
+#define SAILNET_ACROSS 2
+
+/* Steps of one extremal, and how many of these may be rejected or end at an event: no loop is longer. */
+#define SAILNET_MOST_STEPS 300
+
+/* What the extremals are of. Forces are per beta / r^2. */
+typedef struct {
+    double beta;          /* normalised characteristic acceleration */
+    double target_radius; /* [AU] */
+    double square;        /* the force along the normal is square cos^2 + linear cos of the cone angle, */
+    double linear;
+    double across;        /* and along the surface, away from the Sun, across cos sin */
+    double bound_cosine;  /* of the cone angle that is best where the bound on it is active */
+    double bound_sine;
+    double edge_radial;   /* slopes of the force by the cone angle where the bound takes over: the optimum is inside it */
+    double edge_lateral;  /* where lambda_u edge_radial - |lambda_v| edge_lateral > 0; in space |(lambda_v, lambda_w)| */
+} sailnet_problem;
+
+/* One end of an extremal: the state, then its costates; and their rates by the time to go. */
+typedef struct {
+    double value[2 * SAILNET_STATES];
+    double rate[2 * SAILNET_STATES];
+} sailnet_end;
+
+/* The cosine and sine of the optimal cone angle, Eq. (11) for a flat sail of any optics, and the direction of the
+   thrust across the Sun line: in the plane a sign, in space along and northward. */
+typedef struct {
+    double cosine;
+    double sine;
+    double across[SAILNET_ACROSS];
+} sailnet_attitude;
+
+/*
+ * A plan: the extremal of minimum time that passes through the state of the sail. Undisturbed, nothing of it changes but
+ * the time to go.
+ */
+typedef struct {
+    double direction[SAILNET_STATES]; /* of the arrival costates, a unit vector */
+    double time_to_go;                /* [TU] */
+    double beta;                      /* normalised characteristic acceleration of the vehicle that it is for, */
+    double across;                    /* and of its problem the force along the surface */
+    double residual;                  /* largest component of the state that it misses */
+    /* Derivatives of the state by all components of the direction but the largest, per that, and by the time to go. */
+    double jacobian[SAILNET_STATES][SAILNET_STATES];
+    double per_beta[SAILNET_STATES];  /* by beta, */
+    double per_across[SAILNET_STATES]; /* and by the force along the surface */
+    sailnet_end end;                  /* of its extremal, */
+    double age;                       /* so long ago [TU]; unless differentiated it may be none */
+    int32_t largest;                  /* component of the direction by which the others are divided */
+    int32_t differentiated;           /* 0: no derivative is known; 1: those by the vehicle are not */
+} sailnet_plan;
+
+/* What is remembered from one guidance period to the next. Zeros are a tracker without a plan. */
+typedef struct {
+    sailnet_plan plan;      /* that is flown */
+    sailnet_plan candidate; /* begun from the networks, which may replace it */
+    double since;           /* time since the plan was solved for the vehicle, or for a weaker one [TU] */
+    double stride;          /* by how much the plan's beta moves in a correction at most, as a share of it */
+    double searched;        /* time since the networks were last evaluated for a plan [TU] */
+    sailnet_attitude flown; /* commanded last */
+    double regret;          /* time lost by keeping an attitude [TU] */
+    int32_t planned;        /* 0: there is no plan; 1: it was solved; 2: its correction goes on */
+    int32_t searching;      /* extremals that are left to the candidate; 0: there is none */
+    int32_t computed;       /* extremals in the last guidance period */
+} sailnet_tracker;
+
+/* What a plan commands. */
+typedef struct {
+    sailnet_attitude attitude;
+    double time_to_go;                /* of the plan now [TU] */
+    double costates[SAILNET_STATES]; /* scaled to H = 0 */
+} sailnet_planned;
+
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 #ifdef SAILNET_FLOAT64
 typedef double sailnet_real;
@@ -48,6 +144,11 @@ typedef double sailnet_real;
 #define sailnet_guidance sailnet_guidance_f64
 #define sailnet_start sailnet_start_f64
 #define sailnet_steer sailnet_steer_f64
+#define sailnet_seal sailnet_seal_f64
+#define sailnet_propose_plan sailnet_propose_plan_f64
+#define sailnet_restore sailnet_restore_f64
+#define sailnet_plan_upload sailnet_plan_upload_f64
+#define sailnet_report_plan sailnet_report_plan_f64
 /* Bound on the cone angle [rad], Eq. (3). */
 #define SAILNET_PHI_MAX 1.0471975511965976
 #else
@@ -56,6 +157,11 @@ typedef float sailnet_real;
 #define sailnet_guidance sailnet_guidance_f32
 #define sailnet_start sailnet_start_f32
 #define sailnet_steer sailnet_steer_f32
+#define sailnet_seal sailnet_seal_f32
+#define sailnet_propose_plan sailnet_propose_plan_f32
+#define sailnet_restore sailnet_restore_f32
+#define sailnet_plan_upload sailnet_plan_upload_f32
+#define sailnet_report_plan sailnet_report_plan_f32
 /* Bound on the cone angle [rad], Eq. (3); rounded down, so that no command exceeds the real bound. */
 #define SAILNET_PHI_MAX 1.0471974611282349f
 #endif
@@ -76,6 +182,9 @@ typedef float sailnet_real;
 #define SAILNET_TARGET_V SAILNET_REAL(1.6074760739013738)
 /* The networks were trained on no longer time of flight [TU]. */
 #define SAILNET_LARGEST_TIME_OF_FLIGHT SAILNET_REAL(332.58789615976787)
+
+/* Whether the networks give a first plan; else it comes by sailnet_plan_upload alone. */
+#define SAILNET_PLANS 1
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */
@@ -110,50 +219,17 @@ typedef float sailnet_real;
 #define SAILNET_SLEW_RATE SAILNET_REAL(568.177397447756)
 #define SAILNET_SLEW_BLUR SAILNET_REAL(0.03)
 
-/* The reserve: the part of beta that sailnet_steer does not plan with. Of the tangential force; of what is slow in
-   the surprises, as a standard deviation; of what is white in them, times the root of the periods left; its bounds;
-   and the time of flight [TU] from which on it shrinks to nothing. */
-#define SAILNET_RESERVE_TANGENTIAL SAILNET_REAL(0.51)
+/* The part of beta by which the networks, which know the mission's optics alone, are asked for a weaker sail, for each
+   share of tangential force that is learnt. */
+#define SAILNET_TANGENTIAL_LOSS SAILNET_REAL(0.51)
+
+/* The thrust margin: the part of beta that sailnet_steer does not plan with. Of what is slow in the innovations, as a
+   standard deviation; of what is white in them, times the root of the periods left; its bound; and the time of flight [TU]
+   from which on it shrinks to nothing. */
 #define SAILNET_RESERVE_SLOW SAILNET_REAL(2.6)
-#define SAILNET_RESERVE_WHITE SAILNET_REAL(4.0)
-#define SAILNET_LEAST_RESERVE SAILNET_REAL(0.003)
+#define SAILNET_RESERVE_WHITE SAILNET_REAL(2.0)
 #define SAILNET_LARGEST_RESERVE SAILNET_REAL(0.105)
 #define SAILNET_LET_GO SAILNET_REAL(0.165)
-
-/* Where the command turns the normal by more than the first [rad], and the clock angle by more than a right angle, the
-   sail turns over. Instead, it keeps its clock angle until that has cost it as much time [TU] as the second: what it
-   takes to turn from one bound to the other at the slew rate, 5.1 hours, but no more than
-   14.0. */
-#define SAILNET_REVERSAL SAILNET_REAL(0.35)
-#define SAILNET_PATIENCE SAILNET_REAL(0.00368616406038182)
-
-/* A sail is late by how much its predicted time to go did not fall as time passed; that is forgotten over the first
-   [TU]. If it is late by more than the second [TU], every other reversal is the last for as many times that as the
-   third, but for no longer than the fourth [TU]: beside the target, where the time to go jumps, it would else turn
-   over for ever. */
-#define SAILNET_LATE_MEMORY SAILNET_REAL(0.5)
-#define SAILNET_LATE_TOLERATED SAILNET_REAL(0.1)
-#define SAILNET_WAIT SAILNET_REAL(3.0)
-#define SAILNET_LARGEST_WAIT SAILNET_REAL(1.5)
-
-/* Homing: from a predicted time to go of the first [TU] on the model is flown ahead, in steps of the second
-   [TU], as a plan of so many arcs of constant tilt, none longer than the fourth [TU] at first.
-   A tilt is the cone angle in the direction across the Sun line that the clock angle gives: along +v, and to the north. */
-#define SAILNET_HOMING_HORIZON SAILNET_REAL(0.3781693477989038)
-#define SAILNET_HOMING_STEP SAILNET_REAL(0.009454233694972596)
-#define SAILNET_ARCS 8
-#define SAILNET_LONGEST_ARC SAILNET_REAL(0.06302822463315064)
-#define SAILNET_WAYS 2
-
-/* In a correction of the plan the first of a tilt [rad] weighs as much as one of these steps of a time.
-   An arc stays as long as the second at least [TU], is flown in so many steps, and what comes of a change is
-   seen by one as small as the last. */
-#define SAILNET_ANGLE_WEIGHT SAILNET_REAL(0.1)
-#define SAILNET_LEAST_ARC SAILNET_REAL(1e-06)
-#define SAILNET_SUBSTEPS 2
-#define SAILNET_SMALL SAILNET_REAL(0.0009765625)
-/* A tilt of less has no direction of its own [rad]. */
-#define SAILNET_LEAST_TILT SAILNET_REAL(1e-06)
 
 /* Without a valid state the sail is steered for so long [TU], some 29 days, by where it must be. */
 #define SAILNET_LONGEST_RECKONING SAILNET_REAL(0.5)
@@ -186,40 +262,61 @@ typedef struct {
                                     another direction costs */
 } sailnet_command;
 
-/* What steering remembers from one period to the next. Opaque: sailnet_start fills it. Whatever bits it
-   holds, commands stay bounded and the estimate of beta within its range. */
+/* The estimator: what is known of the vehicle. */
 typedef struct {
     sailnet_state state;         /* one period ago */
     sailnet_real normal[3];      /* of the sail, as commanded then: radial, transverse, northward */
     sailnet_real held;           /* for how long [TU]; 0: the next period teaches nothing */
-    sailnet_real time_of_flight; /* predicted then [TU] */
     sailnet_real beta;           /* the estimate */
     sailnet_real tangential;     /* estimate of the force along the surface beside SAILNET_FORCE_ACROSS */
-    sailnet_real surprise;       /* by how much beta seemed to differ in the last period, relative to SAILNET_BETA */
-    sailnet_real variance;       /* mean of the squares of surprises, */
-    sailnet_real slow;           /* and of the products of one with the next: what of them is slow */
+    sailnet_real innovation;     /* measured less predicted beta of the last period, relative to SAILNET_BETA */
+    sailnet_real variance;       /* mean of the squares of innovations, */
+    sailnet_real autocovariance; /* and of the products of one with the next */
     sailnet_real slewing;        /* how long the sail still turned as the period began [TU] */
-    sailnet_real stake;          /* of the costates: above 0 if the last clock angle was not the networks' */
-    sailnet_real regret;         /* time lost by not reversing [TU] */
-    sailnet_real late;           /* by how much the time to go has not fallen of late as time passed [TU] */
-    sailnet_real wait;           /* for how long there is no reversal [TU] */
-    sailnet_real waited;         /* the same as it was at the last reversal [TU] */
     sailnet_real unseen;         /* time since the last valid state [TU] */
 #if SAILNET_AGES
-    sailnet_real worn; /* share of SAILNET_DEGRADATION_LOSS that is lost */
+    sailnet_real worn;           /* share of SAILNET_DEGRADATION_LOSS that is lost */
 #endif
-    sailnet_real arc_tilt[SAILNET_ARCS][SAILNET_WAYS]; /* of the plan [rad], */
-    sailnet_real arc_time[SAILNET_ARCS];               /* and for how long [TU] */
-    sailnet_state ahead;         /* where the networks are flown ahead to */
-    sailnet_real looked;         /* for how long that has taken so far [TU] */
-    sailnet_real promised;       /* predicted time of flight as it began [TU] */
-    sailnet_real nearest;        /* what came of it that was nearest the target, */
-    sailnet_real nearest_time;   /* and when [TU] */
-    uint32_t homing;             /* what the plan is good for: 0 there is none, 4 it is flown */
-    uint32_t arc;                /* in which the networks are flown ahead */
-    uint32_t corrections;        /* of the plan, so far */
     uint32_t periods;            /* states steered by so far */
+    uint32_t samples;            /* of these, from how many beta was measured */
+} sailnet_estimate;
+
+/* What steering remembers from one period to the next. sailnet_start fills it. Whatever bits it holds, commands stay
+   bounded and the estimate of beta within its range. */
+typedef struct {
+    sailnet_estimate estimate;
+    sailnet_tracker tracker;     /* the plan */
+    sailnet_real time_of_flight; /* predicted one period ago [TU] */
+    uint32_t source;             /* of the last command: a sailnet_source */
+    uint32_t version;            /* SAILNET_API_VERSION, and a checksum of all before it: see sailnet_seal */
+    uint32_t checksum;
 } sailnet_memory;
+
+/* Where a command came from. */
+typedef enum {
+    SAILNET_FROM_NOTHING = 0, /* there was no state: it is the safe command */
+    SAILNET_FROM_NETWORKS = 1,
+    SAILNET_FROM_PLAN = 2
+} sailnet_source;
+
+/* What a plan begins with: the direction of the arrival costates, of any size, and the time to go [TU] of a vehicle of
+   some beta. */
+typedef struct {
+    double direction[SAILNET_STATES];
+    double time_to_go;
+    double beta;
+} sailnet_arrival;
+
+/* Telemetry of the plan. */
+typedef struct {
+    double direction[SAILNET_STATES]; /* of the arrival costates, a unit vector */
+    double time_to_go;                /* [TU] */
+    double beta;                      /* that the plan is for */
+    double residual;                  /* by how much it misses the state [AU, AU/TU] */
+    int32_t extremals;                /* computed in the last guidance period */
+    int32_t planned;                  /* 1: there is a plan */
+    uint32_t source;                  /* of the last command: a sailnet_source */
+} sailnet_plan_report;
 
 typedef enum {
     SAILNET_OK = 0,
@@ -237,7 +334,7 @@ typedef enum {
        and by what it was told since. */
     SAILNET_RECKONED = 4,
     /* From sailnet_steer: what it would plan with is below SAILNET_BETA_MIN. The command is for that, and there is no
-       reserve left: the sail is weaker than the networks have learnt. */
+       thrust margin left: the sail is weaker than the networks have learnt. */
     SAILNET_AT_LIMIT = 5
 } sailnet_status;
 
@@ -254,7 +351,7 @@ void sailnet_start(sailnet_memory *memory);
 /*
  * Once a guidance period of `period` [TU], at most SAILNET_LARGEST_PERIOD: learn from how the sail answered to the
  * last command, command, and say how long to hold. The command's `beta` is the estimate; what the command is planned
- * with is that less the reserve. `hold` is the period, but when the flight ends (SAILNET_ARRIVED): then it is the time
+ * with is that less the thrust margin. `hold` is the period, but when the flight ends (SAILNET_ARRIVED): then it is the time
  * until the sail is nearest the target, on a straight line, and at most the longer of the period and the threshold.
  *
  * Bad days. Without a valid state (NaN, infinity, a null pointer) the last one is carried forward by what the sail
@@ -263,9 +360,37 @@ void sailnet_start(sailnet_memory *memory);
  * any, the command is the safe one for a period (SAILNET_INVALID_INPUT): the sail faces the Sun. An invalid period
  * gets it with `hold` 0. Outside the trained domain the command is what the networks make of the state clamped to it,
  * for as long as that lasts.
+ *
+ * The command is that of a plan, an optimal extremal that is kept at the state by Newton's method; where no plan passes
+ * through the state, it is that of the networks.
  */
 sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state, sailnet_real period,
                              sailnet_command *command);
+
+/* Before memory is saved: mark its version and a checksum. */
+void sailnet_seal(sailnet_memory *memory);
+
+/* After memory was read again: SAILNET_OK if it is as sailnet_seal left it. If not, it is damaged or of another version:
+   SAILNET_INVALID_INPUT, and a flight begins in it. */
+sailnet_status sailnet_restore(sailnet_memory *memory);
+
+/*
+ * Fly by a plan from the ground. It is corrected at once to pass through `state`, that which sailnet_steer was called
+ * with last, or is called with first, with at most SAILNET_MOST_EXTREMALS extremals. Refused with SAILNET_INVALID_INPUT, and the old plan stands: a digest that is not SAILNET_MISSION_DIGEST,
+ * numbers that are not finite, a beta out of range, and a plan that does not converge.
+ */
+sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_digest, const sailnet_state *state,
+                                   const sailnet_arrival *plan);
+
+/*
+ * The plan of the networks: the direction of the arrival costates and the time to go from a state. It passes through the
+ * state but nearly: sailnet_steer corrects it. SAILNET_INVALID_INPUT: there are no such networks, a null pointer, or
+ * what is not finite; *arrival is as it was.
+ */
+sailnet_status sailnet_propose_plan(const sailnet_state *state, sailnet_real beta, sailnet_arrival *arrival);
+
+/* Telemetry. */
+void sailnet_report_plan(const sailnet_memory *memory, sailnet_plan_report *report);
 
 #ifdef __cplusplus
 }

@@ -4,10 +4,13 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_venus: do not edit.
  * mission   a3e81eb6c3c54b0bee56aff94ebcbbaa542d4cfaa7ed3ecf9a116dc23fcdcef4
- * networks  4d85586d497d634c7cb57623a896b9d2b583b084a3bb5a6760119bf6eea1cb38
+ * networks  55db9ef6f1ecac0e15d4e6423c6e529a9f11c8be548020a64cb4b1df86e5acf4
  * data set  a6f8d8c3303ffb220036e9d1e4612154ed0d13f9d09b400c1a4b656ae5989b4d (tau)
  * data set  a6f8d8c3303ffb220036e9d1e4612154ed0d13f9d09b400c1a4b656ae5989b4d (alpha_pre)
  * data set  a6f8d8c3303ffb220036e9d1e4612154ed0d13f9d09b400c1a4b656ae5989b4d (lambda_v)
+ * data set  9bfb924a231dd55213ff363e7b24263c804f40d3f2db09475f224221aca78e98 (arrival_lambda_r)
+ * data set  9bfb924a231dd55213ff363e7b24263c804f40d3f2db09475f224221aca78e98 (arrival_lambda_u)
+ * data set  9bfb924a231dd55213ff363e7b24263c804f40d3f2db09475f224221aca78e98 (arrival_lambda_v)
  *
  * Vectors are those of gcc and clang (vector_size), as wide as the processor's registers. With other compilers, or
  * with -DSAILNET_PLAIN, the same text computes on single numbers, to the same bits but for contraction: that is what
@@ -15,6 +18,7 @@
  */
 #include "sailnet_guidance.h"
 
+#include <stddef.h>
 #include <string.h>
 #if defined(__SSE2__) && !defined(SAILNET_PLAIN)
 #include <immintrin.h>
@@ -97,6 +101,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
     return (value - value) == R(0.0);
 }
 
+/* pi, rounded down: an angle is in (-pi, pi] in either precision, and its mirror image too. */
+#ifdef SAILNET_FLOAT64
+#define SAILNET_LARGEST_ANGLE 3.1415926535897927
+#else
+#define SAILNET_LARGEST_ANGLE 3.1415925f
+#endif
+
 /*
  * Pairs of a lower and an upper bound, by what they are of: to name a row takes less code than two constants do.
  */
@@ -109,11 +120,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 #define SAILNET_OF_TIME_TO_GO 6
 #define SAILNET_OF_SHARE 7
 #define SAILNET_OF_TANGENTIAL 8
-#define SAILNET_OF_ATTITUDE 9
-#define SAILNET_OF_OFFSET 10
+#define SAILNET_OF_ANGLE 9
+#define SAILNET_OF_PLAN 10
+#define SAILNET_OF_ATTITUDE 11
+#define SAILNET_OF_OFFSET 12
 /* Three of each of r, u, v, and then one of each input. */
-#define SAILNET_OF_STATE 11
-#define SAILNET_OF_INPUTS 20
+#define SAILNET_OF_STATE 13
+#define SAILNET_OF_INPUTS 22
 static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_BETA_MIN, SAILNET_BETA_MAX},
     {-SAILNET_PHI_MAX, SAILNET_PHI_MAX},
@@ -124,6 +137,8 @@ static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_ARRIVAL_THRESHOLD, R(1e9)},
     {R(-1.0), R(1.0)},
     {-SAILNET_LARGEST_TANGENTIAL, SAILNET_LARGEST_TANGENTIAL},
+    {-SAILNET_LARGEST_ANGLE, SAILNET_LARGEST_ANGLE},
+    {R(-1e18), R(1e18)},
     {-SAILNET_LARGEST_ATTITUDE, SAILNET_LARGEST_ATTITUDE},
     {-SAILNET_LARGEST_OFFSET, SAILNET_LARGEST_OFFSET},
     SAILNET_STATE_LIMITS,
@@ -416,6 +431,47 @@ SAILNET_INLINE void sailnet_cosine_sine(sailnet_real angle, sailnet_real *cosine
     }
     *cosine = c;
     *sine = s;
+}
+
+/*
+ * (arctan(t) / t - 1) / t^2, of z = t^2 for t in [-tan(pi/8), tan(pi/8)], by its best polynomial: the error in arctan is
+ * below 2e-8 (float) and 4e-17 (double) of it.
+ */
+SAILNET_INLINE sailnet_real sailnet_arctan_rest(sailnet_real z)
+{
+#ifdef SAILNET_FLOAT64
+    const sailnet_real z2 = z * z;
+    const sailnet_real z4 = z2 * z2;
+    const sailnet_real lowest = (-0.33333333333330218 + 0.19999999999104691 * z) +
+                                (-0.14285714196529525 + 0.11111106703673881 * z) * z2;
+    const sailnet_real middle = (-0.090907835311274021 + 0.076900833866845471 * z) +
+                                (-0.066412464978030210 + 0.056931659858806027 * z) * z2;
+    const sailnet_real highest = -0.043608284811392481 + 0.021280176437232786 * z;
+    return lowest + z4 * (middle + z4 * highest);
+#else
+    return -0.33332955f + z * (0.19977926f + z * (-0.13879846f + z * 0.080602985f));
+#endif
+}
+
+/*
+ * The angle of a direction, from the first axis to the second: of the smaller by the larger component, turned back by
+ * pi/4 where that is steep, and then in each octant. Of two zeros it is 0. They come by their addresses, as what is
+ * clamped does.
+ */
+SAILNET_PART sailnet_real sailnet_angle(const sailnet_real *first, const sailnet_real *second)
+{
+    const sailnet_real x = sailnet_size(*first);
+    const sailnet_real y = sailnet_size(*second);
+    const sailnet_real larger = x > y ? x : y;
+    const sailnet_real smaller = x > y ? y : x;
+    const sailnet_real steep = smaller > R(0.41421356237309505) * larger ? R(1.0) : R(0.0);
+    const sailnet_real whole = larger + steep * smaller;
+    const sailnet_real t = whole > R(0.0) ? (smaller - steep * larger) / whole : R(0.0);
+    sailnet_real angle = steep * R(0.7853981633974483) + (t + t * (t * t) * sailnet_arctan_rest(t * t));
+    angle = y > x ? R(1.5707963267948966) - angle : angle;
+    angle = *first < R(0.0) ? R(3.141592653589793) - angle : angle;
+    angle = *second < R(0.0) ? -angle : angle;
+    return sailnet_limited(&angle, SAILNET_OF_ANGLE);
 }
 
 /* ================================ The networks ================================ */
@@ -850,8 +906,13 @@ SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
 #undef STAGE_BLOCK
 #undef STAGE_TOGETHER
 
-/* Each network reads all five, those first that are known first; the first gives log2(tau / s). beta must be in its range. */
-SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+/* Inputs of a network, those first that are known first; and in space what its outputs are multiplied by. */
+#define SAILNET_APPROACH_INPUTS 5
+#define SAILNET_APPROACH_STATES 3
+
+/* The inputs, and in space the two factors, which change their signs in a mirror; beta must be in its range. Returns s. */
+SAILNET_INLINE sailnet_real sailnet_approach(const sailnet_real state[SAILNET_APPROACH_STATES], sailnet_real beta,
+                                             sailnet_real input[SAILNET_APPROACH_INPUTS], sailnet_real factors[2])
 {
     /* Deviations in units of the sail's acceleration at the target, beta / r_f^2: they are times. */
     const sailnet_real per_acceleration = SAILNET_TARGET_R2 / beta;
@@ -870,8 +931,22 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real b
     const sailnet_real per_s2 = per_s * per_s;
     /* s4 tells the bound; the clamp tells it to an analyser of intervals. */
     const sailnet_real s = sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6));
-    const sailnet_real input[5] = {beta, s, missing[2] * per_s, missing[1] * per_s,
-                                                 missing[0] * per_s2};
+    input[0] = beta;
+    input[1] = s;
+    factors[0] = R(1.0);
+    factors[1] = R(0.0);
+    input[SAILNET_APPROACH_INPUTS - 3] = missing[2] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 2] = missing[1] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 1] = missing[0] * per_s2;
+    return s;
+}
+
+/* The first network gives log2(tau / s). */
+SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+{
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real s = sailnet_approach(state, beta, input, factors);
     sailnet_approach_networks(input, output);
     /* Bounded, so that no weights make the product overflow. */
     const sailnet_real octaves = sailnet_clamped(output[0], R(-60.0), R(60.0));
@@ -1132,6 +1207,1655 @@ SAILNET_INLINE uint32_t sailnet_law(const sailnet_state *state, sailnet_real bet
     return seen;
 }
 
+/* ================================ The tracker ================================ */
+
+#define SAILNET_TRACKER_API static
+
+/*
+ * Extremals of minimum time, backward from the target orbit: Eqs. (14)-(19), with delta = 0.
+ *
+ * An extremal that arrives is a direction of the arrival costates, constant along the whole flight, and the time to go.
+ * Freestanding C99 without libm; it compiles where it lies, with -DSAILNET_IN_SPACE=1 in three dimensions.
+ */
+#ifndef SAILNET_EXTREMAL_H
+#define SAILNET_EXTREMAL_H
+
+
+
+/* The flight file holds all of this in one translation unit, where functions are static. */
+#ifndef SAILNET_TRACKER_API
+#define SAILNET_TRACKER_API
+#endif
+
+/*
+ * The state and costates `tau` before arrival, of the extremal that arrives with costates along `direction`.
+ *
+ * tolerance: local error of a step, in AU and AU/TU, of costates relative to their size.
+ * Returns the steps it took; 0 if it did not get there: too many steps, or numbers that are not finite.
+ */
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end);
+
+/* An end of an extremal `lapse` [TU] later; the rest is as for sailnet_extremal. */
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end);
+
+/* The optimal attitude of costates. */
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude);
+
+/* The product of costates and the force of an attitude, per beta / r^2: of the optimal one it is least. */
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude);
+
+/* The same for a sail that light pushes along its surface by so much more, per beta / r^2: as is learnt of a vehicle. */
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential);
+
+/* value^(-1/2) of a positive number, to a few units of rounding. */
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value);
+
+/* A square root; of 0 or less 0. */
+SAILNET_TRACKER_API double sailnet_root(double value);
+
+static inline double sailnet_absolute(double value)
+{
+    return value < 0.0 ? -value : value;
+}
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+#define UNKNOWNS (2 * SAILNET_STATES)
+/* Where lambda_u and lambda_v are among the unknowns. */
+#define LAMBDA_U (STATES + STATES - (SAILNET_IN_SPACE ? 3 : 2))
+#define LAMBDA_V (LAMBDA_U + 1)
+
+/* Stages of Dormand and Prince's method of fifth order; the seventh is the first of the next step. */
+#define STAGES 7
+static const double stage_weights[STAGES - 1][STAGES - 1] = {
+    {0.2, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.075, 0.225, 0.0, 0.0, 0.0, 0.0},
+    {0.9777777777777777, -3.7333333333333334, 3.5555555555555554, 0.0, 0.0, 0.0},
+    {2.9525986892242035, -11.595793324188385, 9.822892851699436, -0.2908093278463649, 0.0, 0.0},
+    {2.8462752525252526, -10.757575757575758, 8.906422717743473, 0.2784090909090909, -0.2735313036020583, 0.0},
+    {0.09114583333333333, 0.0, 0.44923629829290207, 0.6510416666666666, -0.322376179245283, 0.13095238095238096}};
+static const double error_weights[STAGES] = {0.0012326388888888888,  0.0, -0.0042527702905061394, 0.03697916666666667,
+                                             -0.05086379716981132, 0.0419047619047619, -0.025};
+
+/* First and shortest step [TU]; a step is at most so much of the time in which the primer, the costates that the
+   attitude depends on, would vanish: where it nearly does the attitude turns fast. */
+#define FIRST_STEP 0.05
+#define SHORTEST_STEP 1e-7
+#define OF_PRIMER 0.3
+/* By how much steps change at most. */
+#define SHRINK 0.1
+#define GROW 4.0
+/* Halvings of the interval in which an event lies. */
+#define HALVINGS 20
+
+/* An extremal on its way: between two events the law is smooth. */
+typedef struct {
+    const sailnet_problem *problem;
+    double at_bound[2]; /* the force at the bound on the cone angle, radial and lateral */
+    int32_t bound;      /* whether the cone angle is there */
+    double side;        /* in the plane the sign that it has there */
+} sailnet_arc;
+
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x5FE6EB50C7B537A9) - (bits >> 1);
+    (void)memcpy(&root, &bits, sizeof root);
+    /* The bits err by 3.5 %: a step of fourth order and one of third leave rounding. */
+    const double off = 1.0 - value * (root * root);
+    root += root * off * ((0.5 + 0.375 * off) + 0.3125 * (off * off));
+    const double rest = 1.0 - value * (root * root);
+    return root + root * (rest * (0.5 + 0.375 * rest));
+}
+
+SAILNET_TRACKER_API double sailnet_root(double value)
+{
+    return value > 0.0 ? value * sailnet_reciprocal_root(value) : 0.0;
+}
+
+/* The force of a cone angle across the Sun line: radial, lateral. */
+static void force_at(const sailnet_problem *problem, double cosine, double sine, double force[2])
+{
+    const double normal = problem->square * cosine + problem->linear;
+    force[0] = cosine * (normal * cosine + problem->across * sine * sine);
+    force[1] = cosine * sine * (normal - problem->across * cosine);
+}
+
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude)
+{
+    double force[2];
+    double along = 0.0;
+    force_at(problem, attitude->cosine, attitude->sine, force);
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        along += costate[STATES - SAILNET_ACROSS + i] * attitude->across[i];
+    }
+    return costate[STATES - SAILNET_ACROSS - 1] * force[0] + along * force[1];
+}
+
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential)
+{
+    const double c = problem->bound_cosine;
+    const double s = sailnet_absolute(problem->bound_sine);
+    problem->across += tangential;
+    problem->edge_radial += tangential * s * (2.0 * c * c - s * s);
+    problem->edge_lateral += tangential * c * (2.0 * s * s - c * c);
+}
+
+/*
+ * The cone angle inside the bound that makes lambda_u f_r - lateral f_t least: of an ideal sail in closed form, and from
+ * there by Newton's steps, which of an ideal sail are none.
+ */
+static void inside_the_bound(const sailnet_problem *problem, double lambda_u, double lateral, double *cosine,
+                             double *sine)
+{
+    const double x = -3.0 * lambda_u;
+    const double y = 2.8284271247461903 * lateral;
+    const double size = sailnet_root(x * x + y * y);
+    /* The tangent is (size - x) / (sqrt(2) y), or y / (sqrt(2) (size + x)): the larger of both numbers is exact. */
+    const double above = x > 0.0 ? y : size - x;
+    const double below = 1.4142135623730951 * (x > 0.0 ? size + x : y);
+    const double square2 = above * above + below * below;
+    const double whole = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
+    double c = whole > 0.0 ? below * whole : 1.0;
+    double s = above * whole;
+    const double linear = problem->linear;
+    const double across = problem->across;
+    if ((linear != 0.0) || (across != 0.0)) {
+        const double square = problem->square;
+        for (int32_t i = 0; i < 5; i++) {
+            const double c2 = c * c - s * s;
+            const double s2 = 2.0 * c * s;
+            /* Derivatives of the force by the cone angle, the first and the second. */
+            const double normal = square * c + linear;
+            const double f_r1 = -s * (3.0 * square * c * c + 2.0 * linear * c) + across * s * (2.0 * c * c - s * s);
+            const double f_t1 = c2 * (normal - across * c) - c * s * s * (square - across);
+            const double f_r2 = square * (6.0 * c * s * s - 3.0 * c * c * c) - 2.0 * linear * c2 +
+                                across * c * (2.0 * c * c - 7.0 * s * s);
+            const double f_t2 = -2.0 * s2 * (normal - across * c) - (square - across) * s * (c2 + 2.0 * c * c - s * s);
+            const double slope = lambda_u * f_r1 - lateral * f_t1;
+            const double bend = lambda_u * f_r2 - lateral * f_t2;
+            const double step = bend > 0.0 ? -slope / bend : 0.0;
+            /* A turn by arctan(step). */
+            const double turned = c - s * step;
+            const double rest = s + c * step;
+            const double per = sailnet_reciprocal_root(turned * turned + rest * rest);
+            c = turned * per;
+            s = rest * per;
+            /* What is left is its square. */
+            if (!(sailnet_absolute(step) > 1e-6)) {
+                break;
+            }
+        }
+    }
+    *cosine = c;
+    *sine = s;
+}
+
+/* Size of the costate across the Sun line. */
+static double lateral_of(const double *unknown)
+{
+    return sailnet_absolute(unknown[LAMBDA_V]);
+}
+
+/* Positive where the optimum is inside the bound. */
+static double inner(const sailnet_problem *problem, const double *unknown)
+{
+    return unknown[LAMBDA_U] * problem->edge_radial - lateral_of(unknown) * problem->edge_lateral;
+}
+
+/* The force by the law of the present arc: radial, along, and in space northward. */
+static void force_of(const sailnet_arc *arc, const double *unknown, double *force)
+{
+    const sailnet_problem *const problem = arc->problem;
+    double in_plane[2] = {arc->at_bound[0], arc->at_bound[1]};
+    const double lateral = lateral_of(unknown);
+    if (arc->bound == 0) {
+        double cosine;
+        double sine;
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &cosine, &sine);
+        force_at(problem, cosine, sine, in_plane);
+    }
+    force[0] = in_plane[0];
+    const double side = arc->bound != 0 ? arc->side : (unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0);
+    force[1] = side * in_plane[1];
+}
+
+/* Eq. (15): rates of the unknowns by the time to go, which are those by time with another sign. */
+static void rates(const sailnet_arc *arc, const double *unknown, double *rate)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double per_r = 1.0 / unknown[0];
+    const double push = problem->beta * per_r * per_r;
+    double force[3] = {0.0, 0.0, 0.0};
+    force_of(arc, unknown, force);
+    const double u = unknown[1];
+    const double v = unknown[2];
+    const double l_r = unknown[3];
+    const double l_u = unknown[4];
+    const double l_v = unknown[5];
+    const double work = push * (l_u * force[0] + l_v * force[1]);
+    rate[0] = -u;
+    rate[1] = -(v * v * per_r - per_r * per_r + push * force[0]);
+    rate[2] = u * v * per_r - push * force[1];
+    rate[3] = -per_r * (per_r * (l_u * v * v - l_v * u * v - 2.0 * l_u * per_r) + 2.0 * work);
+    rate[4] = l_r - l_v * v * per_r;
+    rate[5] = per_r * (2.0 * l_u * v - l_v * u);
+}
+
+/* One step from `unknown`, whose rates are the first of the stages; returned is the estimate of its error. */
+static double step_by(const sailnet_arc *arc, const double *unknown, double step, double stage[STAGES][UNKNOWNS],
+                      double *reached)
+{
+    for (int32_t i = 0; i < (STAGES - 1); i++) {
+        (void)memcpy(reached, unknown, UNKNOWNS * sizeof reached[0]);
+        for (int32_t j = 0; j <= i; j++) {
+            const double share = step * stage_weights[i][j];
+            for (int32_t n = 0; n < UNKNOWNS; n++) {
+                reached[n] += share * stage[j][n];
+            }
+        }
+        rates(arc, reached, stage[i + 1]);
+    }
+    double size = 0.0;
+    for (int32_t n = STATES; n < UNKNOWNS; n++) {
+        size += sailnet_absolute(unknown[n]);
+    }
+    double error = 0.0;
+    for (int32_t n = 0; n < UNKNOWNS; n++) {
+        double sum = 0.0;
+        for (int32_t j = 0; j < STAGES; j++) {
+            sum += error_weights[j] * stage[j][n];
+        }
+        const double own = sailnet_absolute(step * sum);
+        /* Relative to the size of all costates; what is not a number stays none. */
+        const double counted = n < STATES ? own : own / size;
+        error = counted <= error ? error : counted;
+    }
+    return error;
+}
+
+/*
+ * The two functions that end an arc where they become negative: of the bound, and in the plane of the side there. In
+ * space the thrust turns about the Sun line without a jump.
+ */
+static double guard(const sailnet_arc *arc, const double *unknown, int32_t which)
+{
+    const double inside = inner(arc->problem, unknown);
+    double value = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        value = arc->bound != 0 ? -arc->side * unknown[LAMBDA_V] : 1.0;
+    }
+    return value;
+}
+
+/* Its slope: every guard is linear in the costates, but for the size of what is across the Sun line. */
+static double guard_slope(const sailnet_arc *arc, const double *unknown, const double *rate, int32_t which)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double change = unknown[LAMBDA_V] < 0.0 ? -rate[LAMBDA_V] : rate[LAMBDA_V];
+    const double inside = rate[LAMBDA_U] * problem->edge_radial - change * problem->edge_lateral;
+    double slope = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        slope = arc->bound != 0 ? -arc->side * rate[LAMBDA_V] : 0.0;
+    }
+    return slope;
+}
+
+/* The share of a step after which a guard is negative: by the cubic of its values and slopes at both ends. */
+static double share_until(double g0, double slope0, double g1, double slope1)
+{
+    double low = 0.0;
+    double high = 1.0;
+    for (int32_t i = 0; i < HALVINGS; i++) {
+        const double x = 0.5 * (low + high);
+        const double q = 1.0 - x;
+        const double value =
+            q * q * ((1.0 + 2.0 * x) * g0 + x * slope0) + x * x * ((3.0 - 2.0 * x) * g1 - q * slope1);
+        if (value < 0.0) {
+            high = x;
+        } else {
+            low = x;
+        }
+    }
+    return high;
+}
+
+/* Which arc begins at `unknown`. */
+static void begin_arc(sailnet_arc *arc, const double *unknown)
+{
+    arc->bound = inner(arc->problem, unknown) > 0.0 ? 0 : 1;
+    arc->side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/* Which guard a step ends with, and when; -1 if it ends none. */
+static int32_t event_in(const sailnet_arc *arc, const double *before, const double *after,
+                        double stage[STAGES][UNKNOWNS], double *step)
+{
+    int32_t which = -1;
+    const double whole = *step;
+    for (int32_t i = 0; i < (SAILNET_IN_SPACE ? 1 : 2); i++) {
+        const double g1 = guard(arc, after, i);
+        if (g1 < 0.0) {
+            /* Where the arc has just begun rounding may have left it a little below 0. */
+            const double g0 = guard(arc, before, i);
+            const double slope0 = guard_slope(arc, before, stage[0], i) * whole;
+            const double slope1 = guard_slope(arc, after, stage[STAGES - 1], i) * whole;
+            const double at = whole * share_until(g0 > 0.0 ? g0 : 0.0, slope0, g1, slope1);
+            if ((which < 0) || (sailnet_absolute(at) < sailnet_absolute(*step))) {
+                *step = at;
+                which = i;
+            }
+        }
+    }
+    return which;
+}
+
+/* The fifth root of a positive number, to 3.4 %: of its bits, which are nearly its logarithm, and of which the upper half
+   is divided by 5. */
+static double about_fifth_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x3325CFAACD9E8600) + (bits >> 32) * UINT64_C(0x33333333);
+    (void)memcpy(&root, &bits, sizeof root);
+    return root;
+}
+
+/* What the next step is multiplied by. */
+static double factor_of(double tolerance, double error)
+{
+    double factor = SHRINK;
+    if (error <= 1e-6 * tolerance) {
+        factor = GROW;
+    } else if (error == error) {
+        factor = 0.9 * about_fifth_root(tolerance / error);
+    } else {
+        /* It is not a number: much shorter. */
+    }
+    factor = factor > SHRINK ? factor : SHRINK;
+    return factor < GROW ? factor : GROW;
+}
+
+/* A step, or the longest that the primer leaves. */
+static double limited_step(const double *unknown, const double *rate, double step)
+{
+    double primer = 0.0;
+    double change = 0.0;
+    double limited = step;
+    const int32_t first = LAMBDA_U;
+    for (int32_t n = first; n < UNKNOWNS; n++) {
+        primer += unknown[n] * unknown[n];
+        change += rate[n] * rate[n];
+    }
+    if (!(step * step * change <= OF_PRIMER * OF_PRIMER * primer)) {
+        const double longest = OF_PRIMER * sailnet_root(primer / change);
+        limited = longest > SHORTEST_STEP ? longest : SHORTEST_STEP;
+    }
+    return limited < step ? limited : step;
+}
+
+/* The first trial of `step` from `unknown` that ends an arc, or none: as in event_in; and to the event itself. */
+static int32_t end_at_event(const sailnet_arc *arc, const double *unknown, double stage[STAGES][UNKNOWNS],
+                            double *reached, double left, double *step)
+{
+    const int32_t which = event_in(arc, unknown, reached, stage, step);
+    if (which >= 0) {
+        (void)step_by(arc, unknown, *step, stage, reached);
+        /* By one step of Newton's method. */
+        const double slope = guard_slope(arc, reached, stage[STAGES - 1], which);
+        const double more = slope != 0.0 ? -guard(arc, reached, which) / slope : 0.0;
+        if ((sailnet_absolute(more) < 0.1 * sailnet_absolute(*step)) && (sailnet_absolute(*step + more) < left)) {
+            *step += more;
+            (void)step_by(arc, unknown, *step, stage, reached);
+        }
+    }
+    return which;
+}
+
+/*
+ * An end of an extremal, `span` [TU] farther from arrival; nearer, if that is negative. Its rates are computed.
+ * Returns the steps it took; 0 if it did not get there.
+ */
+static int32_t fly(const sailnet_problem *problem, double span, double tolerance, sailnet_end *end)
+{
+    sailnet_arc arc = {problem, {0.0, 0.0}, 0, 1.0};
+    double *const unknown = end->value;
+    double stage[STAGES][UNKNOWNS];
+    double reached[UNKNOWNS];
+    const double sign = span < 0.0 ? -1.0 : 1.0;
+    double left = sailnet_absolute(span);
+    double wanted = FIRST_STEP;
+    int32_t steps = 0;
+    force_at(problem, problem->bound_cosine, problem->bound_sine, arc.at_bound);
+    begin_arc(&arc, unknown);
+    rates(&arc, unknown, stage[0]);
+    while ((left > 0.0) && (steps < SAILNET_MOST_STEPS)) {
+        const double longest = limited_step(unknown, stage[0], wanted);
+        double step = sign * (longest < left ? longest : left);
+        const double error = step_by(&arc, unknown, step, stage, reached);
+        steps++;
+        wanted = sign * step * factor_of(tolerance, error);
+        if (error <= tolerance) {
+            const int32_t which = end_at_event(&arc, unknown, stage, reached, left, &step);
+            (void)memcpy(unknown, reached, sizeof reached);
+            left = sign * step < left ? left - sign * step : 0.0;
+            if (which == 0) {
+                arc.bound = 1 - arc.bound;
+                arc.side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+            } else if (which > 0) {
+                arc.side = -arc.side;
+            } else {
+                /* The same arc goes on. */
+            }
+            if (which >= 0) {
+                wanted = FIRST_STEP;
+                rates(&arc, unknown, stage[0]);
+            } else {
+                (void)memcpy(stage[0], stage[STAGES - 1], sizeof stage[0]);
+            }
+        }
+    }
+    (void)memcpy(end->rate, stage[0], sizeof end->rate);
+    return left > 0.0 ? 0 : steps;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end)
+{
+    (void)memset(end->value, 0, sizeof end->value);
+    end->value[0] = problem->target_radius;
+    end->value[STATES - 1 - SAILNET_IN_SPACE] = sailnet_reciprocal_root(problem->target_radius);
+    (void)memcpy(&end->value[STATES], direction, (size_t)STATES * sizeof direction[0]);
+    return fly(problem, tau > 0.0 ? tau : 0.0, tolerance, end);
+}
+
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end)
+{
+    return fly(problem, -lapse, tolerance, end);
+}
+
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude)
+{
+    double unknown[UNKNOWNS] = {0.0};
+    (void)memcpy(&unknown[STATES], costate, (size_t)STATES * sizeof costate[0]);
+    const double lateral = lateral_of(unknown);
+    if (inner(problem, unknown) > 0.0) {
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &attitude->cosine, &attitude->sine);
+    } else {
+        attitude->cosine = problem->bound_cosine;
+        attitude->sine = problem->bound_sine;
+    }
+    attitude->across[0] = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/*
+ * Newton's method that keeps a plan at the state of the sail.
+ */
+#ifndef SAILNET_PLAN_H
+#define SAILNET_PLAN_H
+
+
+
+/* The largest residual of a plan that counts as solved [AU, AU/TU], by the time to go [TU]: towards arrival an error of
+   the state takes a time that grows as its root. */
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go);
+
+/* Whether a plan passes through the state that it was last corrected for. */
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan);
+
+/* A budget is never larger, whatever is asked for. */
+#define SAILNET_MOST_EXTREMALS 64
+
+/* The problem of the vehicle that a plan is for; of `problem` the rest is used. */
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan);
+
+/*
+ * Correct a plan by damped Newton steps until its extremal of `problem` passes through `state`. The plan is replaced by a
+ * trial only if that has a smaller residual. What is not converged goes on in the next call.
+ *
+ * most: extremals that may be computed, at least 1; so many more than the components of a state are one step with new
+ *     derivatives.
+ * Returns how many extremals were computed: from 1 to `most`.
+ */
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan);
+
+/*
+ * Correct a plan, with its vehicle moved towards that of `problem`: beta by at most the share `largest` of it, and the
+ * force along the surface by at most as much. Where no extremal is found for that, the plan is corrected for its vehicle as
+ * it was: beyond the edge of what the sail can reach the last plan that exists is better than another revolution.
+ *
+ * The rest is as for sailnet_correct_plan.
+ */
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan);
+
+/* Whether a plan is for the vehicle of `problem`. */
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem);
+
+/* Bring the end of a plan to the present, and with it its residual: by how much it misses the state. */
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan);
+
+/* The attitude of a plan, `ahead` [TU] later than the state that `end` is of, and its costates there, scaled to H = 0. */
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude);
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+/* What is unknown of a plan: all components of the direction but one, and the time to go. */
+#define TIME (STATES - 1)
+
+/* Longest step of Newton's method: of the direction, per its largest component, and of the time to go [TU]. */
+#define LARGEST_TURN 0.2
+#define LARGEST_SHIFT 0.1
+/* By how much the direction is changed to differentiate by it. */
+#define DIFFERENCE 1e-5
+/* A shorter step is given up: derivatives are renewed, or there is no way. */
+#define SHORTEST_SHARE 1e-3
+/* Of the residual: derivatives that leave more of it are renewed. */
+#define STALE 0.5
+/* Of the goal: a residual in which integration errors are a part. */
+#define FLOOR 0.1
+/* A component that was the largest is replaced when it is less than so much of the one that is. */
+#define STILL_LARGE 0.4
+#define LEAST_TIME 1e-4
+/* The goal far from arrival [AU, AU/TU], and its smallest share. */
+#define LARGEST_GOAL 4e-6
+#define SMALLEST_SHARE 1e-4
+/* Of the goal: the local error of extremals. */
+#define TOLERANCE 0.03
+/* A residual of what cannot be flown. */
+#define NOWHERE 1e9
+
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go)
+{
+    const double square = time_to_go * time_to_go;
+    const double share = square < 1.0 ? square : 1.0;
+    return LARGEST_GOAL * (share > SMALLEST_SHARE ? share : SMALLEST_SHARE);
+}
+
+/* A plan that is tried. */
+typedef struct {
+    double direction[STATES];
+    double time_to_go;
+    double error[STATES];
+    double residual;
+    sailnet_end end;
+} trial;
+
+static void compare(const double state[STATES], trial *tried)
+{
+    double worst = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        tried->error[n] = state[n] - tried->end.value[n];
+        /* What is not a number leads nowhere. */
+        const double size = sailnet_absolute(tried->error[n]);
+        const double counted = size < NOWHERE ? size : NOWHERE;
+        worst = counted > worst ? counted : worst;
+    }
+    tried->residual = worst;
+}
+
+static void fly_back(const sailnet_problem *problem, const double state[STATES], trial *tried)
+{
+    const double tolerance = TOLERANCE * sailnet_plan_goal(tried->time_to_go);
+    const int32_t steps = sailnet_extremal(problem, tried->direction, tried->time_to_go, tolerance, &tried->end);
+    compare(state, tried);
+    tried->residual = steps > 0 ? tried->residual : NOWHERE;
+}
+
+/* Another direction: its components, per the largest, plus a share of a step. */
+static void turn_direction(const double from[STATES], int32_t largest, const double step[STATES], double share,
+                           double to[STATES])
+{
+    const double per = 1.0 / sailnet_absolute(from[largest]);
+    double square = 0.0;
+    int32_t k = 0;
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] = from[n] * per;
+        if (n != largest) {
+            to[n] += share * step[k];
+            k++;
+        }
+        square += to[n] * to[n];
+    }
+    const double scale = sailnet_reciprocal_root(square);
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] *= scale;
+    }
+}
+
+/* By which component the others are divided: the largest, or still the one that was. */
+static void choose_largest(sailnet_plan *plan)
+{
+    int32_t largest = 0;
+    for (int32_t n = 1; n < STATES; n++) {
+        if (sailnet_absolute(plan->direction[n]) > sailnet_absolute(plan->direction[largest])) {
+            largest = n;
+        }
+    }
+    const int32_t known = ((plan->largest >= 0) && (plan->largest < STATES)) ? plan->largest : largest;
+    const double size = sailnet_absolute(plan->direction[known]);
+    if ((known != plan->largest) || !(size >= STILL_LARGE * sailnet_absolute(plan->direction[largest]))) {
+        plan->largest = largest;
+        plan->differentiated = 0;
+    }
+}
+
+/* The derivatives by differences. */
+static void differentiate(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, const trial *at)
+{
+    trial near = *at;
+    plan->differentiated = 1;
+    for (int32_t k = 0; k < TIME; k++) {
+        double step[STATES] = {0.0};
+        step[k] = DIFFERENCE;
+        turn_direction(at->direction, plan->largest, step, 1.0, near.direction);
+        fly_back(problem, state, &near);
+        if (near.residual >= NOWHERE) {
+            plan->differentiated = 0;
+        }
+        for (int32_t n = 0; n < STATES; n++) {
+            plan->jacobian[n][k] = (near.end.value[n] - at->end.value[n]) / DIFFERENCE;
+        }
+    }
+}
+
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan)
+{
+    sailnet_problem own = *problem;
+    own.beta = plan->beta;
+    sailnet_push_aside(&own, plan->across - problem->across);
+    return own;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem)
+{
+    return ((plan->beta == problem->beta) && (plan->across == problem->across)) ? 1 : 0;
+}
+
+/* The derivative by what differs of another vehicle, `change`; of a plan that cannot be flown by that it is none. */
+static void differentiate_by_one(const sailnet_problem *other, const double state[STATES], double change,
+                                 sailnet_plan *plan, double derivative[STATES])
+{
+    trial near;
+    (void)memset(&near, 0, sizeof near);
+    (void)memcpy(near.direction, plan->direction, sizeof near.direction);
+    near.time_to_go = plan->time_to_go;
+    fly_back(other, state, &near);
+    if (near.residual >= NOWHERE) {
+        plan->differentiated = 1;
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        derivative[n] = (near.end.value[n] - plan->end.value[n]) / change;
+    }
+}
+
+/* Both derivatives by the vehicle: two extremals. */
+static void differentiate_by_vehicle(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    sailnet_problem stronger = own;
+    sailnet_problem aside = own;
+    const double change = DIFFERENCE * plan->beta;
+    stronger.beta += change;
+    sailnet_push_aside(&aside, DIFFERENCE);
+    plan->differentiated = 2;
+    differentiate_by_one(&stronger, state, change, plan, plan->per_beta);
+    differentiate_by_one(&aside, state, DIFFERENCE, plan, plan->per_across);
+}
+
+/* Newton's step: solve jacobian step = error by elimination with pivots; 0 if there is no solution. */
+static int32_t solve(const sailnet_plan *plan, const double error[STATES], double step[STATES])
+{
+    double m[STATES][STATES + 1];
+    int32_t solved = 1;
+    for (int32_t i = 0; i < STATES; i++) {
+        (void)memcpy(m[i], plan->jacobian[i], sizeof plan->jacobian[i]);
+        m[i][STATES] = error[i];
+    }
+    for (int32_t c = 0; c < STATES; c++) {
+        int32_t pivot = c;
+        for (int32_t i = c + 1; i < STATES; i++) {
+            pivot = sailnet_absolute(m[i][c]) > sailnet_absolute(m[pivot][c]) ? i : pivot;
+        }
+        solved = sailnet_absolute(m[pivot][c]) > 0.0 ? solved : 0;
+        for (int32_t j = 0; j <= STATES; j++) {
+            const double other = m[c][j];
+            m[c][j] = m[pivot][j];
+            m[pivot][j] = other;
+        }
+        for (int32_t i = 0; i < STATES; i++) {
+            const double factor = i != c ? m[i][c] / m[c][c] : 0.0;
+            for (int32_t j = c; j <= STATES; j++) {
+                m[i][j] -= factor * m[c][j];
+            }
+        }
+    }
+    for (int32_t i = 0; i < STATES; i++) {
+        step[i] = m[i][STATES] / m[i][i];
+        solved = step[i] == step[i] ? solved : 0;
+    }
+    return solved;
+}
+
+/* The share of a step of Newton's method that is within bounds. */
+static double share_within(const double step[STATES])
+{
+    double square = 0.0;
+    for (int32_t k = 0; k < TIME; k++) {
+        square += step[k] * step[k];
+    }
+    const double turned = square > 0.0 ? square * sailnet_reciprocal_root(square) : 0.0;
+    const double by_turn = turned > LARGEST_TURN ? LARGEST_TURN / turned : 1.0;
+    const double shift = sailnet_absolute(step[TIME]);
+    const double by_shift = shift > LARGEST_SHIFT ? LARGEST_SHIFT / shift : 1.0;
+    return by_turn < by_shift ? by_turn : by_shift;
+}
+
+/* Broyden's update: derivatives that say of the last step what it did, and of the change of the vehicle, by beta and by
+   the force along the surface, which what was before has in it as predicted. */
+static void mend(sailnet_plan *plan, const trial *before, const trial *after, const double step[STATES], double share,
+                 const double change[2])
+{
+    double moved[STATES];
+    double square = change[0] * change[0] + change[1] * change[1];
+    for (int32_t k = 0; k < STATES; k++) {
+        moved[k] = k < TIME ? share * step[k] : after->time_to_go - before->time_to_go;
+        square += moved[k] * moved[k];
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        double innovation = after->end.value[n] - before->end.value[n];
+        for (int32_t k = 0; k < STATES; k++) {
+            innovation -= plan->jacobian[n][k] * moved[k];
+        }
+        for (int32_t k = 0; k < STATES; k++) {
+            plan->jacobian[n][k] += innovation * moved[k] / square;
+        }
+        plan->per_beta[n] += innovation * change[0] / square;
+        plan->per_across[n] += innovation * change[1] / square;
+    }
+}
+
+/* The next trial, and what comes of it. */
+static void try_step(const sailnet_problem *problem, const double state[STATES], const sailnet_plan *plan,
+                     const trial *from, const double step[STATES], double share, trial *tried)
+{
+    const double later = from->time_to_go + share * step[TIME];
+    tried->time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
+    turn_direction(from->direction, plan->largest, step, share, tried->direction);
+    fly_back(problem, state, tried);
+}
+
+/* Take one damped step; 0 if it came no nearer. */
+static int32_t advance(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, trial *best,
+                       const double step[STATES], double share)
+{
+    static const double unchanged[2] = {0.0, 0.0};
+    trial tried;
+    try_step(problem, state, plan, best, step, share, &tried);
+    const int32_t nearer = tried.residual < best->residual ? 1 : 0;
+    if (nearer != 0) {
+        mend(plan, best, &tried, step, share, unchanged);
+        *best = tried;
+    }
+    return nearer;
+}
+
+static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
+{
+    for (int32_t n = 0; n < STATES; n++) {
+        plan->jacobian[n][TIME] = end->rate[n];
+    }
+}
+
+/* The first trial: a whole step from where the plan is predicted to be now, or the plan as it is. Returned are the
+   extremals that were computed. */
+static int32_t begin(const sailnet_problem *problem, const double state[STATES], int32_t most, sailnet_plan *plan,
+                     trial *best)
+{
+    const double change[2] = {problem->beta - plan->beta, problem->across - plan->across};
+    const double floor = FLOOR * sailnet_plan_goal(plan->time_to_go);
+    int32_t count = 0;
+    (void)memcpy(best->direction, plan->direction, sizeof best->direction);
+    best->time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
+    choose_largest(plan);
+    if ((plan->differentiated != 0) && (most > 1)) {
+        trial tried;
+        double step[STATES];
+        sailnet_bring_up(problem, state, plan);
+        best->end = plan->end;
+        for (int32_t n = 0; n < STATES; n++) {
+            best->end.value[n] += plan->per_beta[n] * change[0] + plan->per_across[n] * change[1];
+        }
+        compare(state, best);
+        differentiate_by_time(plan, &best->end);
+        if (solve(plan, best->error, step) != 0) {
+            const double share = share_within(step);
+            try_step(problem, state, plan, best, step, share, &tried);
+            count = 1;
+            if (tried.residual <= floor) {
+                *best = tried;
+            } else if (tried.residual < best->residual) {
+                const int32_t stale = tried.residual > STALE * best->residual ? 1 : 0;
+                mend(plan, best, &tried, step, share, change);
+                plan->differentiated = stale != 0 ? 0 : plan->differentiated;
+                *best = tried;
+            } else {
+                plan->differentiated = 0;
+                fly_back(problem, state, best);
+                count = 2;
+            }
+        }
+    }
+    if (count == 0) {
+        fly_back(problem, state, best);
+        count = 1;
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    trial now;
+    int32_t steps = 1;
+    if (plan->age > 0.0) {
+        const double tolerance = TOLERANCE * sailnet_plan_goal(plan->time_to_go);
+        steps = sailnet_move_end(&own, plan->age, tolerance, &plan->end);
+        plan->age = 0.0;
+    }
+    now.end = plan->end;
+    compare(state, &now);
+    plan->residual = steps > 0 ? now.residual : NOWHERE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan)
+{
+    trial best;
+    double step[STATES] = {0.0};
+    const double goal = sailnet_plan_goal(plan->time_to_go);
+    double damped = 1.0;
+    int32_t fresh = 0;
+    int32_t going = 1;
+    const int32_t limit = most < SAILNET_MOST_EXTREMALS ? most : SAILNET_MOST_EXTREMALS;
+    int32_t count = begin(problem, state, limit, plan, &best);
+    while ((going != 0) && (count < limit) && ((best.residual > goal) || (plan->differentiated == 0)) &&
+           (best.residual < NOWHERE)) {
+        choose_largest(plan);
+        const int32_t renewed = plan->differentiated == 0 ? TIME : 0;
+        going = count < (limit - renewed) ? 1 : 0;
+        if ((going != 0) && (renewed != 0)) {
+            differentiate(problem, state, plan, &best);
+            count += TIME;
+            fresh = 1;
+        }
+        differentiate_by_time(plan, &best.end);
+        if ((going != 0) && (plan->differentiated != 0)) {
+            going = solve(plan, best.error, step);
+            plan->differentiated = going != 0 ? plan->differentiated : 0;
+        }
+        going = plan->differentiated != 0 ? going : 0;
+        if (going != 0) {
+            const double before = best.residual;
+            const double share = damped * share_within(step);
+            count++;
+            if (advance(problem, state, plan, &best, step, share) != 0) {
+                plan->differentiated = ((best.residual > STALE * before) && (fresh == 0)) ? 0 : plan->differentiated;
+                fresh = 0;
+                damped = damped < 0.5 ? 2.0 * damped : 1.0;
+            } else if (fresh == 0) {
+                plan->differentiated = 0;
+            } else {
+                damped *= 0.25;
+                going = damped > SHORTEST_SHARE ? 1 : 0;
+            }
+        }
+    }
+    (void)memcpy(plan->direction, best.direction, sizeof best.direction);
+    plan->time_to_go = best.time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = best.residual;
+    plan->end = best.end;
+    plan->age = 0.0;
+    plan->differentiated = best.residual < NOWHERE ? plan->differentiated : 0;
+    /* It is no more than the limit: the comparison shows that to an analyser. */
+    return count < limit ? count : limit;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan)
+{
+    return plan->residual <= sailnet_plan_goal(plan->time_to_go) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan)
+{
+    const double stronger = problem->beta - plan->beta;
+    const double aside = problem->across - plan->across;
+    const double by_beta = sailnet_absolute(stronger) / plan->beta;
+    const double by_aside = sailnet_absolute(aside);
+    const double by = by_beta > by_aside ? by_beta : by_aside;
+    int32_t count = 0;
+    int32_t moves = by > 0.0 ? most - 2 : 0;
+    if (moves > 0) {
+        sailnet_problem next = *problem;
+        if (by > largest) {
+            const double share = largest / by;
+            next.beta = plan->beta + share * stronger;
+            sailnet_push_aside(&next, (share - 1.0) * aside);
+        }
+        if ((plan->differentiated == 1) && (moves > 3)) {
+            sailnet_bring_up(problem, state, plan);
+            differentiate_by_vehicle(problem, state, plan);
+            count = 2;
+        }
+        sailnet_plan moved = *plan;
+        count += sailnet_correct_plan(&next, state, moves - count, &moved);
+        if (sailnet_plan_is_solved(&moved) != 0) {
+            *plan = moved;
+        } else {
+            moves = 0;
+        }
+    }
+    if (moves <= 0) {
+        const sailnet_problem own = sailnet_problem_of(problem, plan);
+        count += sailnet_correct_plan(&own, state, most - count, plan);
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude)
+{
+    double product = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = end->value[STATES + n] - ahead * end->rate[STATES + n];
+        /* Rates are by the time to go. */
+        product += end->value[STATES + n] * end->rate[n];
+    }
+    sailnet_optimal_attitude(problem, costates, attitude);
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = product != 0.0 ? costates[n] / product : 0.0;
+    }
+}
+
+/*
+ * The tracker: the plan that is flown, when it is corrected, and when a plan of the networks replaces it.
+ */
+#ifndef SAILNET_TRACKER_H
+#define SAILNET_TRACKER_H
+
+
+
+/* The guidance period of `held` [TU] is over. */
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
+
+/* Whether the networks are to be evaluated, for sailnet_propose. */
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker);
+
+/*
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time to go
+ * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ */
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[SAILNET_STATES], double time_to_go);
+
+/* Fly by a plan from elsewhere, of the same numbers, if it converges to pass through the state; 0 if it does not. */
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[SAILNET_STATES],
+                                              const double direction[SAILNET_STATES], double time_to_go);
+
+/*
+ * Correct the plan, and the candidate, with at most `most` extremals in all; the command is the attitude in the middle
+ * of the next `hold` [TU].
+ *
+ * problem: of the vehicle to plan for.
+ * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
+ *     flown only while its beta moves.
+ * Returns 1; 0 if there is no plan that passes through the state.
+ */
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[SAILNET_STATES], double estimated, double hold,
+                                           int32_t most, sailnet_planned *planned);
+
+#endif
+
+#include <string.h>
+
+/* A plan is corrected after so much of its time to go, and at the latest after so long [TU]; in every guidance period while
+   it is not solved for the vehicle. While another attitude than its own is flown it stays, since it measures the time lost
+   by that. */
+#define CORRECT_AFTER 0.007
+#define CORRECT_AT_LATEST 0.1
+/* By how much a plan's vehicle moves in a correction, as a share of its force: at most, and at least. A step that fails
+   makes the next one shorter. */
+#define LARGEST_STRIDE 0.01
+#define SMALLEST_STRIDE 1e-4
+#define SHORTER 0.25
+#define LONGER 2.0
+/* The networks are evaluated for a plan once in so long [TU]. */
+#define SEARCH_EVERY 0.1
+/* A faster plan saves at least so much of the time to go: what networks err by. */
+#define FASTER 0.01
+/* A plan that was not solved for the vehicle for so long [TU] has failed: its family of extremals has ended, and any other
+   is better. */
+#define FAILED_AFTER 0.2
+/* Extremals that a candidate may take until it is given up. */
+#define CANDIDATE_EXTREMALS 80
+/* A plan that misses the state by more [AU, AU/TU] is not flown. */
+#define USABLE 1e-3
+#define UNSOLVED 1e9
+/* Hysteresis: an attitude is kept until that has lost so much of the time to go, and not while the plan misses the state by
+   more [AU, AU/TU]. A plan that misses by more and is not solved spends the thrust margin. */
+#define OF_TIME_TO_GO 1.6e-2
+#define STILL_NEAR 4e-4
+/* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
+   the side of the thrust. */
+#define TURN_COSINE 0.939
+#define LATE 1.0
+
+#define STATES SAILNET_STATES
+
+/* A time that has passed [TU]; of what is none, as long as counts. */
+static double passed(double before, double held)
+{
+    const double now = before + held;
+    return ((now >= 0.0) && (now < 1.0)) ? now : 1.0;
+}
+
+static void grow_older(sailnet_plan *plan, double held)
+{
+    plan->time_to_go -= held;
+    plan->age = passed(plan->age, held);
+}
+
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held)
+{
+    grow_older(&tracker->plan, held);
+    grow_older(&tracker->candidate, held);
+    tracker->since = passed(tracker->since, held);
+    tracker->searched = passed(tracker->searched, held);
+}
+
+/* Whether there is no plan, or none that will be flown on. */
+static int32_t has_failed(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER)) ? 1 : 0;
+}
+
+/* Whether a plan of so long a time to go is better than the one that is flown. */
+static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
+{
+    return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker)
+{
+    const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
+    return tracker->searching <= 0 ? due : 0;
+}
+
+/* A plan that is not corrected yet. */
+static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
+                       sailnet_plan *plan)
+{
+    (void)memset(plan, 0, sizeof *plan);
+    (void)memcpy(plan->direction, direction, sizeof plan->direction);
+    plan->largest = -1;
+    plan->time_to_go = time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = UNSOLVED;
+}
+
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[STATES], double time_to_go)
+{
+    tracker->searched = 0.0;
+    if (is_better(tracker, time_to_go) != 0) {
+        begin_plan(problem, direction, time_to_go, &tracker->candidate);
+        tracker->searching = CANDIDATE_EXTREMALS;
+    }
+}
+
+/* Fly by a plan that is solved. */
+static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
+{
+    tracker->plan = *plan;
+    tracker->since = 0.0;
+    tracker->stride = LARGEST_STRIDE;
+    tracker->planned = 1;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[STATES], const double direction[STATES],
+                                              double time_to_go)
+{
+    sailnet_plan plan;
+    begin_plan(problem, direction, time_to_go, &plan);
+    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
+    const int32_t solved = sailnet_plan_is_solved(&plan);
+    if (solved != 0) {
+        adopt(tracker, &plan);
+        tracker->searching = 0;
+    }
+    return solved;
+}
+
+/* Correct the candidate, and fly it if it is better. */
+static void advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                              int32_t most)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, &tracker->candidate);
+    const int32_t computed = sailnet_correct_plan(&own, state, most, &tracker->candidate);
+    tracker->computed += computed;
+    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
+    tracker->searching = left - computed;
+    if (sailnet_plan_is_solved(&tracker->candidate) != 0) {
+        tracker->searching = 0;
+        if (is_better(tracker, tracker->candidate.time_to_go) != 0) {
+            adopt(tracker, &tracker->candidate);
+        }
+    } else if (!(tracker->candidate.residual < UNSOLVED)) {
+        /* It leads nowhere. */
+        tracker->searching = 0;
+    } else {
+        /* It goes on in the next period. */
+    }
+}
+
+/* Keep the attitude while another hardly gains: noise would else turn the sail far again and again. */
+static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                          double hold, sailnet_planned *planned)
+{
+    const sailnet_attitude *const before = &tracker->flown;
+    sailnet_attitude *const attitude = &planned->attitude;
+    double alike = 0.0;
+    double size2 = 0.0;
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        alike += attitude->across[i] * before->across[i];
+        size2 += before->across[i] * before->across[i];
+    }
+    const double turn_cosine = attitude->cosine * before->cosine + attitude->sine * before->sine * alike;
+    /* Nothing else than unit vectors are directions. */
+    const double square = before->cosine * before->cosine + before->sine * before->sine;
+    const int32_t known = ((sailnet_absolute(size2 - 1.0) < 1e-6) && (sailnet_absolute(square - 1.0) < 1e-6)) ? 1 : 0;
+    double regret = 0.0;
+    if ((known != 0) && (turn_cosine < TURN_COSINE) && ((alike < 0.0) || (planned->time_to_go < LATE))) {
+        const double per_r = 1.0 / state[0];
+        const double loss = sailnet_work(problem, planned->costates, before) -
+                            sailnet_work(problem, planned->costates, attitude);
+        regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
+    }
+    const double share = OF_TIME_TO_GO * planned->time_to_go;
+    const int32_t near = tracker->plan.residual < STILL_NEAR ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (near != 0)) ? 1 : 0;
+    tracker->regret = keep != 0 ? regret : 0.0;
+    if (keep != 0) {
+        *attitude = *before;
+    }
+    tracker->flown = *attitude;
+}
+
+/* The next step of the plan's beta, by whether the last one found a plan. */
+static void keep_stride(sailnet_tracker *tracker, int32_t moved)
+{
+    const double next = (moved != 0 ? LONGER : SHORTER) * tracker->stride;
+    tracker->stride = next > SMALLEST_STRIDE ? next : SMALLEST_STRIDE;
+    tracker->stride = tracker->stride < LARGEST_STRIDE ? tracker->stride : LARGEST_STRIDE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[STATES], double estimated, double hold, int32_t most,
+                                           sailnet_planned *planned)
+{
+    sailnet_plan *const plan = &tracker->plan;
+    tracker->computed = 0;
+    if (tracker->planned != 0) {
+        sailnet_bring_up(problem, state, plan);
+    }
+    /* A plan that is not solved, or has failed, leaves the budget to the candidate. */
+    const int32_t first = ((tracker->planned == 1) && (has_failed(tracker) == 0)) ? 1 : 0;
+    if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
+        const sailnet_problem before = sailnet_problem_of(problem, plan);
+        int32_t corrected = 1;
+        if ((tracker->planned > 1) && (plan->residual > STILL_NEAR)) {
+            /* What no plan for less leads through, one for all that the vehicle has may. */
+            sailnet_problem all = *problem;
+            all.beta = estimated;
+            tracker->computed = sailnet_track(&all, state, LARGEST_STRIDE, most, plan);
+        } else if (tracker->planned > 1) {
+            tracker->computed = sailnet_correct_plan(&before, state, most, plan);
+        } else if (!(tracker->regret > 0.0) &&
+                   (!(tracker->since < CORRECT_AFTER * plan->time_to_go) || !(tracker->since < CORRECT_AT_LATEST))) {
+            const int32_t there = sailnet_is_for(plan, problem);
+            tracker->computed = sailnet_track(problem, state, tracker->stride, most, plan);
+            keep_stride(tracker, ((there != 0) || (sailnet_is_for(plan, &before) == 0)) ? 1 : 0);
+        } else {
+            corrected = 0;
+        }
+        if (corrected != 0) {
+            tracker->planned = 2 - sailnet_plan_is_solved(plan);
+            if ((tracker->planned == 1) && (plan->beta <= estimated)) {
+                /* On its way to another vehicle it goes on at once. */
+                const int32_t under_way = sailnet_is_for(plan, &before) + sailnet_is_for(plan, problem);
+                tracker->since = under_way == 0 ? CORRECT_AT_LATEST : 0.0;
+            }
+        }
+    }
+    if ((tracker->searching > 0) && (tracker->computed < (most - 1))) {
+        advance_candidate(problem, tracker, state, most - tracker->computed);
+    }
+    /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
+    const double stronger = (1.0 + LARGEST_STRIDE) * estimated;
+    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= LARGEST_STRIDE)) ? 1 : 0;
+    const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
+    if (flown != 0) {
+        const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
+        planned->time_to_go = plan->time_to_go;
+        sailnet_planned_attitude(problem, &plan->end, 0.5 * (hold < left ? hold : left), planned->costates,
+                                 &planned->attitude);
+        keep_attitude(problem, tracker, state, hold, planned);
+    } else {
+        (void)memset(&tracker->flown, 0, sizeof tracker->flown);
+        tracker->regret = 0.0;
+    }
+    return flown;
+}
+
+/* The direction of the arrival costates by the networks, of any size, from a state that is finite. */
+
+/* The time scale of the approach below which costates of position are scaled down [TU]. */
+#define SAILNET_ARRIVAL_SCALE R(1.0)
+/* Stage "plan": arrival_lambda_r [20, 20, 20], arrival_lambda_u [20, 20, 20], arrival_lambda_v [20, 20, 20]. */
+#define STAGE(name) sailnet_plan_##name
+#define STAGE_NETWORKS 3
+#define STAGE_INPUTS 5
+#define STAGE_EVEN_INPUTS 6
+#define STAGE_DEPTH 3
+#define STAGE_ROWS 20
+#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)
+#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == 16
+#define STAGE_SIDE_BY_SIDE 1
+#define STAGE_SHARE 5
+#define STAGE_PARTS 4
+#define STAGE_PART SAILNET_LANES
+#define STAGE_OUTPUTS STAGE_ROWS
+#define STAGE_OUTPUT SAILNET_PER_16_BYTES
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0), (n0_1), (n1_1), (n2_1), (n0_2), (n1_2), (n2_2), (n0_3), (n1_3), (n2_3), (n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5), (n0_6), (n1_6), (n2_6), (n0_7), (n1_7), (n2_7), (n0_8), (n1_8), (n2_8), (n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10), (n0_11), (n1_11), (n2_11), (n0_12), (n1_12), (n2_12), (n0_13), (n1_13), (n2_13), (n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15), (n0_16), (n1_16), (n2_16), (n0_17), (n1_17), (n2_17), (n0_18), (n1_18), (n2_18), (n0_19), (n1_19), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0)}, {(n0_1), (n1_1), (n2_1)}, {(n0_2), (n1_2), (n2_2)}, {(n0_3), (n1_3), (n2_3)}, {(n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5)}, {(n0_6), (n1_6), (n2_6)}, {(n0_7), (n1_7), (n2_7)}, {(n0_8), (n1_8), (n2_8)}, {(n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10)}, {(n0_11), (n1_11), (n2_11)}, {(n0_12), (n1_12), (n2_12)}, {(n0_13), (n1_13), (n2_13)}, {(n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15)}, {(n0_16), (n1_16), (n2_16)}, {(n0_17), (n1_17), (n2_17)}, {(n0_18), (n1_18), (n2_18)}, {(n0_19), (n1_19), (n2_19)}}
+#else
+#define STAGE_SIDE_BY_SIDE 0
+#define STAGE_PARTS STAGE_NETWORKS
+#define STAGE_PART STAGE_WIDTH
+#define STAGE_OUTPUTS STAGE_NETWORKS
+#define STAGE_OUTPUT STAGE_WIDTH
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#endif
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_lower[STAGE_INPUTS] =
+{R(0.135136), R(0.0007096107067562351), R(-0.9999191702048771), R(-0.9999995877326652), R(-0.4999999999841852)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_min[STAGE_INPUTS] =
+{R(8.326672684688674e-17), R(-8.565391414917109), R(-4.986952395058545), R(-4.9973962870914255), R(-2.499999999951853)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_max[STAGE_INPUTS] =
+{R(0.3378399999999999), R(12.849861149142555), R(4.980630667075625), R(4.996095461305476), R(2.499999999967317)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-12.781664470658132), R(-30.363923713886916), R(-3.2666332801847378), R(-4.375186239626373), R(6.1370046674108485), R(-21.707266815956633), R(4.404795609803804), R(-6.924866397476295), R(149.2054602360035), R(-16.65397322505224), R(-25.649470083198203), R(-0.3137290453397077), R(11.395690468646592), R(50.54781482067891), R(-4.165020843349448), R(6.015640104744146), R(20.070260952610806), R(-1.7119363447370803), R(19.73621770299481), R(6.317450487272789), R(-12.63412393748677), R(19.045195993481975), R(5.267365157268877), R(4.139913195142662), R(-0.6514925973060092), R(-1.3143261283173984), R(4.319415765859328), R(-2.09739838644113), R(218.8623215584836), R(-0.6593795716693305), R(2.1707276741446586), R(-0.947347760831278), R(-43.04163681242548), R(18.347760829246617), R(-0.1980694234028293), R(-14.513079410930557), R(-1.615311549943098), R(8.792166801586816), R(-4.331559586025009), R(1.15574849043519), R(-120.45441350412725), R(-11.05409848804781), R(0.4989847558484181), R(-25.221092559191316), R(-14.286065897716522), R(5.382781236207474), R(7.315492801901384), R(-11.05105552724792), R(10.645877710071728), R(-5.400515913717534), R(-7.664892887721279), R(12.093273046080695), R(-3.2789608485452573), R(-0.7196597527994891), R(46.75937607034738), R(-53.473264280746825), R(-5.88009716988012), R(41.574312120969566), R(9.4558731215679), R(12.041946694579822)),
+STAGE_ROW(R(-5.732759539764381), R(-1.1300045753408765), R(0.7108063381132582), R(-1.7094068664715243), R(-5.993883907897235), R(6.6751733189721785), R(-1.9266889612290328), R(-8.353927557290627), R(-1.3553869959633458), R(0.5041697072731934), R(-1.7771657839317272), R(-0.9778816040363274), R(-3.5898101676897505), R(-1.9504953677281813), R(1.7553487894740487), R(9.78081318245765), R(-2.252238156488544), R(1.1885747439514516), R(-0.17598840293185009), R(-1.8780694849897854), R(-4.791992421327413), R(-2.255776122745725), R(2.0304060659374823), R(3.2878910755241737), R(6.6444211782361675), R(5.61619611057993), R(6.848971010966107), R(-4.0792832144568925), R(4.10299600945183), R(-1.3050812338272122), R(-5.674789537324936), R(-8.945309475362212), R(1.4945641163916357), R(6.168418454546909), R(2.105379997583272), R(9.316462651136417), R(-8.061835227464618), R(-0.18597423603415972), R(-2.7880773962425107), R(-1.8339888990259257), R(0.4273491149051351), R(-1.0242243214279234), R(-0.17678950282207548), R(4.071028384417846), R(-0.0998452517942842), R(1.3495660100664613), R(-2.700085884560664), R(-0.19406588674639874), R(-0.9788008720991324), R(-7.1300953898861446), R(-1.6705409056780753), R(-3.426512381265838), R(-12.608918048149139), R(1.0927709385236528), R(-0.6738534006484874), R(-2.866490157741897), R(-0.13586596562316616), R(2.0560534060148443), R(-0.6683253929055368), R(-2.178170982637418)),
+STAGE_ROW(R(0.17314820937648912), R(1.0004942856621415), R(12.917461688718232), R(-2.8835638264512347), R(-1.0538984400436338), R(-0.43876046390233103), R(-1.5728631932201411), R(2.2667396215178606), R(3.847919991502452), R(-4.024901636348337), R(2.47297134585677), R(-0.8248000655929761), R(-2.8944642679410224), R(3.638206892698948), R(4.268379210003673), R(-5.605904837779301), R(-0.03761509184780295), R(-1.5737112174623038), R(0.45454317467553623), R(-2.4639651893135177), R(0.36478439173078797), R(2.7877173734939382), R(-5.4245388433237185), R(-1.3923917719167578), R(0.8905418709357961), R(0.8106903024599987), R(-12.161735660571711), R(-5.743004493916438), R(0.43733709429985873), R(-0.9749086493953393), R(-0.6395633338773147), R(2.0097310524735077), R(1.613197354505711), R(-1.1003584472390222), R(2.1239877109685112), R(-8.57929756970269), R(3.0998298754675306), R(-8.613116123946785), R(3.126734478785216), R(-3.4111058941597228), R(-10.44802482715359), R(-0.2873895595563159), R(-0.007777956085304595), R(-0.06779458642082288), R(-1.5148247016000138), R(-4.983270004787959), R(-3.3847798371315108), R(0.7981496253099319), R(0.907433862437304), R(-0.20294175938644396), R(0.6013199955473011), R(-4.110192665736187), R(-8.90590057965942), R(5.84851545993667), R(2.0564565262609964), R(0.9026813273716289), R(2.888006046298179), R(-0.30013869034619634), R(1.3278329439014531), R(-5.567825919339369)),
+STAGE_ROW(R(0.4708101120718756), R(1.4212081129313565), R(0.8708247105490423), R(0.09204278582760349), R(-1.3199516650028753), R(-0.8549802169445004), R(9.337512207179316), R(2.3089099043795653), R(-2.396324970062375), R(-5.062088519197343), R(2.4965433743939287), R(-2.1585849958084027), R(1.4075987424174097), R(-3.7633662054258847), R(-12.21501163451649), R(-0.823968644283819), R(0.08195543825757559), R(3.9491833617232692), R(2.4965560881732833), R(-0.27725865978991215), R(0.09343358485650752), R(-0.17930982323580827), R(8.594397798614594), R(1.3786222661442564), R(-5.763404513573075), R(-3.5889480384559396), R(19.64024839208766), R(9.47027126561692), R(3.0884736448905037), R(-5.727218710994912), R(3.6294009549645407), R(-12.317206453847618), R(2.133872491747131), R(1.7438300650237306), R(-2.975586905328186), R(-0.5760485956642993), R(-1.366667361037995), R(1.1605973326947467), R(5.657077236209369), R(-0.5344905807230989), R(-4.232853677895422), R(1.760027268699864), R(-0.29513964920193564), R(1.3492833858887368), R(-2.790902085861869), R(0.12815451158964422), R(8.88210750889581), R(1.4953695947355536), R(6.8744557887391435), R(1.3049045367802745), R(1.1344467847661535), R(1.8070698217556944), R(-10.163281793864785), R(8.265688651997923), R(-1.6359555462184934), R(1.345341635873486), R(-12.588387547004071), R(0.9407953532842972), R(5.001493425256116), R(-1.3287049231082955)),
+STAGE_ROW(R(2.4662096817961294), R(-5.633721031880322), R(2.582154492798423), R(-3.4230515681106217), R(-8.592292161879252), R(-3.3222865854345867), R(-2.601723564772871), R(4.631790202226069), R(6.337378865173999), R(6.126318740592336), R(5.236620494222693), R(-7.5606672261793735), R(1.170898775783103), R(-2.182365147997565), R(6.7280990399996465), R(-39.91895161819924), R(-4.729836511100333), R(0.20606699267967754), R(4.594550958692386), R(1.1071634920567408), R(5.569843405193522), R(2.145548447272947), R(3.0863400568377397), R(-6.7574060504418645), R(-9.807341172013565), R(3.7769024459390463), R(12.79844593671626), R(13.856636064461801), R(6.949185311506407), R(3.7661369418232753), R(2.4725408869561005), R(-2.9210918317489005), R(1.9627968387567563), R(-17.207691271414404), R(4.962908934063718), R(-44.45820451982842), R(-3.726128558219138), R(-11.251459069616772), R(8.14468438699704), R(3.200917307431261), R(5.704547031911231), R(-6.180770248443248), R(0.823051205364792), R(-2.8451173937992613), R(-4.227319888614715), R(-2.9579893280395617), R(-1.7742870177098518), R(9.005360708828192), R(-0.8439808049762515), R(2.6466442861899204), R(5.518081208866144), R(-3.812060051052176), R(-2.578305028928596), R(-1.631676610376446), R(1.8740474563812102), R(-12.216836529402064), R(-4.807275922857773), R(-1.2803302911723984), R(4.615604389227597), R(4.15651811266042))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-0.8299488680135383), R(8.000793687364952), R(-12.19078920003311), R(5.741741142157855), R(7.610434583397426), R(6.356920361821451), R(0.35049189103593864), R(-6.522246001032626), R(1.3749824623649998), R(0.009335287954823041), R(-2.262489244742474), R(8.12128159004796), R(10.874122484247144), R(-5.966640318266994), R(-5.188038829114143), R(3.2292030251377946), R(0.2958960954228792), R(-4.505199235500707), R(-4.552179455092907), R(5.153529692847062), R(-0.6309833101796937), R(5.247660266904231), R(-17.156233169689532), R(5.4509548653854765), R(7.965351960293757), R(-0.10742369735300544), R(3.8116520597259362), R(-5.047340601708892), R(6.691536095988746), R(4.701865664766305), R(-2.6674458867865964), R(7.066111435597655), R(-10.925865720715645), R(-8.038665362707329), R(-6.4563351392684485), R(8.800680747549428), R(3.7653964255859056), R(11.134093313773876), R(-7.431133218878475), R(4.440252438188829), R(2.9574717329612716), R(7.421467446717257), R(-13.282806075628908), R(-1.0406831270335073), R(8.514869150542205), R(7.27525840170463), R(2.0611833007999527), R(-8.471187175156839), R(-0.6969640048176138), R(0.061751184726091354), R(-2.2354145329695827), R(8.780732386731401), R(5.64461797863332), R(-11.462048395577064), R(-5.725425024014906), R(0.6220835963906044), R(3.608148301973614), R(-1.7433845276235442), R(-5.661504046081891), R(6.386504771178383)),
+STAGE_ROW(R(34.634126126996), R(16.09618496084474), R(0.6493393000076433), R(4.20831736153464), R(73.47572255136079), R(14.705875248795989), R(224.90494457015808), R(5.478492183891633), R(-4.237490048652379), R(-16.328993854163993), R(8.7162701370463), R(27.738618370973875), R(3.6549225879794833), R(8.974623112536802), R(-198.6933706770046), R(-2.6090637107678596), R(-1.2394461601116418), R(-6.341226878263944), R(-1.6008301599725219), R(-9.218603160410842), R(-86.02989236167778), R(32.24113837686164), R(-9.922001275067611), R(-24.89351889273115), R(37.217314430157245), R(31.822596874710694), R(20.816897186235526), R(25.171742035549638), R(-24.419063711382773), R(6.462412598377373), R(22.504405929706024), R(-143.67987084855864), R(-3.362975624146941), R(-17.310927803328884), R(90.40708590536121), R(-10.386876214084731), R(19.04143022340514), R(-158.0968339681635), R(15.100034484517664), R(24.64386727704258), R(17.95088462205474), R(16.40128740094137), R(4.4603149977186884), R(9.95187830478861), R(64.05553676970486), R(-8.228293745560585), R(35.54478157433886), R(3.971980253565636), R(-8.238535754070085), R(-3.5865129053376092), R(2.020484364779954), R(0.13193885714010195), R(4.8691753391663335), R(2.7623307335930196), R(-198.6938676769227), R(-4.75689528616976), R(-7.4415677551694985), R(-12.827069068325049), R(33.64693827604698), R(10.419088836869037)),
+STAGE_ROW(R(2.312519431060187), R(-9.692446090012545), R(2.03960258107703), R(-9.746746284824974), R(3.0426751766781646), R(-14.715593582766626), R(-2.986069258416225), R(33.57237835391047), R(32.650057981782375), R(6.776314872947272), R(-4.750067770699018), R(58.14848223584548), R(11.352716948401586), R(5.886249638262175), R(185.9052906019409), R(-8.915110951886835), R(112.07165435772143), R(1.6268791228876205), R(-0.8450706142365205), R(9.843387937908709), R(3.2026190671188184), R(-29.87421855770669), R(1.24628305346309), R(-6.5122210008195776), R(3.0147476007293776), R(-10.008189770532413), R(-13.178977606970484), R(51.01149741058719), R(-2.4693735634815672), R(10.229338040629612), R(5.39870954019574), R(22.315109798107212), R(-26.61608805925878), R(3.314085613754315), R(-5.311032092614674), R(1.776615477345797), R(105.4122995191936), R(2.355579577960435), R(-14.021665651000164), R(-10.361695577550789), R(8.899870553238962), R(2.879354980661877), R(-7.0150380328347675), R(5.328549079541647), R(-3.0983119986847125), R(-2.76961828197697), R(5.522160466431274), R(-10.55737766151248), R(11.420218597034937), R(-6.6567700208787395), R(3.4441461535183033), R(99.18657191676907), R(-6.083933303214014), R(-3.435211305555797), R(-8.937785704035864), R(-7.055362392792963), R(150.4799925701389), R(4.638084369768509), R(-9.291663035523936), R(2.139580472535657))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_hidden[2][STAGE_ROWS][STAGE_PARTS][STAGE_PART] =
+{
+{
+STAGE_ROW(R(-0.24130708657489963), R(0.8986778731637154), R(0.018207413298591612), R(-0.3224696641323292), R(2.5194864587369628), R(0.964825624980538), R(7.348331208990009), R(0.4768965154737853), R(-0.7500606118701098), R(-0.12540903214551233), R(1.7444468130786939), R(1.615835184468155), R(0.4902732564451104), R(0.8974165147652795), R(-7.131253612609484), R(-0.05261153036105986), R(0.5089467920795666), R(-1.8708453869527737), R(0.6532442455543861), R(-0.6092401429010718), R(-1.3955024971761603), R(0.2149892595873242), R(-0.30174627296460266), R(-1.0627608788388168), R(0.3267146516430146), R(3.2850729815731152), R(2.1946255147341636), R(-0.5866989947869355), R(-0.6145052315900982), R(-0.752414104232373), R(0.6095499298265153), R(-10.62551932194909), R(0.7362195015150741), R(-1.5870008346198021), R(18.81877953599579), R(-0.8903489514005778), R(0.49971176600653633), R(-18.87315242269665), R(1.3218973590229928), R(6.570939926018653e-05), R(-1.090913249595777), R(-0.9076341499541133), R(-0.7852416822201588), R(-0.16385194107147064), R(1.9503934769994804), R(-0.11507642535237493), R(1.8431069512301148), R(-0.5812324860076657), R(-0.25255076874014115), R(-0.46661826106619575), R(1.2961878707337218), R(2.7284657152753997), R(0.07575426084030656), R(0.3956316919112584), R(-6.305808629455131), R(-0.565187542018925), R(0.10877237491196717), R(-0.8505311493891212), R(-0.061998402494029214), R(0.03728544388262006)),
+STAGE_ROW(R(1.3495049629545355), R(-4.871866272346499), R(-9.08256052699227), R(-1.0221131323428212), R(9.623625000806298), R(-5.73736041689455), R(2.540361013347395), R(-2.182931434747972), R(-1.1020380782636323), R(4.151411862649317), R(6.563648625231266), R(-0.8545706716961735), R(0.016672140779199738), R(-1.9540113907219663), R(-16.812536582222144), R(7.694656226362833), R(-1.27994501373163), R(18.646018826717167), R(-11.58085784831801), R(-6.94342068760862), R(1.2630248946409488), R(3.863373536980636), R(-0.5848950231451596), R(1.0957887368045485), R(-5.084571523195179), R(9.34122999483934), R(-1.593898384794035), R(-0.9707625121519352), R(-4.484046124776693), R(1.0977121749929752), R(-0.69675000716443), R(25.92609476952455), R(-2.5042763101949213), R(-2.1890035525323497), R(3.017994248720373), R(2.575270571446353), R(-4.358089214696898), R(-44.35965863304312), R(-4.653555260799817), R(-4.984994992998491), R(3.8290315603368916), R(3.665269618139996), R(0.08151368944755), R(-1.5092408089929297), R(9.69027696823962), R(-1.6960800210939533), R(1.6875608297860225), R(-2.886963252336567), R(-7.361075281570468), R(7.824990523424976), R(-1.4679945731995756), R(-22.00535613397334), R(-4.118876342034344), R(-1.566324250562935), R(-17.808634731370745), R(1.4545100298254623), R(-9.108953489608155), R(13.12792671008648), R(-0.3295975276903649), R(-0.9272160555734468)),
+STAGE_ROW(R(0.15659176769962616), R(-0.7988415181703123), R(-0.9999523835799637), R(-0.7388087614836387), R(0.7409981162179016), R(1.8861492363395256), R(3.4395597179448885), R(-0.9246536762415326), R(-0.8649936428087723), R(-1.7194843849724177), R(-2.7310083726726244), R(-0.05450423474442361), R(-0.8655060525762984), R(-0.8674972940654606), R(-5.5155808202804755), R(-3.955139358269712), R(1.5641236206044233), R(0.40377421559386034), R(0.17310649991460855), R(2.403804248387397), R(-2.0934587099263426), R(1.1106746729909693), R(-0.7408882847582793), R(0.15351411701502454), R(0.4331657864428174), R(1.216675527502881), R(-0.49310747416396705), R(0.40269816811996795), R(-0.5356066967208138), R(-0.12912901858275255), R(0.27103440640255716), R(6.531311882585219), R(-0.16223507769547252), R(-3.4250469447586362), R(8.930051195679471), R(0.3979358955497113), R(1.103365695060368), R(-1.5376109158608484), R(0.6254777503996991), R(-0.3959011171050985), R(-0.331037244555554), R(0.5968237720968814), R(-0.9018277597213723), R(-0.4511991806804094), R(0.6494522459983618), R(0.039803015960782825), R(0.3844372674995252), R(0.06063996828266018), R(-0.4167943887246744), R(-0.5195850973089917), R(0.12176795849845275), R(1.5053644694707735), R(0.3967599079523003), R(-0.05347994711549138), R(-4.963047520629557), R(0.5936073315753427), R(0.38885636788785755), R(1.5204289136818252), R(0.21206081761530443), R(0.4705491845756623)),
+STAGE_ROW(R(-0.7394293878094513), R(0.5937107168311464), R(-1.5554383408000898), R(0.023589000226307107), R(4.762103522475023), R(-1.4366470931609105), R(3.702095619352759), R(0.9534639769385521), R(0.41451531025069055), R(3.8762050276100917), R(1.7504050355097784), R(-0.030700414448114787), R(0.9469935684712282), R(0.08758274180132418), R(-11.611839334861198), R(3.5095102598853236), R(-3.6991134931192087), R(0.14530261128957944), R(0.7076882501851198), R(-1.6395067633363105), R(-1.338139764850608), R(3.3279380095119886), R(3.1209337862200757), R(-0.5359226745204133), R(4.419330293292014), R(0.5842840806749847), R(36.63871763990713), R(2.8057403951445785), R(0.07452683274876527), R(2.8996985242262205), R(0.405810376684523), R(-36.68167819189177), R(3.3377614497767443), R(-1.826694858940215), R(19.22050062468764), R(-5.523630284140099), R(0.1407207936543215), R(29.750219659320354), R(-2.9904928456094337), R(-4.1515469380222125), R(-1.2309794596319856), R(5.58087638311683), R(-0.8753765883396005), R(-0.1999080947685768), R(4.601824385763157), R(-0.866900535219466), R(2.4225771375550917), R(1.7140183323343172), R(-0.01802830331063968), R(-0.9056154145485729), R(0.5488587421019531), R(11.316512409122153), R(1.1556212019881322), R(0.1755026866643238), R(-7.781474434919145), R(-0.6912643061989087), R(0.2450481874999493), R(1.2918463173357944), R(-1.8301721973798282), R(-1.112460851713509)),
+STAGE_ROW(R(1.2323329785567263), R(1.709352966063488), R(-0.21632621745824665), R(-0.9820288847552926), R(8.573288624164338), R(1.2002264194030978), R(3.141431443191448), R(-1.3648418932451305), R(0.23029661232131174), R(0.8534209451108428), R(2.912609042739205), R(0.047890201495633514), R(0.7297302850818554), R(1.1595587090088162), R(-13.807486934501801), R(-0.3967585235616877), R(0.19947079650622268), R(-2.6811661820831763), R(-0.21713033638330806), R(-1.2680225207422058), R(-4.103706053130207), R(1.1415265877561858), R(0.46400057064366207), R(-4.290027334716775), R(3.499843739101954), R(-0.6569454409273917), R(0.6244096917917159), R(-1.0355662026987946), R(0.4718661216631332), R(-0.5614296105449955), R(0.8327331318373069), R(-71.91807034231306), R(-2.229686152398423), R(-3.1900695920533115), R(13.740424248427622), R(-0.3930953809511117), R(0.12539941762839565), R(-24.826010945475225), R(2.9297492081671956), R(-0.6994480902281683), R(7.954721971919505), R(0.7797414295560449), R(0.5402640857642693), R(-0.0985905876404005), R(9.322722766873085), R(-3.1083751111529088), R(5.992417580532827), R(-0.6347018627058008), R(0.41986448764738676), R(-2.2946624776110593), R(0.3554518785938079), R(-5.077361660838725), R(1.2081341642916263), R(1.557740663445598), R(-14.949331550975376), R(-0.05057918671848958), R(-4.590540913945763), R(1.069296569864437), R(0.6923423519622834), R(2.0140204905600823)),
+STAGE_ROW(R(0.3801688641949231), R(10.372569268892882), R(1.8475828783467967), R(-0.04928756859026901), R(12.260419948600822), R(1.1917963259478217), R(3.1219248321259903), R(-3.8322089620662574), R(-1.165907392762864), R(-2.7103527509248293), R(6.753233593321441), R(-1.0725092332531216), R(-0.3353833628227371), R(-0.1273833139793747), R(-16.614416226846274), R(1.6474173632046933), R(-0.1625553084238842), R(1.062436403127725), R(2.611514109837463), R(1.3110009248101535), R(-6.277847373556761), R(-1.1928073804617918), R(-5.226739936146227), R(2.462952857794198), R(9.659575093076493), R(-3.1454708075613604), R(51.13273697820447), R(8.431490242456377), R(-4.027684830895476), R(-2.2200332537150897), R(0.8178041221126657), R(-40.081362348426794), R(4.365244288371966), R(-4.7845145848604345), R(11.599711337146786), R(-5.7551667663175925), R(0.6144261390614153), R(-8.208106497435505), R(-2.932906705065962), R(8.456777479343193), R(1.0535819941732647), R(1.3776757393609418), R(0.4831818674144254), R(-0.5466397192355452), R(11.197188576723057), R(-2.00986093012271), R(5.767392909336128), R(-0.389777862621962), R(1.339824144957876), R(3.225347777205317), R(-0.59130246074178), R(11.174873339461692), R(-0.6165645800089273), R(-1.97394334311259), R(-15.72206044672842), R(-1.9626824686813436), R(-8.558793985857221), R(-1.8441569118465002), R(-0.6196214654854043), R(0.9509059905733753)),
+STAGE_ROW(R(-1.229684521998035), R(-0.5197464866211489), R(-2.129968507655509), R(-0.42048080053083453), R(0.7077473259115581), R(1.8037277017460704), R(-0.14208142368260118), R(0.6625427937479799), R(1.227717793461024), R(-0.46865415529560694), R(4.717602350185173), R(8.013575167526396), R(-1.3935095647687672), R(-0.2963592013640678), R(-8.496935488734387), R(-0.6547700349322089), R(-0.10736273309399458), R(0.8772142511680073), R(-4.0653213175237966), R(-1.7799460674413985), R(-1.8143140226274737), R(3.238696978623825), R(1.7113519033206888), R(-7.075033914640609), R(0.2878084724777482), R(-0.2917198020400834), R(-48.70333641290335), R(6.8707816143037705), R(0.17646436688559092), R(-1.7997865704584979), R(-0.5339409715146545), R(-0.27893893300757994), R(0.2716039761074068), R(-0.41307713989435096), R(28.301616254211766), R(0.18754427184957329), R(1.1572158357497448), R(-35.56972059171398), R(8.045788002624766), R(4.9710536250076744), R(-0.9462925054494887), R(-0.6501524719433394), R(-1.2152691447605426), R(-0.5600991330758059), R(-0.5633368046495025), R(1.7196574565119112), R(-0.8822215443731523), R(-2.3435262503959136), R(-1.9610153481590435), R(1.329031638303202), R(-1.0974839007715997), R(-8.332831356135694), R(-0.2452712903917703), R(-2.218123338776432), R(-3.3009124487419848), R(-0.5903986483981901), R(-4.719466726226727), R(2.8675503142380516), R(-2.611077027564458), R(-1.7583199021725582)),
+STAGE_ROW(R(0.8612870912404615), R(-6.085523314043034), R(0.47688502599114774), R(0.31027031963015506), R(1.3426560401349634), R(0.3325040133784102), R(8.259861493310476), R(-1.8613649304156359), R(-0.23200760975803233), R(-1.2662432924659692), R(-0.09898302253504919), R(1.5959239576964395), R(-0.28979839910971805), R(0.0571234481772145), R(-8.170703349549068), R(-0.8535621248102981), R(2.08369711281386), R(0.42307290036630024), R(0.47924155304569477), R(0.2760532929281187), R(-1.9115791775272712), R(1.6246597170554353), R(-2.925048010956742), R(-2.6292695514852955), R(0.3825961187027232), R(7.703997071069674), R(-5.335964436342756), R(0.008786074529022947), R(-0.3612316471211054), R(-0.8928963418530026), R(0.7303896023224911), R(-20.688482645396682), R(0.8591967136264408), R(-0.2692514810307774), R(-8.7817885188979), R(1.6711923848355583), R(2.415465205174346), R(24.792231847949658), R(-4.7132823139457605), R(-1.917376623521305), R(-2.359979405888975), R(0.7691701278218324), R(-2.222101500123764), R(1.1386298479918646), R(1.0528517132670077), R(4.075787984282596), R(1.007983509700966), R(3.584928989751182), R(0.23356584988727505), R(-2.9129395346650373), R(1.1382406153674816), R(-2.7804528906728), R(0.19435999833866635), R(-1.1553307810018967), R(-8.930023487934774), R(-1.6049625373718974), R(4.382572557147724), R(-1.585107318707331), R(-0.06877056753884608), R(-0.7532723932232389)),
+STAGE_ROW(R(0.9848090448023448), R(-0.17417188564120129), R(-1.823010515827718), R(0.12943840335500692), R(1.1577011250360227), R(3.86732574077796), R(4.78846149516152), R(1.008895502607595), R(-0.43703047681672935), R(3.5124720185421894), R(-0.7579679952591527), R(-0.2907773059252996), R(0.3568039272874757), R(1.2062016875260189), R(-6.641247882437274), R(-0.9525395024859157), R(0.08444481607261921), R(-0.7380863114158449), R(0.30511598076234464), R(-2.420715479701977), R(-0.5929895630813247), R(1.0337931535545508), R(0.4529979839194458), R(-0.38789428407795784), R(1.1264644164641657), R(0.036650360192451444), R(-1.4498066622112507), R(0.5577162968064178), R(0.3119568713484318), R(0.34075054731060556), R(-0.22116422490708584), R(0.7497355778495179), R(-0.35424340081894534), R(-0.33215332623793853), R(-3.790775624395312), R(0.5341191532516104), R(1.1705218374176622), R(-2.4505675577131303), R(-1.3131517909139334), R(0.15464733035639416), R(-0.1394821222379186), R(1.4200553525369348), R(2.0311254951625517), R(-0.8367838076067158), R(1.0328864653628334), R(-1.8654748500231568), R(0.8640396326658099), R(-0.8869260411384747), R(1.2176793559412167), R(-0.5207483810694162), R(-0.01572966620115983), R(-12.549461029750102), R(-0.47760863790126573), R(-0.12439521691145487), R(-9.83629338756773), R(-0.20912209399623882), R(1.2019138432763812), R(-1.7846979721155443), R(7.663537886805728), R(1.7153941056840967)),
+STAGE_ROW(R(3.494974929914019), R(1.1633623280215384), R(4.2557531697613955), R(0.4315254046682313), R(6.060699497821314), R(0.42565616555531277), R(30.99935348393426), R(3.9953434824910836), R(1.1586392061691024), R(-3.557774931089637), R(4.111581856447228), R(0.2981326408031739), R(0.038320766231360555), R(1.5012044101455226), R(-13.351302379079364), R(0.6600519825917711), R(-0.18614178501853193), R(-1.9135362287837308), R(4.97302595237115), R(4.682442496999714), R(-7.755162012701822), R(-0.012094431307753575), R(1.5991648780229446), R(-3.0798916865119343), R(1.606679811726285), R(-5.26200348611775), R(10.07906153047646), R(0.1172308419943729), R(-1.4019996519802684), R(2.1030783885244286), R(2.321708058829489), R(-3.849484254064431), R(-4.759512018771412), R(-4.4481400649756075), R(-32.98207438561959), R(-2.0073655307171316), R(-0.18850162657183034), R(17.92932612736061), R(1.3650999837626507), R(6.934081653162581), R(3.1228464533357836), R(-1.4891236592241364), R(0.623866909456065), R(0.45585246765844045), R(4.989867401511704), R(-1.762024814981372), R(3.5860774544185396), R(0.8192171507946953), R(-1.094253223294379), R(1.1129649030311066), R(1.583569525097921), R(1.1813432812281897), R(0.6444560644349383), R(1.2880198699949177), R(-16.74582924769397), R(0.006292108010597649), R(-4.200804054890225), R(-0.03498875658380675), R(8.711866121696959), R(2.414086100821135)),
+STAGE_ROW(R(-1.0451050975546743), R(8.99870490768113), R(8.965820636566391), R(-2.2379036006160256), R(9.4491398506769), R(0.053957423374195485), R(14.150679772149491), R(2.356995272542347), R(-2.539769273396303), R(-12.007999024755954), R(-14.084890343075706), R(4.293379717057067), R(0.9397770577900105), R(5.068445655518125), R(-17.505841756097652), R(0.9860520690256718), R(7.638109969012971), R(-23.505089183860417), R(13.345635942265655), R(1.9489694574892293), R(-10.522811591991834), R(0.895112935678816), R(-1.496908632421556), R(0.3368637703768358), R(3.2347283692591255), R(-0.3369653046018226), R(0.06734462256655842), R(-2.2938756149766664), R(-6.4389748181744455), R(-4.934210300237716), R(3.234356993707749), R(42.45915287423686), R(-0.9587284763530477), R(-6.261217614829122), R(-12.578157415664107), R(-4.535205396927945), R(7.1405863274257575), R(0.2894386226698664), R(-1.8952319413996639), R(1.029733262974124), R(-6.32214668439748), R(-0.02336180864071382), R(4.581484754678991), R(4.084906916428114), R(6.450176551737713), R(3.7171420135643882), R(2.207137879411007), R(-0.03870267942294803), R(-6.982254948213772), R(4.281621732727369), R(-2.6723920226667013), R(9.740397158160246), R(-6.393349396266684), R(4.477198626403651), R(-19.701815796620014), R(-1.298834101967319), R(22.104584567581735), R(-25.2559740581833), R(19.900788544053988), R(2.496220962949024)),
+STAGE_ROW(R(0.4466074515437267), R(3.1774627933732558), R(-5.917488035539899), R(0.8846101138424051), R(3.5647702344321863), R(0.4717557675884313), R(10.035675163437075), R(1.605702239733079), R(-2.642759192732905), R(5.22379544923105), R(1.40156674872279), R(0.3309672975165248), R(-1.5264355962472962), R(-3.9523736306712522), R(-8.878525335832919), R(0.6740614345127377), R(-1.8104981452374813), R(6.846810724261434), R(-7.145523570954313), R(-4.54791179745715), R(-3.7878097147415377), R(0.8650076305366372), R(-0.7507396779975556), R(-0.035922942374506335), R(2.0226797055347294), R(-4.4613986931384115), R(1.506625470220226), R(2.898835198952865), R(-1.0552630660379052), R(-3.9273601462813406), R(1.320347195488245), R(42.53171875582729), R(0.5460239017388311), R(1.9469225164579331), R(-15.12656091365776), R(2.0697418169555135), R(-0.2838683987932169), R(1.5453306705335104), R(0.08369668704546485), R(-1.172901652593182), R(4.1129123686652305), R(2.090042011228318), R(-3.8988979165439823), R(0.5194200476562598), R(2.800626221962529), R(-2.2241178789018923), R(1.13121729561719), R(-2.822622160017907), R(0.33650500801797883), R(-1.4964612715427645), R(0.13081485773540977), R(-4.485199345777067), R(-1.5180320983716593), R(-0.7362000973417436), R(-10.095374397403571), R(3.0305078672838217), R(-2.8264638838714204), R(7.454678732282097), R(0.901470853965553), R(0.7286232714562676)),
+STAGE_ROW(R(-0.49901268164961365), R(-1.0302004418892239), R(-3.3962800790285557), R(8.208778188177337), R(1.792644823010919), R(-0.679491223502857), R(0.4505698813291627), R(0.2472781279555182), R(-7.453828130814972), R(-1.4495326370138633), R(4.325872681090259), R(0.9367106363423306), R(0.812967618767375), R(2.7716041085096736), R(-6.253402523896415), R(-1.7408483447534329), R(-9.177038086364076), R(-4.352433959098669), R(-8.410141214428226), R(-0.6217825094916836), R(-1.094431440092278), R(1.7848581212135475), R(-0.01160887771080618), R(0.43402964678606354), R(1.2405669973158175), R(-6.368772914530197), R(-0.6258237964872867), R(0.026067882850104564), R(-0.8682228748131485), R(0.21117278728739153), R(0.019710498062394426), R(-47.07778588888347), R(0.6115713117211934), R(-1.732643046626443), R(-35.53621734962626), R(0.7315068190570371), R(1.296426158640367), R(5.571380196985691), R(0.6777299440577848), R(-0.08220583275923771), R(-0.1444543088523845), R(0.9828343498118309), R(-1.360568543433603), R(0.6026778603901145), R(1.7151381055245327), R(-0.4598149920727893), R(0.9776774193995532), R(0.4205144351714247), R(-0.8871440221456516), R(0.717592094534736), R(-0.26270762558454824), R(0.4786413188131663), R(-0.09373253256598588), R(0.30843706825710876), R(-5.7273560079417605), R(0.018186799109483308), R(0.37141470325119574), R(0.7840647301600877), R(-1.185604795855095), R(-0.2589633893948994)),
+STAGE_ROW(R(-0.18312187114285083), R(0.0818726377271072), R(-0.19432351378132406), R(0.01927242804152737), R(-0.26937494868406997), R(-1.21937701006577), R(1.2175772201852006), R(-0.6469652683108734), R(-0.4905333326210882), R(1.0295100282843375), R(-2.059416495529792), R(-0.9276744478217522), R(-0.6598214953207734), R(-0.7734122217310907), R(-6.028811535519994), R(0.6886000999222828), R(0.514190970039357), R(0.2768359861893707), R(-0.44157719673163554), R(-0.5750910280719509), R(-2.297454045784286), R(1.6008472095515027), R(0.35981442458056945), R(0.40824216370897803), R(-0.5104619411064927), R(-0.29465319076316915), R(9.001259820011507), R(-0.3030643568610351), R(0.2625306429430899), R(1.7852987964675169), R(0.11990684576526796), R(8.57812948399701), R(-0.21350075775055674), R(2.893386183219927), R(15.054914116743882), R(3.2643160139785032), R(2.019763351061858), R(-4.045122977952199), R(-0.40866124987799674), R(-1.866587878282062), R(-0.40281082656461425), R(1.4135675395023857), R(-0.3246285926087683), R(-0.5099721543175889), R(-0.22404457940670275), R(-0.5777744205989641), R(0.9316403183291019), R(0.509340738452662), R(1.2695569553884922), R(-0.7239738750632745), R(0.013813982007970117), R(11.68287284397783), R(-0.23686579073312775), R(-0.17481241423893262), R(-5.294423105330168), R(0.025392758560175047), R(-0.6033999030712867), R(-1.0014328312718135), R(-0.4416270686170024), R(-1.587730336069277)),
+STAGE_ROW(R(1.2003453796145984), R(-2.1963675819837314), R(2.026831547333426), R(-0.4849684478286745), R(-0.25318188889351706), R(3.274761917521392), R(10.942329767266347), R(1.582085868804205), R(-0.055998820410425254), R(-1.7544284943356672), R(3.3498586570763598), R(2.1878284645436255), R(-0.9827485774350508), R(0.35503482238335865), R(-9.426009451716697), R(-1.906303302034778), R(-0.0231943282615417), R(2.3508105230480867), R(0.9006888186199028), R(2.592214727407074), R(-6.880721452154638), R(1.2781372886677154), R(-5.198272492841913), R(3.94398828610654), R(0.45734185647050146), R(13.20091848827582), R(-3.7717237597489692), R(1.888365157775561), R(-3.516207926620396), R(-0.3698755488009324), R(1.3572862456987609), R(-21.303111470486996), R(-1.8204920516845542), R(10.925644928675695), R(-9.84129479899295), R(-0.7443842289608142), R(1.932988780488706), R(31.91428216348629), R(-3.8390210145341137), R(2.446436826717404), R(0.7354156871544579), R(2.418909149480578), R(1.2936730640398384), R(0.04196506310338905), R(0.12010581865691199), R(0.41868122315447676), R(2.0801972625351484), R(-0.3286935608490279), R(-0.3107455761103434), R(-0.6763755200867937), R(-0.29763640358625854), R(2.8625287815581295), R(-1.4436242543645195), R(1.8335212100837108), R(-10.124348527163274), R(-0.32349233737737193), R(-0.05654622470697262), R(1.5759783122428126), R(0.22607597912399371), R(-0.18001504064029872)),
+STAGE_ROW(R(-0.08371700696562027), R(-2.5402682262780134), R(-0.339788880087636), R(0.46309622581073384), R(0.1675226216324127), R(-0.1509465646410699), R(3.5852439532619487), R(0.1813421728217844), R(-0.7051413919971546), R(-0.7496563193933149), R(-0.05305947794467035), R(-0.283331090709708), R(-0.1097632294340848), R(0.9630219189689171), R(-5.878346219953467), R(0.7220951229220559), R(-6.207545388088068), R(-0.8999023345352923), R(0.4644422518081285), R(-0.10246726727300424), R(-2.004949814687871), R(0.4878955060065656), R(0.36746985571506197), R(1.0801880157905812), R(-0.274906456279785), R(1.1782823317809017), R(3.3345879588736485), R(0.6647807525520109), R(-0.6363767831238313), R(-0.15127415545228243), R(0.7860713707266941), R(12.959174587204027), R(-0.3213831282764239), R(2.273203826604648), R(-8.38411398838272), R(1.0667910054693601), R(1.1413550035017712), R(1.3392608121390022), R(-1.6961906575080048), R(-1.228562762516633), R(-0.5344386431007204), R(-0.628848324293438), R(-0.5005548436943674), R(0.5297100702326866), R(0.2411319674613784), R(-0.526212314438147), R(1.1561475689762453), R(0.7498093742460011), R(-0.4153970139180069), R(-0.7382372491971839), R(0.6872899887306483), R(1.2441291736614712), R(0.144634552018214), R(1.1202813703087966), R(-5.719322104442045), R(-0.7398047054039125), R(0.36148105083628385), R(0.12664173231326462), R(-0.11948750790210258), R(-0.4287758932129892)),
+STAGE_ROW(R(0.7798112288023181), R(3.9341642687827783), R(0.6950391212388881), R(-0.9337115226214501), R(0.6338420705891583), R(-0.28215932458853316), R(3.5415848620283783), R(-1.2939194875883373), R(-0.1501683767652971), R(0.8335867288059713), R(-1.7189609348682455), R(0.7087690017189482), R(-0.25351316655856015), R(0.5159737719761995), R(-5.882523447378981), R(-0.766391328736506), R(1.3186699620949605), R(0.47174272462926514), R(-0.390753434526517), R(0.5865059785717001), R(-0.3335043549305262), R(1.4821622003229167), R(2.2580385667349434), R(-1.2664905774567703), R(0.3832426007202858), R(-4.912130334878433), R(-15.951395676846763), R(-1.3306033541080544), R(-0.008079071196782492), R(4.339871136507652), R(0.22931050495075445), R(-11.715132732933114), R(-0.9275878657960562), R(-1.7162528138796864), R(21.36476567416993), R(-0.4575576844101349), R(1.1686919764207278), R(-6.26726757553941), R(0.03100440731024195), R(1.743102332339756), R(1.0679862992743976), R(0.7677139343331421), R(1.5069745340269327), R(-0.7956520352460829), R(0.5887323071373116), R(0.6952104020860226), R(0.33965215143222166), R(-0.14548531080417532), R(0.1432741562884614), R(1.2977746619702994), R(-0.027096994276807302), R(2.5477773373965182), R(-0.3187676570958625), R(1.3487772489342467), R(-6.061419435701529), R(-0.6340495037097201), R(-1.4772942932331317), R(2.49425228320822), R(-0.7128545918569229), R(-0.9974786207414753)),
+STAGE_ROW(R(-0.4021441798265335), R(1.0651551520076648), R(0.2653757242754848), R(0.5492803821499834), R(0.953832350029004), R(-1.1403805602778905), R(3.2720249056951762), R(2.98192343955953), R(-0.06970614564712577), R(0.8298793061884977), R(0.2068790957769554), R(-2.848191037981778), R(1.079866646388984), R(-0.08036941958804622), R(-5.9795794435312635), R(-3.6588590666179415), R(-3.078657069381356), R(-0.18930059604542648), R(1.147309025064511), R(0.47713497203873034), R(-2.1209380811734566), R(0.6555645056090458), R(-0.10571134337477069), R(0.4110275172198273), R(0.5600095589714513), R(-0.5857404239003265), R(-4.061062433244184), R(0.1274100002132082), R(0.0471942229368511), R(-0.49234518563757196), R(0.7502827837839202), R(-7.285605466556602), R(-0.19611632201330503), R(-0.7048918162760376), R(9.050502437940384), R(-0.803550138894038), R(0.18072507211651706), R(-26.37243303951941), R(3.2203632948388066), R(1.609302323153759), R(-0.09195303212254637), R(0.4668373794257149), R(-0.580112853893894), R(-0.19993212133774907), R(0.9559065309422183), R(-0.8411634641763482), R(1.4948290098399066), R(0.6001386868621886), R(0.19724309472439017), R(-0.16246481823741316), R(1.2216328386753714), R(0.7593858339458777), R(0.6251579549267617), R(0.5169430921379788), R(-5.709242507393066), R(-0.8009275783678105), R(1.426094070901114), R(-0.9901058632787971), R(0.5450349674998126), R(-0.0946094668328832)),
+STAGE_ROW(R(0.541062088186749), R(4.543272467324162), R(1.7100941604637256), R(-0.25742657165306126), R(0.5559226925708045), R(-1.1193128044946372), R(4.937729543870076), R(-0.8435940209869917), R(-1.1932467132988613), R(-7.73622963258221), R(-3.029546351426947), R(-1.8264061613452114), R(1.867964603179267), R(1.3209827526609035), R(-12.925937173975658), R(-4.339112777074017), R(3.9051206244831977), R(-0.04908191484866844), R(5.183447508808304), R(2.3897276062606227), R(-6.11283490664722), R(4.2302348338028555), R(0.2951917054212205), R(1.4900356033248332), R(-0.06240228216565948), R(-3.749515109220355), R(4.043371553936078), R(5.18642457168414), R(-3.346610497490021), R(6.323125655163914), R(1.5041079809326028), R(-18.26613862141326), R(-0.657240460306494), R(-7.1585862515471055), R(-18.277881481192104), R(-4.775304388796927), R(4.863545855225147), R(61.97191325721118), R(-5.204110459213402), R(-1.161987239715407), R(-4.935862693025854), R(0.4996072636727936), R(2.6962144803029187), R(0.580645825265332), R(1.5339559412986477), R(-1.1248994045822411), R(1.701761340154116), R(3.861604400190351), R(-0.6711591006704826), R(-1.601050478863032), R(0.1404147185894992), R(10.825091227399037), R(0.21126120552730715), R(0.41034104968404667), R(-13.67869294422798), R(0.007977745650413336), R(5.194680332183124), R(-7.299623683393919), R(-1.3287790997524194), R(-1.3213929764679568)),
+STAGE_ROW(R(18.21957335984431), R(-4.98026956800854), R(1.085790494342283), R(1.111055638706196), R(3.0683906064772395), R(11.801577066230895), R(99.0609676656166), R(8.137668898645991), R(9.292722443654426), R(-5.264631137662821), R(-6.556481121850561), R(20.70718960614543), R(0.9569354056542696), R(3.861273720621204), R(-1.8933070428953218), R(-2.375866708547035), R(6.13109210794735), R(-0.2250670105515728), R(-4.289617684178658), R(-10.519530605016906), R(-30.6167352891322), R(2.7384448628818854), R(-9.600706491385843), R(-16.897950363065014), R(8.166829078963385), R(20.169748011749977), R(-25.365800403970585), R(6.974332961910187), R(-1.8677832964918406), R(0.5853862651782678), R(7.442288646536453), R(15.642715108530385), R(-1.043361059870198), R(3.8527738480287588), R(65.08131713189272), R(0.5502790331889672), R(-3.1231295742160836), R(-155.22755281385645), R(22.63581009809822), R(12.090418830454636), R(5.973696266041102), R(-3.6257581443405), R(-1.238777433497689), R(8.233539263304792), R(0.04567371343045094), R(-0.40711538871266134), R(-0.421225868960887), R(7.8422335183499925), R(3.274848354439983), R(-12.26349032199858), R(0.23278084903644186), R(-11.154739661884257), R(13.393202222915845), R(-0.47699356094716905), R(-0.6172547394084505), R(-2.8062449229258313), R(-5.724348236254745), R(-4.546740624590422), R(1.271356583477608), R(4.513485212470478))
+},
+{
+STAGE_ROW(R(-0.04971537863744847), R(0.558325198597302), R(-0.4234417647466723), R(-0.33950177513784047), R(0.316744229892705), R(0.23683162434303406), R(-0.29603017942189935), R(0.8560133772507791), R(0.661701888636003), R(0.49206504753570113), R(0.4746937417893641), R(0.7276188921447722), R(-0.9190316729295155), R(0.10174480697739384), R(0.22836004355168021), R(0.8952872693945807), R(2.24359033475741), R(-0.5862394415057074), R(0.39537768693271474), R(-0.06762988003069022), R(1.072999781658494), R(12.040675703736754), R(0.16378976196027747), R(-3.26632340426985), R(0.8341755842035926), R(-1.0853986354553526), R(-0.07474750711449894), R(0.8187949788248047), R(-4.571912954613692), R(2.5455819008044016), R(1.0218164372718683), R(1.4066928112337196), R(-0.1053328336116084), R(0.828558458930179), R(0.06320534664153715), R(1.0443452777414048), R(1.3448769260079092), R(0.2625270173910615), R(-2.1845215016142085), R(-0.6796398898280561), R(0.09341580162913986), R(14.426159309423985), R(-0.42382823979189543), R(-0.6590753821915376), R(1.3381322506584328), R(-2.349368806229399), R(-1.0512951137466082), R(-4.070609806987329), R(0.6284502254319912), R(-0.21334842050179198), R(0.5527480633785896), R(0.7887583151806511), R(-1.2736977591130465), R(0.10210426441510269), R(-0.783050825091123), R(1.342515441655946), R(3.3786820414613867), R(-1.0259656138215696), R(0.1629398041075153), R(1.0754115972428937)),
+STAGE_ROW(R(-0.2152466201759327), R(1.371458304060616), R(-1.673561961292363), R(6.360207600543728), R(-0.8680074244100516), R(-16.0659646242416), R(-2.174883709226753), R(1.1074349633036231), R(-0.8146774537260201), R(3.2085507439696976), R(-0.779857510934303), R(-3.02697290301018), R(6.759552250374623), R(-1.1845646072566134), R(19.200374382535404), R(0.015116560067089708), R(3.930333715451899), R(0.9017778147060361), R(0.20187399440012485), R(-0.38199413049725256), R(0.9898256145190834), R(1.6300564266795383), R(-0.9727734016788256), R(-1.677102766276462), R(-0.17550405421373444), R(0.28343522213020206), R(-0.0695598634497647), R(1.421193788824318), R(-0.546409748141431), R(-0.15372980943071987), R(-0.0853808244326573), R(0.4077037596221074), R(0.27939306026151833), R(-0.038266009440974864), R(0.7829712617775242), R(-0.3627981648810593), R(12.210429472181152), R(-0.6912495636979976), R(-0.4230990737845659), R(-0.08899505370383817), R(0.9359712163888595), R(0.5223138969200829), R(-0.9383473631076455), R(-0.9795686817238347), R(-0.33907548053511766), R(0.07524729964368834), R(-0.18762443689472996), R(1.3214632221920009), R(-0.5026716259748929), R(-0.19937218269431192), R(0.104692813751369), R(-4.987095308334594), R(0.7224207747078335), R(-0.07151746481874073), R(0.6784304709953729), R(-0.2026225826490567), R(7.792351731275581), R(-0.7041653095362989), R(-0.6502478196143833), R(-0.13921171210507807)),
+STAGE_ROW(R(8.064022304872895), R(-16.82949765393857), R(3.735100876507905), R(-11.668883319913068), R(-0.3847340081017184), R(-7.063512995202418), R(-3.5808681492847856), R(1.4040373987095207), R(-5.180175096631107), R(3.4730607889769565), R(-2.5320722362235264), R(24.281913919048602), R(11.730513007463566), R(0.3299211154742978), R(-33.23672240507505), R(-0.34623809000424804), R(-2.1769449750411582), R(3.247539173987002), R(-1.2215228992804852), R(2.108977370474798), R(-1.0565164418825639), R(-19.404638828018417), R(-2.2017003195034204), R(4.04075089370064), R(0.923473457665994), R(-1.4647157286056223), R(8.502628489644303), R(-3.5017199189012604), R(2.412541996939649), R(4.73862529655208), R(-3.62055846729137), R(1.7788499209663962), R(2.356075365417168), R(-1.3972453004983787), R(1.0452376145690319), R(-4.869568362955861), R(4.6119583788768646), R(-3.2750277235025482), R(0.3545487638958311), R(-0.5503756279601542), R(0.6315128074456681), R(-1.8502950742389492), R(-1.7169638200998054), R(7.858597386298095), R(-1.7664341672439678), R(-1.2741259851163609), R(0.37763528293042575), R(-2.864755878642782), R(0.780285009767765), R(0.4154677082280181), R(-0.5380268482434064), R(-2.529715259060941), R(2.8683024945638884), R(-1.2017553574703002), R(5.301708048133978), R(2.6545348564777536), R(2.17460544798108), R(0.549186908016829), R(-0.15847439588892032), R(0.7915876056795691)),
+STAGE_ROW(R(-3.867445052951097), R(1.0705005250459803), R(4.365514299568815), R(13.401397349048722), R(0.12311334993517799), R(4.649617228381175), R(-1.9312372150736434), R(4.482087175220948), R(-8.698989565270532), R(-1.681271384225134), R(2.045455141612739), R(7.152754758938629), R(-2.523563905356932), R(2.4348507737048135), R(-5.810489582286535), R(2.8565321841439664), R(13.343816081572516), R(1.7246392195937783), R(3.9256595442778135), R(0.5332202668134698), R(-1.5483900522055352), R(10.910779939653887), R(-0.41260556493063466), R(-10.836901041696912), R(-0.22926696290788764), R(-7.252181392483891), R(-2.264228277955372), R(0.3540568908648502), R(8.014167872480622), R(4.101339033764389), R(0.8729944455027002), R(1.2660329794273675), R(-3.7352730144613484), R(-0.759848676160604), R(4.143713849650189), R(4.324515966279357), R(7.168498703046918), R(0.4164648978995064), R(2.488407550763908), R(-4.246367805336062), R(-0.3977399080575839), R(-9.718576148365573), R(-0.6436366429912826), R(13.921270620892296), R(0.9966988850267053), R(-2.4650727305163427), R(-0.31844809863538437), R(-6.076006200201919), R(1.1374801578634175), R(0.9183351830801416), R(1.0243004341130426), R(11.412883293494977), R(0.7237096509367732), R(-3.4907480162414286), R(-5.765110770226017), R(-1.3041226231981686), R(11.983588212488888), R(0.35652510838919077), R(0.8822713724935962), R(-2.1982524939636128)),
+STAGE_ROW(R(-0.11188016639048427), R(0.9588785665224463), R(0.5866783291004721), R(-0.48939614951857036), R(-0.39001323778106867), R(-0.11678684570014562), R(-0.733077201574142), R(0.9455902131132428), R(0.34432724111209145), R(0.453988852152442), R(-0.7109658575709592), R(0.40138861472412274), R(0.1985766581669719), R(0.4504471124014442), R(0.819488307269005), R(-0.09399846432645417), R(6.68593928177767), R(-0.1492622700778389), R(-0.9219206046169132), R(0.5958847327792269), R(-0.025721032754599596), R(1.7550542676005214), R(0.5319476869128273), R(-2.082528139111653), R(-0.31599482578733146), R(0.21866323345058036), R(-0.5256569253781675), R(1.2909753452539152), R(0.6464640403805476), R(0.5841700647668914), R(-0.7899824489701236), R(1.379098253618226), R(-0.008900368362972862), R(0.5287738992123509), R(1.0194556282572305), R(-0.19823484541644226), R(15.581848886545206), R(-0.07367174710328364), R(-1.3107223372482755), R(0.6989991277649136), R(-0.10662825182676756), R(0.9929788161633459), R(0.5885113756995333), R(-1.0353306206586912), R(-0.38390065088770925), R(-0.11524990755448963), R(-0.691621617219236), R(0.9647117270478966), R(0.3760954595009377), R(0.4690952571236487), R(-0.7214030078644516), R(0.41968229561297077), R(0.17909930528290008), R(0.4584086886910024), R(0.8086321903965566), R(-0.10508795943643895), R(7.221329351185623), R(-0.13988042027760175), R(-1.2737034043733289), R(0.6023275559865261)),
+STAGE_ROW(R(0.37443220010220285), R(-9.288027034871382), R(0.35529929923034714), R(-5.578664881130457), R(1.5020374282979916), R(-0.9396515479610399), R(0.2734907569178379), R(0.3866912513805101), R(9.750108068211937), R(-0.814630474635563), R(0.6046446236172982), R(2.4769161473094043), R(-1.1436793036821942), R(-1.1124925748487107), R(-1.1218338728505821), R(-0.06180987788462653), R(3.5359239255685173), R(-0.20872664432154714), R(-2.2766997810648015), R(0.15649664239369462), R(-0.07067883357074535), R(1.8399648265947481), R(2.2296760693339315), R(-1.3579190342780094), R(1.902615866155761), R(-1.0618962993382173), R(-1.9176130557107351), R(2.8375298529739292), R(2.0916129366521985), R(0.9379802738366096), R(1.629122867526219), R(0.23170146435996786), R(-2.1116232250706655), R(1.1269087692347097), R(-0.5831062417008748), R(2.401933074671366), R(1.2823421646391429), R(0.6486704277261003), R(-8.327498131858045), R(0.4555799616715197), R(0.49507145858410173), R(-0.6574802199071064), R(1.1775198463871572), R(-0.5767366943136836), R(0.8670578742171764), R(0.1525434413913772), R(1.1312710195102773), R(1.600413616834232), R(-0.2050573838374293), R(0.2694719618857319), R(-1.1914462754892785), R(0.36166467524301904), R(-1.0764683924974041), R(-0.01778320724510475), R(-1.9566591554669335), R(-0.8380586029188827), R(3.6400489073696654), R(0.7757767975424923), R(-0.40614521749278454), R(0.6243642496169209)),
+STAGE_ROW(R(0.4360540310591461), R(0.8036755332850155), R(-0.28820111975924284), R(0.9853084853462907), R(-0.437104678723797), R(0.6656802038293002), R(-0.4939360974380963), R(-0.2274868389071201), R(0.5590628805275122), R(0.2256126526590527), R(-0.26236867542613806), R(0.26959000110269404), R(0.2665072891465992), R(0.9384575178866129), R(-0.48696742713850494), R(0.5191270424796331), R(11.13689211282214), R(-0.409416358017341), R(0.5865243462402986), R(0.5132387478859258), R(-0.16646828532806032), R(-16.711639212590878), R(-4.373466828023072), R(18.305819614111652), R(-2.804012909570214), R(0.43323136051608646), R(1.0585434313124078), R(38.53790865398104), R(-25.72777288309508), R(-0.06310184447103184), R(-0.5014590023415698), R(0.6560420885071716), R(-1.716296318170438), R(0.33754218658659413), R(-0.8314172058518897), R(-1.0266594255841444), R(9.700764831268962), R(3.017513348370699), R(5.720603465652165), R(-4.902348516160406), R(0.48285686582588017), R(1.1325498554744418), R(-0.3462724175246935), R(-0.6191616156842097), R(-0.4043509252003417), R(0.8242302864484325), R(-0.3927229943497736), R(-0.022208284984949842), R(0.7187536134264897), R(0.3067581519615732), R(-0.3035308014828168), R(0.45379696125260066), R(0.17832526929377812), R(0.9704206684952411), R(-0.40900990967126427), R(0.4640992724399533), R(12.550038686766698), R(-0.33669460290448766), R(-0.4339448863054734), R(0.5813896814322144)),
+STAGE_ROW(R(-0.14791747238195144), R(3.579413394938857), R(-1.2303380264104276), R(-2.0184929934607445), R(-0.21311568412626503), R(11.023448368887111), R(2.9147441583422076), R(0.21558524780006078), R(4.69405680364119), R(-0.19665974824759253), R(3.1867237211838213), R(-30.59015496930177), R(-1.9760311214514699), R(-0.8616037136299377), R(-11.538042724599935), R(-0.8246170443910468), R(4.159892392737242), R(-0.9264727409954736), R(0.8467530436080162), R(-1.0440757290817486), R(-2.8586667037568554), R(-11.955478120403841), R(3.0962481630498453), R(-1.0764353121879995), R(4.313106590439915), R(2.9722850230499858), R(-6.90289230856325), R(-2.5689799397906805), R(-0.10727790988738573), R(0.18199588333806954), R(4.724926768324001), R(0.04062033996226916), R(3.851538915379279), R(0.055661940481069164), R(-8.416725142558217), R(-0.6019471524765787), R(3.2123768758144293), R(6.935281602395064), R(6.661339882847267), R(-0.8380271854772567), R(-0.8695289968395531), R(15.147600191752188), R(5.442643955300249), R(-7.231151451939281), R(-1.8248832217282924), R(0.5521592477833847), R(4.903829026795538), R(2.8172568532193663), R(0.40600760568605987), R(3.1220539593997096), R(0.5285357567051663), R(6.914849051031727), R(-0.7898078812462507), R(-2.059211949197663), R(0.3434639816653725), R(-0.6536807218533974), R(6.195297208553854), R(0.612833569133834), R(-2.1969942225712913), R(-1.6420144572486555)),
+STAGE_ROW(R(1.4219875547765464), R(0.9878088039547989), R(0.7315050750195269), R(-4.060964362425353), R(-0.6709016454658302), R(1.651383568593267), R(-2.1039572328818927), R(3.674467416272281), R(6.7479519019605085), R(1.7348436640460305), R(-1.6350116389734137), R(34.41640501775564), R(1.7105991027303826), R(-1.4645743665616373), R(-2.3350932399448214), R(-0.696410003373189), R(9.494590903581404), R(2.132126121901199), R(-2.362618446547423), R(0.5901935052818386), R(1.4830280739368922), R(4.525463633445097), R(0.2619771269037074), R(-3.3687259709773363), R(0.009073802347858472), R(-1.1361424396081912), R(-0.09733360359038805), R(1.7581548406116485), R(-0.5389442275616351), R(3.2270612547537363), R(0.2735974537784935), R(2.707179522865116), R(0.3307258869024154), R(1.7766174960384422), R(-0.26290104754787075), R(0.8604045540006479), R(5.592919067617526), R(1.6958508781406578), R(-1.6158238479271085), R(-0.7815333500408449), R(0.8951741700763283), R(-1.1341055170640797), R(-0.38329734624008704), R(-2.4403899851318753), R(-0.6964439283611137), R(0.5227233160980141), R(-0.601919486613016), R(2.2409172104501143), R(2.1564715042257716), R(0.1247249550207367), R(-0.09146481962225432), R(-1.865653844330632), R(-0.3213005564662898), R(1.57924422652897), R(-0.6625980108043794), R(0.4735933049190409), R(8.747522687984674), R(0.9276159231391764), R(-1.0011924182066785), R(0.25133367363378295)),
+STAGE_ROW(R(-3.4456724544442245), R(3.6085915331929415), R(-1.293174730858025), R(5.438149565090499), R(-0.42564028128595255), R(2.139478831740035), R(0.628147002356726), R(1.9831598069290939), R(9.319691069237432), R(0.44976759649490256), R(0.25681010108567226), R(25.05552168415292), R(-5.34807321658231), R(0.7419615957907775), R(5.293469234266661), R(-1.1193472201810355), R(3.2728173779073098), R(1.1586108262359016), R(0.7330914430313115), R(0.5623885864840328), R(0.6193517504797994), R(3.89909419485712), R(-1.5018450965631436), R(-2.1587092718359724), R(-0.2210283369431995), R(-1.3726607740873693), R(1.106507607080219), R(3.338945654977133), R(5.000891019111725), R(0.16701843728671104), R(-1.6462447039550154), R(0.6370104018948162), R(-13.022358519214219), R(-0.20925948547495588), R(9.502630767848792), R(1.9775617422110463), R(3.216748378091843), R(0.19527663516714278), R(-1.8111730155056436), R(-0.8732966022249952), R(-0.7889209458601352), R(-1.140295071457354), R(0.3334416065844978), R(-1.6158860340417915), R(-0.0595807415150125), R(-0.06318237549576552), R(0.6021523189169887), R(-1.1308965915833298), R(1.3001585952486723), R(-1.1241558735859798), R(0.7938490262423143), R(1.7000923078829264), R(0.17797422224788229), R(-0.534596666623865), R(0.27186365460294004), R(-0.360899307376793), R(2.330236589584499), R(0.5705732340335686), R(0.2086742553674932), R(1.2411691194613028)),
+STAGE_ROW(R(-4.484345221523292), R(-0.8586351612968953), R(0.20391184019536596), R(-5.729930199752563), R(0.07900780132086012), R(-34.12443167510017), R(-0.22051018931891636), R(5.903610376355371), R(9.763298436836436), R(0.7226964076892952), R(-0.41543867612553903), R(-4.926552360087995), R(1.6764495699793107), R(-1.2749092791913237), R(38.90292706165432), R(-2.8060309901166014), R(6.989781246010293), R(-0.43281741083308684), R(-2.582066200799126), R(3.600177936033788), R(-0.4534816184779385), R(-1.2678646009553054), R(-1.0037736288268777), R(-2.3731803511205443), R(0.18177134047115306), R(0.44921582512236613), R(-0.3857247376136534), R(-0.19795956153007277), R(-0.8259847861598862), R(-0.38989239454064945), R(0.08962878707829217), R(0.4409326803884774), R(-0.7798630039729854), R(0.06147527106265842), R(0.26723169855349593), R(0.6741323347769475), R(2.2295353906461366), R(-0.5429152191789187), R(-1.9373846002121944), R(0.6745335543353861), R(0.04126143425067999), R(22.919025780348274), R(-3.1945641988438833), R(1.2972582118683007), R(0.4848218886690187), R(2.839181175790885), R(-1.9129120371812431), R(-7.252916694938244), R(0.4850292783267464), R(-0.5792079957249893), R(0.7488941124255812), R(-6.986581662034288), R(-0.7470739163194439), R(-0.8550109342928852), R(0.1682939918459315), R(1.8958541301184726), R(8.314454744661566), R(0.12821843214712392), R(0.08111764375065697), R(-0.34676625972769476)),
+STAGE_ROW(R(-4.561476859020582), R(10.519765475283101), R(-1.6329132877647399), R(9.92101438021925), R(-1.875788481053303), R(1.4619938546444537), R(-0.9648860436947007), R(0.7529202662128252), R(-6.968425175410779), R(0.1848694936412453), R(-2.358083094552302), R(1.308910706725276), R(-6.276155214133267), R(-0.07259372336552142), R(-6.618469015120674), R(-0.04663750783018143), R(8.82061415297966), R(0.8468165795468389), R(-0.8020177190577777), R(0.3078502449347294), R(0.022672689441113145), R(7.259326383946964), R(-4.425348770966785), R(-13.256738220078615), R(-2.5553796948170264), R(0.0007715630755450268), R(-0.5998438001415404), R(-2.809995320588155), R(15.637613529937308), R(-0.06483033121980562), R(0.3380717760860288), R(0.7946278627572156), R(-2.1586365108937398), R(0.4078177694784511), R(-0.09241943345451516), R(0.6903399711208679), R(4.6433456710031145), R(1.1509232391939763), R(-0.7747682470418964), R(1.5850569228084208), R(-0.06851283823330037), R(-17.988902820522064), R(-4.512025261891661), R(25.72375819054866), R(-2.01695252283169), R(0.5282785332541609), R(0.3701137001733946), R(-8.103631535188743), R(0.7503330181952387), R(-1.1742657249957287), R(0.4533879234214259), R(-1.683888123619004), R(-0.5432081375941348), R(0.27602410365802993), R(0.7091603413659814), R(0.025720955219038884), R(8.48234693758921), R(0.19656392600081649), R(-1.0024028860127894), R(-0.11761146735085666)),
+STAGE_ROW(R(0.5791373870257142), R(-4.003127409413276), R(-0.2355290116968764), R(-6.66847385714732), R(-1.5517023592260841), R(3.6614537018015647), R(-0.7846819053736996), R(1.2342921766699098), R(8.3456754228567), R(1.193721864147185), R(-1.8168138872811315), R(-22.966257139664158), R(1.601280360777874), R(4.0114289055340455), R(-6.164320917130363), R(-0.9972062827712237), R(11.267198853432363), R(4.661435861126777), R(3.0100005391415334), R(0.9360845519926559), R(-3.5595472151243874), R(-16.566739512625126), R(4.5998189725863226), R(15.771049059914313), R(-0.9498839425073302), R(-3.6898562351941337), R(-4.012456706124989), R(10.175951937994581), R(-8.15866788128307), R(-1.7931996398321801), R(1.5133646016549402), R(1.4839692543036918), R(-2.453161064297669), R(-0.2565355246460587), R(4.765948518243947), R(0.2540813210180421), R(6.23516152686966), R(-5.714595184753773), R(-1.5606252899924948), R(-1.2203880943767267), R(0.10039668756853422), R(12.599419852171714), R(1.9641503914985947), R(-18.833849810378336), R(-0.7226887108076993), R(-1.1593559737228067), R(0.33594898154274205), R(10.501819653258599), R(0.9959665762500134), R(0.2859238257136784), R(2.7308546038367814), R(4.873729251443074), R(-0.8954390494992329), R(-0.4239935743736305), R(3.0742757493544883), R(-2.0735590714063106), R(13.157823683986226), R(0.9907719251196623), R(-2.631507152489692), R(-0.9188837625606606)),
+STAGE_ROW(R(3.2145827872173656), R(-20.129522402008377), R(1.2867225624809169), R(-11.532672645153525), R(0.0368025474294309), R(2.7148246603604385), R(-0.8610214427139887), R(3.1840595430510334), R(-1.6902489361884336), R(0.8415705998025148), R(0.04524203992954731), R(86.67464418092483), R(10.264708491661453), R(3.449425932549122), R(9.632707464650899), R(-1.775827325793527), R(5.02469501158718), R(-6.8076113925103865), R(-3.768136161432485), R(1.0695965044235585), R(4.408682992016599), R(-16.471417485894868), R(-2.580011883661912), R(9.424080680030954), R(-0.6859526252879135), R(1.3894201144913452), R(3.2855859997671732), R(-0.1564352348243521), R(-8.391802010753363), R(-4.10845784616711), R(-1.6872582731688892), R(2.4954625215394244), R(2.415944656535037), R(-0.8216019062844766), R(-1.7851464340556134), R(0.5061000717840252), R(7.849661732016847), R(-5.667305037304197), R(0.8741873278190451), R(0.813122292810281), R(0.4437080320596008), R(-0.3724515271784116), R(-0.0547407209100003), R(-12.425175236872391), R(-1.7918462567265767), R(-1.0292015326350286), R(-0.7716596703417848), R(4.613791992540071), R(-0.21093537236344723), R(-0.17098272619241145), R(-0.5534836715732323), R(-15.197575475664616), R(1.157398601492149), R(-0.6500876488443443), R(-0.48659089717629356), R(-0.4285373738015088), R(6.60209489057613), R(-0.15290262313188877), R(-1.9516098193383062), R(0.9413936927891845)),
+STAGE_ROW(R(-1.2849509408296447), R(5.038363916416031), R(-0.6293579331770176), R(0.5096776419046118), R(1.5117611818909766), R(1.0767173229185922), R(1.001859990894662), R(2.118576808368302), R(2.0469535775703327), R(-0.0554808910589787), R(0.8156714034136366), R(-3.1686444496513033), R(-1.4844877386596844), R(1.0347894385120537), R(2.8870448796619743), R(-0.47015634132008083), R(3.4172840535742925), R(0.37183196306812094), R(-0.14680833181348246), R(0.8643309131031086), R(0.30976017716275855), R(3.689120101888734), R(-0.8139136568878594), R(1.2913402541471095), R(-0.5692293307852442), R(-1.9573367554266548), R(-1.4760847874767262), R(-0.48353130640932146), R(-1.636136756123768), R(0.21890365772054102), R(0.7098874979154347), R(-0.5577793822304196), R(-7.185996105251018), R(0.7227664428091769), R(-0.1803848025342957), R(-0.6012361394311994), R(2.1286353166915526), R(-0.011411492910566054), R(-1.0592043292758413), R(1.5854359265833555), R(-0.549060328514078), R(-0.8779386323008165), R(0.05579467976346786), R(-1.2796371460764933), R(0.8355075276126959), R(-0.6139810014995166), R(-0.2800040916842223), R(2.1398252850621913), R(0.9260531254994726), R(-0.6083982910031518), R(0.7587152821034149), R(-1.7253747406806437), R(-0.5539548534039687), R(1.0604039089021013), R(-0.479390506838999), R(-0.48103536632476207), R(3.3911745494086434), R(0.7935087496593551), R(0.4163099115280809), R(0.9780700840652892)),
+STAGE_ROW(R(-0.21851984833332558), R(-1.746340843092748), R(-2.340542652544886), R(-0.9160255090962085), R(0.7904026604251821), R(2.8244724145824627), R(0.5940429438328279), R(0.8528529188617757), R(2.3379655490628988), R(-2.2054158029338757), R(-0.3747096865067708), R(5.95942957890362), R(0.5507358568185186), R(0.6437438538378046), R(4.798959769418711), R(-1.3700834450033512), R(3.9398121499878886), R(-0.3702130429852703), R(-0.6933972046204538), R(1.06957724615736), R(-0.7531123874993252), R(0.24439362158727013), R(0.699287931383395), R(2.305660513226381), R(0.0561706716088049), R(3.3109257317280574), R(0.24202087449891332), R(-1.1147424864705504), R(-5.158362438142418), R(0.558494779501071), R(-0.1835485506227521), R(0.42963620846177736), R(1.5869213480161286), R(-0.2651138306505981), R(6.231392910237105), R(-0.17099956787747944), R(2.703910011794777), R(3.7155314549158187), R(-7.428758823585583), R(2.3326122626736407), R(-0.02119285958711946), R(-2.4694963062748014), R(-0.5623715860812409), R(-1.1172071989858094), R(0.5718558650893953), R(1.5280362697184686), R(0.6460049657587882), R(0.7307126542302047), R(-0.18026533336325204), R(-1.353868462263713), R(-0.0453672697618331), R(-3.790225288259233), R(0.0860529557228475), R(1.2876211552295231), R(0.2702325928277312), R(-1.023232197987208), R(3.9226473728111815), R(1.1180711682552704), R(0.22914373698373483), R(0.7339580973896367)),
+STAGE_ROW(R(0.32877342243273355), R(0.8927232409593195), R(-0.767171132184617), R(-0.6239671248411822), R(0.1323069019766511), R(3.9830228722345304), R(0.10054157691508553), R(0.8269490972489821), R(0.31132964589837775), R(0.2548151523476315), R(-0.8097366956519251), R(6.8550530202573965), R(-1.4056439261607274), R(-0.25974125823722616), R(-2.932761680988557), R(-0.2414874139453077), R(2.6710873629877634), R(1.1960611528727165), R(-1.3390070923533153), R(0.863617975074394), R(-0.09899920255502004), R(-2.556919706976615), R(-0.2410226067458008), R(0.04190915609610615), R(0.013068983301449098), R(0.0016041920589983634), R(-0.44695844693802417), R(-0.6137398615663995), R(0.4493510580763741), R(0.632969165967286), R(-0.14070161206720208), R(0.3151341193865964), R(0.3097493065062343), R(-0.17579823201063605), R(-0.8046084679978489), R(-0.0875614652964431), R(3.478886110293652), R(-0.12893673161462932), R(-0.8894648958200949), R(0.6466354037724378), R(0.47812473006624595), R(1.7958600969719594), R(0.08255336378909939), R(-1.22061596008027), R(-0.40107342889383246), R(1.9772288402230453), R(-1.136266261141224), R(-0.4039308799192108), R(1.2144683442701136), R(0.3735055667659097), R(-0.21451369876492574), R(7.786686232697356), R(-2.019751984080892), R(-0.25345372558024115), R(-1.7247569170512245), R(-0.19385264863881246), R(5.043066234248408), R(0.3998518014355144), R(0.14135900059387502), R(-0.2064541441544011)),
+STAGE_ROW(R(-3.440461154834627), R(8.43126312346341), R(-1.6651963306734328), R(10.721022813905408), R(-0.16948149104047414), R(2.2419113293749184), R(0.6607307831850817), R(1.1912386059536912), R(-3.3233635007126514), R(-0.8501436688747276), R(0.7221457915120615), R(-18.824136189350952), R(-9.464859242540566), R(-1.7592385176654437), R(-29.362392925343485), R(-0.04248668596618581), R(4.194270458749946), R(0.5653638629235248), R(-0.6879672469738473), R(0.8833031701435937), R(-1.7269568123983272), R(-8.387629638444805), R(2.868070645054341), R(15.108814419997705), R(1.812558177226752), R(12.547527912668848), R(-0.30962759521017935), R(0.07573587188179133), R(-15.064168973706751), R(-10.198578373761874), R(-1.197829575263106), R(0.013815345070098184), R(0.6281961308298281), R(-1.3108945042858942), R(-7.448501664393083), R(0.17537382786077182), R(2.926838660400679), R(-2.211048208167485), R(-0.9911302907542413), R(2.203708821011964), R(-0.5437526564555096), R(-32.21025451671469), R(-0.014836649554745208), R(7.057900257109147), R(1.0770436055195056), R(-3.3489937741894074), R(4.15444459612488), R(2.108783820873232), R(0.4979367705181235), R(-2.305702771856224), R(-0.6005451190552337), R(4.208877456563349), R(-0.7185164760048557), R(-0.5101583007864327), R(-1.5321481325920114), R(0.31785358766001415), R(4.4060316562628135), R(0.5297746534448974), R(2.294157996633034), R(4.044508940816461)),
+STAGE_ROW(R(7.154893208130924), R(2.750057707278028), R(1.9216660794271783), R(-2.1691841092211153), R(4.887753537555305), R(1.2284863727785182), R(1.3649209299701968), R(0.6551745559498201), R(5.398660479285714), R(-1.1297537361305063), R(0.7761514100591184), R(-44.98668277454844), R(2.9779234522978175), R(-0.6896668355666636), R(194.08734553978448), R(-1.8050119652415546), R(1.9896874747203366), R(-0.5632462447576615), R(1.8583883272949826), R(1.5125536095822063), R(1.6644091319281842), R(21.223845467694073), R(-1.6683134986947974), R(-18.740872134529084), R(-0.40272191354144604), R(-5.389975817608997), R(-5.715506315049214), R(3.5578161486286444), R(22.448482984265784), R(-0.13950138714879867), R(0.8457031161496356), R(3.5413789101402378), R(-6.720165324888394), R(-3.0551782167406745), R(-3.428993693587772), R(-6.210811941575971), R(6.867381846012967), R(5.672833304068374), R(-1.3813403376924904), R(-2.9800224541954194), R(1.0034993629372246), R(-2.425478799843584), R(-5.982374320759733), R(-0.9668627594587921), R(2.4084795006221644), R(-0.8557572981809097), R(-0.1894604787288241), R(-7.188085120011913), R(1.0096964685648449), R(-2.4515912467453593), R(0.774077095858123), R(91.15690504751426), R(-1.6494208799225403), R(-2.407416858882137), R(-5.932555828242931), R(-6.912537418263091), R(19.748452517233083), R(1.2442228775345137), R(-5.123833748293382), R(0.03745345622677162)),
+STAGE_ROW(R(-2.265153250821794), R(-7.09775485201946), R(0.037465889506307394), R(-7.771266182040289), R(-0.5592924606524741), R(-1.4308626060145038), R(-1.3286009928224338), R(3.0910705567359846), R(-1.3706290717590237), R(1.5007678897495405), R(-0.6937409983890692), R(-6.169469133747439), R(4.367482930398045), R(-1.372245918383126), R(1.4417793428615682), R(-0.3971095857204427), R(2.8711804228436772), R(-0.9123022015595735), R(-0.6233805282642292), R(-0.9280890445108879), R(-1.23251604198692), R(-9.834170592782549), R(3.509245266621096), R(-10.69985370428677), R(1.3538678575766878), R(-6.493013448790685), R(-5.025092915294156), R(2.0037207292805888), R(16.576114244671903), R(5.258979160565961), R(3.672401519993467), R(-0.21784704797157473), R(-1.2584111904973734), R(3.798821009384214), R(-11.212782680533012), R(2.406931860006827), R(-0.5639739728026276), R(-0.8002992156761158), R(-2.952182748762405), R(1.2397181879137447), R(0.33739243032475186), R(6.29701099818622), R(-0.249536742853824), R(1.5554295307033341), R(-1.1092026103946457), R(-0.5875106139493375), R(-1.8607489850883137), R(-1.8736760984060274), R(0.779602682418517), R(-0.6335178832547776), R(0.61503748276295), R(7.239721548581516), R(-3.2458411424333806), R(1.2656919294686948), R(-2.455882808054138), R(0.47610822621080884), R(5.949400975557794), R(0.9218396087043269), R(-3.0101210849364666), R(-0.5376405827343756))
+}
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(-0.500132101021518), R(-0.8422006181762717), R(0.5719464300999972), R(0.9752674288909329), R(-0.6677501588318634), R(-0.6945266398279343), R(-0.6553479595781508), R(-0.12172538735314518), R(-0.5162138439458613), R(-0.3613842944998909), R(0.6484228258085173), R(-0.5859164077926932), R(0.6947354025428927), R(-0.5678938699218438), R(-0.6869394952778396), R(0.40091224096047196), R(0.0022535392754987776), R(-0.33630544426247555), R(0.9459907365431036), R(-0.3170200577811601), R(-0.6613523519817189), R(-0.11254201519372649), R(0.4086578012356531), R(-0.16350027741030856), R(-0.719334552021402), R(-0.21007611498244674), R(0.3912383243873814), R(-0.4464552081533437), R(-0.17415400609753282), R(-0.6075304081562988), R(0.9644559785771948), R(-0.01642560793841006), R(0.46769097461764403), R(-0.4875432645961028), R(-0.26132128375173286), R(0.12944625582929323), R(0.0006522001529440085), R(-0.3432068195731579), R(0.7182138559999312), R(-0.2874002703780018), R(-0.38875958179017117), R(-0.73175766925672), R(1.1838895946458983), R(0.10029384439616743), R(-0.44433041935982054), R(-0.20200582877112047), R(-1.235216382592619), R(-0.15274461297207959), R(-0.07415452508594446), R(-0.24314712672327915), R(0.6291104210326096), R(-0.3178707440068152), R(0.4723406739029666), R(-0.5440808874176936), R(-0.1676452906915523), R(0.46686266588498376), R(0.003589417734531846), R(-0.2515167644142892), R(0.5876998778906987), R(-0.43368568306804134));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output_bias[STAGE_NETWORKS] =
+{R(-3.1032477345009712), R(-1.9392868239842758), R(-2.1290724821368174)};
+#define STAGE_DEPTHS {3, 3, 3}
+
+
+/*
+ * A stage: networks evaluated in step. Its tables, which come before this, define its sizes, STAGE_..., and the names
+ * of its tables and functions: STAGE(networks) computes it.
+ */
+#if STAGE_SIDE_BY_SIDE
+/*
+ * A stage on vectors of 16 numbers: its networks side by side. Lane l of part m is neuron STAGE_SHARE m +
+ * l / STAGE_NETWORKS of network l % STAGE_NETWORKS, and lanes left over are zeros. Sums are added up in the order of
+ * the other form of a stage, to the same bits.
+ */
+
+/* In each lane what its network has of neuron q of a part. */
+SAILNET_INLINE sailnet_lanes STAGE(neuron)(sailnet_lanes part, int32_t q)
+{
+    const sailnet_mask network = {
+        0 % STAGE_NETWORKS,  1 % STAGE_NETWORKS,  2 % STAGE_NETWORKS,  3 % STAGE_NETWORKS,
+        4 % STAGE_NETWORKS,  5 % STAGE_NETWORKS,  6 % STAGE_NETWORKS,  7 % STAGE_NETWORKS,
+        8 % STAGE_NETWORKS,  9 % STAGE_NETWORKS,  10 % STAGE_NETWORKS, 11 % STAGE_NETWORKS,
+        12 % STAGE_NETWORKS, 13 % STAGE_NETWORKS, 14 % STAGE_NETWORKS, 15 % STAGE_NETWORKS,
+    };
+    return _mm512_maskz_permutexvar_ps(0xFFFF, (__m512i)(network + q * STAGE_NETWORKS), part);
+}
+
+SAILNET_INLINE void STAGE(begin)(int32_t layer, sailnet_lanes sums[2][STAGE_PARTS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[0][m] = sailnet_at(STAGE(biases)[layer][m]);
+        sums[1][m] = nothing;
+    }
+}
+
+/* Two sums for each neuron: in one, an addition would wait for the one before it. */
+SAILNET_INLINE void STAGE(add)(sailnet_lanes a, const sailnet_real weights[STAGE_PARTS][STAGE_PART],
+                                      sailnet_lanes sums[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[m] += a * sailnet_at(weights[m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(activate)(sailnet_lanes sums[2][STAGE_PARTS], sailnet_lanes neurons[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        neurons[m] = sailnet_sigmoid(sums[0][m] + sums[1][m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    sailnet_lanes sums[2][STAGE_PARTS];
+    sailnet_lanes neurons[STAGE_PARTS];
+    STAGE(begin)(0, sums);
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_lanes clamped =
+            sailnet_lanes_clamped(nothing + input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        STAGE(add)(clamped - STAGE(lower)[i], STAGE(first)[i], sums[i % 2]);
+    }
+    STAGE(activate)(sums, neurons);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(begin)(layer, sums);
+        SAILNET_UNROLLED
+        for (int32_t i = 0; i < STAGE_ROWS; i++) {
+            STAGE(add)(STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE),
+                              STAGE(hidden)[layer - 1][i], sums[i % 2]);
+        }
+        STAGE(activate)(sums, neurons);
+    }
+    sailnet_16_bytes products[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_ROWS; i++) {
+        const sailnet_lanes neuron = STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE);
+        const void *const weights = STAGE(output)[i];
+        sailnet_16_bytes first;
+        (void)memcpy(&first, &neuron, sizeof first);
+        products[i % 4] += first * *(const sailnet_16_bytes *)weights;
+    }
+    const sailnet_16_bytes sum = (products[0] + products[2]) + (products[1] + products[3]);
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = sum[k] + STAGE(output_bias)[k];
+    }
+}
+#else
+/*
+ * A stage: STAGE_NETWORKS network(s) with the same STAGE_INPUTS inputs, layer by layer. STAGE_DEPTH
+ * hidden layers of at most STAGE_ROWS neurons; a shallower network uses the first ones.
+ */
+
+/* Physical input, clamped to the widened range it had in training, less the lower end of that range. */
+SAILNET_INLINE void STAGE(shifted)(const sailnet_real input[STAGE_INPUTS],
+                                          sailnet_real shifted[STAGE_EVEN_INPUTS])
+{
+    shifted[STAGE_EVEN_INPUTS - 1] = R(0.0);
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_real clamped =
+            sailnet_clamped(input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        shifted[i] = clamped - STAGE(lower)[i];
+    }
+}
+
+#define STAGE_VECTORS (STAGE_WIDTH / SAILNET_LANES)
+/* Sums of one network that registers hold, twice; and of how many networks they hold as many. */
+#if STAGE_VECTORS % 6 == 0
+#define STAGE_BLOCK 6
+#elif STAGE_VECTORS % 5 == 0
+#define STAGE_BLOCK 5
+#elif STAGE_VECTORS % 4 == 0
+#define STAGE_BLOCK 4
+#elif STAGE_VECTORS % 3 == 0
+#define STAGE_BLOCK 3
+#elif STAGE_VECTORS % 2 == 0
+#define STAGE_BLOCK 2
+#else
+#define STAGE_BLOCK 1
+#endif
+#if 2 * STAGE_BLOCK * STAGE_NETWORKS < SAILNET_REGISTERS
+#define STAGE_TOGETHER STAGE_NETWORKS
+#else
+#define STAGE_TOGETHER 1
+#endif
+
+/*
+ * activations becomes the sigmoids of biases + weights a, for each network: a[k] are the inputs of network k, an even
+ * number, and a[0] of all if `each` is 0.
+ */
+SAILNET_INLINE void STAGE(layer)(const sailnet_real *a, int32_t each, int32_t inputs,
+                                        const sailnet_real biases[STAGE_NETWORKS][STAGE_WIDTH],
+                                        const sailnet_real weights[][STAGE_NETWORKS][STAGE_WIDTH],
+                                        sailnet_real activations[STAGE_NETWORKS][STAGE_WIDTH])
+{
+    SAILNET_ROLLED
+    for (int32_t network = 0; network < STAGE_NETWORKS; network += STAGE_TOGETHER) {
+        SAILNET_ROLLED
+        for (int32_t block = 0; block < STAGE_WIDTH; block += STAGE_BLOCK * SAILNET_LANES) {
+            /* Two sums for each neuron: in one, an addition would wait for the one before it. */
+            sailnet_lanes even[STAGE_TOGETHER][STAGE_BLOCK];
+            sailnet_lanes odd[STAGE_TOGETHER][STAGE_BLOCK];
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const int32_t k = network + n;
+                    const int32_t j = block + m * SAILNET_LANES;
+                    even[n][m] = sailnet_at(&biases[k][j]) + a[k * each] * sailnet_at(&weights[0][k][j]);
+                    odd[n][m] = a[k * each + 1] * sailnet_at(&weights[1][k][j]);
+                }
+            }
+            SAILNET_ROLLED
+            for (int32_t i = 2; i < inputs; i += 2) {
+                SAILNET_UNROLLED
+                for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                    SAILNET_UNROLLED
+                    for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                        const int32_t k = network + n;
+                        const int32_t j = block + m * SAILNET_LANES;
+                        even[n][m] += a[k * each + i] * sailnet_at(&weights[i][k][j]);
+                        odd[n][m] += a[k * each + i + 1] * sailnet_at(&weights[i + 1][k][j]);
+                    }
+                }
+            }
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const sailnet_lanes sigmoids = sailnet_sigmoid(even[n][m] + odd[n][m]);
+                    (void)memcpy(&activations[network + n][block + m * SAILNET_LANES], &sigmoids, sizeof sigmoids);
+                }
+            }
+        }
+    }
+}
+
+/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
+SAILNET_INLINE sailnet_real STAGE(product)(const sailnet_real *a, const sailnet_real *b, int32_t count)
+{
+#ifdef SAILNET_VECTORS
+    sailnet_16_bytes sums = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
+    }
+#else
+    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
+            sums[lane] += a[j + lane] * b[j + lane];
+        }
+    }
+#endif
+#ifdef SAILNET_FLOAT64
+    return sums[0] + sums[1];
+#else
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+#endif
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    static const int32_t depth[STAGE_NETWORKS] = STAGE_DEPTHS;
+    SAILNET_ALIGNED sailnet_real layers[STAGE_DEPTH][STAGE_NETWORKS][STAGE_WIDTH];
+    sailnet_real shifted[STAGE_EVEN_INPUTS];
+    STAGE(shifted)(input, shifted);
+    STAGE(layer)(shifted, 0, STAGE_EVEN_INPUTS, STAGE(biases)[0], STAGE(first), layers[0]);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(layer)(layers[layer - 1][0], STAGE_WIDTH, STAGE_ROWS, STAGE(biases)[layer],
+                            STAGE(hidden)[layer - 1], layers[layer]);
+    }
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = STAGE(product)(layers[depth[k] - 1][k], STAGE(output)[k], STAGE_ROWS) +
+                    STAGE(output_bias)[k];
+    }
+}
+#endif
+#undef STAGE
+#undef STAGE_NETWORKS
+#undef STAGE_INPUTS
+#undef STAGE_EVEN_INPUTS
+#undef STAGE_DEPTH
+#undef STAGE_DEPTHS
+#undef STAGE_ROWS
+#undef STAGE_WIDTH
+#undef STAGE_SIDE_BY_SIDE
+#undef STAGE_SHARE
+#undef STAGE_PARTS
+#undef STAGE_PART
+#undef STAGE_OUTPUTS
+#undef STAGE_OUTPUT
+#undef STAGE_ROW
+#undef STAGE_OUTPUT_ROW
+#undef STAGE_VECTORS
+#undef STAGE_BLOCK
+#undef STAGE_TOGETHER
+
+SAILNET_PART void sailnet_direction(const sailnet_state *state, sailnet_real beta, double direction[SAILNET_STATES])
+{
+    const sailnet_real known = sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real now[3] = {state->r, state->u, state->v};
+    sailnet_real output[3];
+    const sailnet_real s = sailnet_approach(now, known, input, factors);
+    sailnet_plan_networks(input, output);
+    for (int32_t i = 0; i < 3; i++) {
+        direction[i] = (double)output[i];
+    }
+    /* The networks give the costates of position by the scale of the approach; nothing is divided by it. */
+    const sailnet_real scale = s / (s + SAILNET_ARRIVAL_SCALE);
+    for (int32_t i = SAILNET_STATES / 2; i < SAILNET_STATES; i++) {
+        direction[i] *= (double)scale;
+    }
+}
+
 /* ================================ Steering ================================ */
 
 /* Runge and Kutta's method of fourth order: where in the step its stages are, and what they weigh. */
@@ -1149,14 +2873,14 @@ typedef struct {
 } sailnet_change;
 
 /* One such step of Eq. (1), under a constant force. */
-SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
+SAILNET_PART void sailnet_predict(const sailnet_estimate *estimate, sailnet_change *change)
 {
-    const sailnet_state *const before = &memory->state;
-    sailnet_cosine_sine(memory->attitude, &change->cosine, &change->sine);
+    const sailnet_state *const before = &estimate->state;
+    sailnet_cosine_sine(estimate->attitude, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real push = memory->beta * cosine;
-    const sailnet_real across = SAILNET_FORCE_ACROSS + memory->tangential;
+    const sailnet_real push = estimate->beta * cosine;
+    const sailnet_real across = SAILNET_FORCE_ACROSS + estimate->tangential;
     change->normal = (SAILNET_FORCE_SQUARE * cosine + SAILNET_FORCE_LINEAR) * cosine;
     const sailnet_real radial = push * (change->normal + across * sine * sine) - R(1.0);
     const sailnet_real transverse =
@@ -1164,14 +2888,14 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     sailnet_state rate = {R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
-        const sailnet_real step = sailnet_stages[i][0] * memory->held;
+        const sailnet_real step = sailnet_stages[i][0] * estimate->held;
         const sailnet_real per_r = R(1.0) / (before->r + step * rate.r);
         const sailnet_real u = before->u + step * rate.u;
         const sailnet_real v = before->v + step * rate.v;
         rate.r = u;
         rate.u = (radial * per_r + v * v) * per_r;
         rate.v = (transverse * per_r - u * v) * per_r;
-        const sailnet_real share = sailnet_stages[i][1] * memory->held;
+        const sailnet_real share = sailnet_stages[i][1] * estimate->held;
         change->by.r += share * rate.r;
         change->by.u += share * rate.u;
         change->by.v += share * rate.v;
@@ -1179,688 +2903,207 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
 }
 
 /* The weight of a period in the mean of all at first, later of those not forgotten after a time. */
-SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_estimate *estimate, sailnet_real time)
 {
-    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-    const sailnet_real recent = memory->held * (R(1.0) / time);
+    const sailnet_real all = R(1.0) / ((sailnet_real)estimate->samples + R(1.0));
+    const sailnet_real recent = estimate->held * (R(1.0) / time);
     return recent > all ? recent : all;
 }
 
 /*
  * What one more period tells, by how much further the velocity changed than predicted: beta along the normal, the
- * tangential force across it, and how far such surprises differ. Changes are rounded finer than states. What is not
+ * tangential force across it, and how far such innovations differ. Changes are rounded finer than states. What is not
  * finite counts for nothing, what is large for the bound.
  */
-SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
+SAILNET_PART void sailnet_learn(sailnet_estimate *estimate, const sailnet_state *now, const sailnet_change *change)
 {
-    const sailnet_real held = memory->held;
-    const sailnet_state *const before = &memory->state;
+    const sailnet_real held = estimate->held;
+    const sailnet_state *const before = &estimate->state;
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
+    const sailnet_real turned = estimate->slewing * estimate->slewing * SAILNET_SLEW_RATE;
     /* Not held, or turned, or not seen before: that says nothing. */
-    int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
+    int32_t telling = ((held > R(0.0)) && (estimate->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
     telling &= (change->normal >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
-    const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
-    const sailnet_real surprise_v = (now->v - before->v) - change->by.v;
+    const sailnet_real innovation_u = (now->u - before->u) - change->by.u;
+    const sailnet_real innovation_v = (now->v - before->v) - change->by.v;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
     const sailnet_real per = distance * distance / (held * change->normal);
-    const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
-    const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
+    const sailnet_real along = (innovation_u * cosine + innovation_v * sine) * per;
+    const sailnet_real across = (innovation_v * cosine - innovation_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
-        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+        const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
-        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
+        estimate->beta += sailnet_weight(estimate, SAILNET_MEMORY) * counted;
         /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
-        memory->tangential -= R(2.0) * weight * sine * cosine * aside;
-        memory->variance += weight * (relative * relative - memory->variance);
-        memory->slow += weight * (relative * memory->surprise - memory->slow);
-        memory->surprise = relative;
+        estimate->tangential -= R(2.0) * weight * sine * cosine * aside;
+        if (estimate->samples > 0u) {
+            estimate->variance += weight * (relative * relative - estimate->variance);
+            estimate->autocovariance += weight * (relative * estimate->innovation - estimate->autocovariance);
+            estimate->innovation = relative;
+        }
+        /* The first says by how much the vehicle differs from the mission's, not how it varies. */
+        if (estimate->samples < UINT32_MAX) {
+            estimate->samples++;
+        }
     }
 }
 
 /* The share of beta that is not planned with. */
-SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
+SAILNET_PART sailnet_real sailnet_reserve(const sailnet_estimate *estimate, const sailnet_real *time_of_flight,
+                                          sailnet_real hold)
 {
-    const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
+    const sailnet_real tau = sailnet_limited(time_of_flight, SAILNET_OF_TIME_TO_GO);
     /* What white noise leaves in a mean of few products. */
-    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
-    const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
-    const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
-    const sailnet_real rest = memory->variance - slow;
+    const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
+    const sailnet_real chance = estimate->variance * weight * sailnet_per_root(&weight);
+    const sailnet_real slow = sailnet_clamped(estimate->autocovariance - chance, R(0.0), R(1.0));
+    const sailnet_real rest = estimate->variance - slow;
     /* Of its variance the mean of the periods left keeps so much. */
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
     const sailnet_real reserve =
         SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
-    const sailnet_real bounded = sailnet_clamped(reserve, SAILNET_LEAST_RESERVE, SAILNET_LARGEST_RESERVE);
+    const sailnet_real bounded = sailnet_clamped(reserve, R(0.0), SAILNET_LARGEST_RESERVE);
     return bounded * sailnet_clamped(tau * (R(1.0) / SAILNET_LET_GO), R(0.0), R(1.0));
 }
 
 /*
- * How late the sail is: by how much its time to go did not fall as time passed, less what of that is forgotten. And how
- * long it still waits.
+ * The tracker, see sailnet_tracker.h: what it is of this mission, a plan by the networks, and the command.
  */
-SAILNET_INLINE void sailnet_time_passes(sailnet_memory *memory, const sailnet_command *command)
+static const sailnet_problem sailnet_transfer = {
+    0.16892, /* beta */
+    0.723, /* target radius */
+    1.0, /* square */
+    0.0, /* linear */
+    0.0, /* across */
+    0.5000000000000001, /* bound cosine */
+    0.8660254037844386, /* bound sine */
+    -0.6495190528383292, /* edge radial */
+    -0.625, /* edge lateral */
+};
+
+/* Extremals that are computed in a guidance period at most. What has not converged then goes on in the next one. */
+#define SAILNET_EXTREMALS_PER_PERIOD 8
+
+/* The transfer of a vehicle of `beta`, as it was learnt: light pushes it along its surface by more than the mission's, or
+   less. */
+SAILNET_INLINE sailnet_problem sailnet_own_problem(const sailnet_memory *memory, double beta)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    memory->wait = sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT);
-    /* What came of something else says nothing. */
-    const sailnet_real behind =
-        held > R(0.0) ? (command->time_of_flight - memory->time_of_flight) + held : R(0.0);
-    const sailnet_real late = (memory->late - held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late) + behind;
-    memory->late = sailnet_limited(&late, SAILNET_OF_PERIOD);
+    sailnet_problem own = sailnet_transfer;
+    own.beta = beta;
+    sailnet_push_aside(&own, (double)sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL));
+    return own;
 }
 
-/*
- * The sign of the command. Where both are almost equally fast the sail keeps its side until that has cost more than a
- * reversal is worth. The other loses time at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian. A sail that
- * is late has turned over in vain: after every other reversal it waits, for on both sides alike it would circle.
- */
-SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
+/* The networks know the mission's optics alone: beta of such a sail that is as fast. */
+SAILNET_INLINE sailnet_real sailnet_for_networks(const sailnet_memory *memory, sailnet_real beta)
 {
-    const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
-    const sailnet_real facing = ratio * change->cosine;
-    const sailnet_real share = (SAILNET_FORCE_SQUARE - SAILNET_FORCE_ACROSS) * change->cosine + SAILNET_FORCE_LINEAR;
-    const sailnet_real regret = memory->regret + R(2.0) * memory->held * memory->stake * facing * (ratio * share) *
-                                                     sailnet_size(change->sine);
-    memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
-    memory->stake = -sailnet_size(command->lambda_v);
-    sailnet_time_passes(memory, command);
-    const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);
-    if ((command->cone_angle * memory->cone_angle < R(0.0)) && (step > SAILNET_REVERSAL)) {
-        if ((memory->regret < SAILNET_PATIENCE) || (memory->wait > R(0.0))) {
-            command->cone_angle = -command->cone_angle;
-            memory->stake = -memory->stake;
-        } else {
-            memory->wait = R(0.0);
-            if ((memory->late > SAILNET_LATE_TOLERATED) && (memory->waited <= R(0.0))) {
-                memory->wait = sailnet_clamped(SAILNET_WAIT * memory->late, R(0.0), SAILNET_LARGEST_WAIT);
-            }
-            memory->waited = memory->wait;
-            memory->regret = R(0.0);
-        }
-    }
+    const sailnet_real tangential = sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL);
+    const sailnet_real lost = tangential > R(0.0) ? SAILNET_TANGENTIAL_LOSS * tangential : R(0.0);
+    const sailnet_real asked = beta * (R(1.0) - lost);
+    return sailnet_limited(&asked, SAILNET_OF_BETA);
 }
 
-/*
- * Plans of homing: a few arcs of constant tilt from the Sun line, and one step of Newton's method towards one that ends
- * at the target.
- * A tilt is the cone angle.
- */
-
-/* What is corrected: the tilts of all arcs in each of the ways, and then their times. */
-#define SAILNET_TILTS (SAILNET_WAYS * SAILNET_ARCS)
-#define SAILNET_CORRECTIONS (SAILNET_TILTS + SAILNET_ARCS)
-
-/* States as numbers, in order; on the target; and what turns deviations from there into lengths and speeds. */
-#define SAILNET_COMPONENTS 3
-static const sailnet_real sailnet_home[SAILNET_COMPONENTS] = {SAILNET_TARGET_R, SAILNET_TARGET_U, SAILNET_TARGET_V};
-static const sailnet_real sailnet_lengths[SAILNET_COMPONENTS] = {R(1.0), R(1.0), R(1.0)};
-
-SAILNET_INLINE void sailnet_to_numbers(const sailnet_state *state, sailnet_real numbers[SAILNET_COMPONENTS])
+/* Whether the state is within the arrival tolerance of the target: 0, or SAILNET_THERE. */
+SAILNET_INLINE uint32_t sailnet_there(const sailnet_state *state)
 {
-    numbers[0] = state->r;
-    numbers[1] = state->u;
-    numbers[2] = state->v;
+    const sailnet_real known[3] = {state->r, state->u, state->v};
+    const int32_t components = 3;
+    uint32_t there = SAILNET_THERE;
+    for (int32_t i = 0; i < components; i++) {
+        const sailnet_real *const limit = sailnet_limits[SAILNET_OF_STATE + 3 * i + 2];
+        if (!((known[i] >= limit[0]) && (known[i] <= limit[1]))) {
+            there = 0u;
+        }
+    }
+    return there;
 }
 
-SAILNET_INLINE void sailnet_of_numbers(const sailnet_real numbers[SAILNET_COMPONENTS], sailnet_state *state)
+/* A state as the tracker has it. */
+SAILNET_PART void sailnet_to_tracker(const sailnet_state *state, double numbers[SAILNET_STATES])
 {
-    state->r = numbers[0];
-    state->u = numbers[1];
-    state->v = numbers[2];
+    numbers[0] = (double)state->r;
+    numbers[1] = (double)state->u;
+    numbers[2] = (double)state->v;
 }
 
-/* A state after so long [TU] under a tilt, in so many steps. */
-SAILNET_PART void sailnet_arc(const sailnet_memory *memory, const sailnet_real from[SAILNET_COMPONENTS],
-                              const sailnet_real tilt[SAILNET_WAYS], sailnet_real time, int32_t steps,
-                              sailnet_real to[SAILNET_COMPONENTS])
+sailnet_status sailnet_propose_plan(const sailnet_state *state, sailnet_real beta, sailnet_arrival *arrival)
 {
-    sailnet_memory sail;
-    sailnet_of_numbers(from, &sail.state);
-    sail.attitude = tilt[0];
-    sail.held = time / (sailnet_real)steps;
-    sail.beta = memory->beta;
-    sail.tangential = memory->tangential;
-    for (int32_t i = 0; i < steps; i++) {
-        sailnet_change change;
-        sailnet_predict(&sail, &change);
-        sail.state.r += change.by.r;
-        sail.state.u += change.by.u;
-        sail.state.v += change.by.v;
-    }
-    sailnet_to_numbers(&sail.state, to);
-}
-
-/* In which way the tilt of an arc is corrected, and how far it goes there: in the plane there is one. */
-SAILNET_PART void sailnet_ways(const sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
-                               sailnet_real size[SAILNET_WAYS])
-{
-    way[0][0] = R(1.0);
-    size[0] = tilt[0];
-}
-
-/*
- * How the plan ends, in arrival tolerances off the target: returned is what of it changes by each correction. All
- * differences are of small steps.
- */
-SAILNET_PART void sailnet_ends_off(const sailnet_memory *memory, const sailnet_state *known,
-                                   sailnet_real missed[SAILNET_COMPONENTS],
-                                   sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
-{
-    sailnet_real changes[SAILNET_ARCS][SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-    sailnet_real onward[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-    sailnet_real state[SAILNET_COMPONENTS];
-    sailnet_real end[SAILNET_COMPONENTS];
-    sailnet_real other[SAILNET_COMPONENTS];
-    sailnet_to_numbers(known, state);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const sailnet_real *const tilt = memory->arc_tilt[k];
-        const sailnet_real time = memory->arc_time[k];
-        sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, end);
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            const sailnet_real kept = state[i];
-            state[i] = kept + SAILNET_SMALL;
-            sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, other);
-            state[i] = kept;
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                changes[k][j][i] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            }
-        }
-        sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
-        sailnet_real size[SAILNET_WAYS];
-        sailnet_ways(tilt, way, size);
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            sailnet_real beside[SAILNET_WAYS];
-            for (int32_t l = 0; l < SAILNET_WAYS; l++) {
-                beside[l] = tilt[l] + SAILNET_SMALL * way[i][l];
-            }
-            sailnet_arc(memory, state, beside, time, SAILNET_SUBSTEPS, other);
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                by[j][i * SAILNET_ARCS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            }
-        }
-        sailnet_arc(memory, end, tilt, SAILNET_SMALL, 1, other);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            by[j][SAILNET_TILTS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            state[j] = end[j];
-        }
-    }
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        missed[j] = (state[j] - sailnet_home[j]) * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            onward[j][i] = i == j ? R(1.0) : R(0.0);
-        }
-    }
-    for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
-        for (int32_t i = k; i < SAILNET_CORRECTIONS; i += SAILNET_ARCS) {
-            sailnet_real own[SAILNET_COMPONENTS];
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                own[j] = by[j][i];
-            }
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                sailnet_real sum = R(0.0);
-                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
-                    sum += onward[j][l] * own[l];
-                }
-                by[j][i] = sum * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
-            }
-        }
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            sailnet_real row[SAILNET_COMPONENTS];
-            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-                row[i] = R(0.0);
-                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
-                    row[i] += onward[j][l] * changes[k][l][i];
-                }
-            }
-            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-                onward[j][i] = row[i];
-            }
-        }
-    }
-}
-
-/* The largest of several sizes; a NaN if one is. */
-SAILNET_INLINE sailnet_real sailnet_largest(const sailnet_real of[SAILNET_COMPONENTS])
-{
-    sailnet_real largest = R(0.0);
-    for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-        const sailnet_real size = of[i] < R(0.0) ? -of[i] : of[i];
-        largest = ((size > largest) || (size != size)) ? size : largest;
-    }
-    return largest;
-}
-
-/* The solution of equations that are symmetric and positive: L D L^T by Cholesky, in place; of them the lower half counts. */
-SAILNET_PART void sailnet_solved(sailnet_real of[SAILNET_COMPONENTS][SAILNET_COMPONENTS],
-                                 sailnet_real right[SAILNET_COMPONENTS])
-{
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        const sailnet_real per = R(1.0) / of[j][j];
-        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
-            const sailnet_real share = of[i][j] * per;
-            for (int32_t l = i; l < SAILNET_COMPONENTS; l++) {
-                of[l][i] -= share * of[l][j];
-            }
-            right[i] -= share * right[j];
-        }
-        right[j] *= per;
-        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
-            of[i][j] *= per;
-        }
-    }
-    for (int32_t j = SAILNET_COMPONENTS - 1; j > 0; j--) {
-        for (int32_t i = 0; i < j; i++) {
-            right[i] -= of[j][i] * right[j];
-        }
-    }
-}
-
-/* What a step leaves of what was missed. */
-SAILNET_PART void sailnet_leaves(const sailnet_real missed[SAILNET_COMPONENTS],
-                                 sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS],
-                                 const sailnet_real step[SAILNET_CORRECTIONS], sailnet_real left[SAILNET_COMPONENTS])
-{
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        left[j] = missed[j];
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            left[j] += by[j][i] * step[i];
-        }
-    }
-}
-
-/* What is corrected, within its bounds. */
-SAILNET_INLINE sailnet_real sailnet_bounded(sailnet_real value, int32_t of)
-{
-    sailnet_real bounded = sailnet_clamped(value, -SAILNET_PHI_MAX, SAILNET_PHI_MAX);
-    if (of >= SAILNET_TILTS) {
-        bounded = sailnet_clamped(value, SAILNET_LEAST_ARC, SAILNET_HOMING_HORIZON);
-    }
-    return bounded;
-}
-
-/* The tilt of an arc that goes so far in each of its ways, within the bound. */
-SAILNET_PART void sailnet_tilted(sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
-                                 const sailnet_real size[SAILNET_WAYS])
-{
-    tilt[0] = size[0] * way[0][0];
-}
-
-/*
- * One step of Newton's method, of least size where angles weigh as much as times; returned is what it leaves of what was
- * missed. What comes to a bound stays there. A plan that arrives is made shorter in all of its times, as far as the rest
- * can make up for that.
- */
-SAILNET_PART sailnet_real sailnet_improve(sailnet_memory *memory, const sailnet_real missed[SAILNET_COMPONENTS],
-                                          sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
-{
-    sailnet_real value[SAILNET_CORRECTIONS];
-    sailnet_real unit[SAILNET_CORRECTIONS];
-    sailnet_real weight[SAILNET_CORRECTIONS];
-    sailnet_real step[SAILNET_CORRECTIONS];
-    sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
-    sailnet_real size[SAILNET_WAYS];
-    const sailnet_real worst = sailnet_largest(missed);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const int32_t later = SAILNET_TILTS + k;
-        const sailnet_real there = memory->arc_time[k] > R(0.0) ? R(1.0) : R(0.0);
-        sailnet_ways(memory->arc_tilt[k], way, size);
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            const int32_t tilt = i * SAILNET_ARCS + k;
-            value[tilt] = size[i];
-            unit[tilt] = SAILNET_ANGLE_WEIGHT;
-            weight[tilt] = there * SAILNET_ANGLE_WEIGHT * SAILNET_ANGLE_WEIGHT;
-            step[tilt] = R(0.0);
-        }
-        value[later] = memory->arc_time[k];
-        unit[later] = SAILNET_HOMING_STEP;
-        weight[later] = there * SAILNET_HOMING_STEP * SAILNET_HOMING_STEP;
-        step[later] = R(0.0);
-        if ((there > R(0.0)) && (worst < R(0.3))) {
-            step[later] = sailnet_bounded(value[later] - R(0.05) * SAILNET_HOMING_STEP, later) - value[later];
-        }
-    }
-    sailnet_real left[SAILNET_COMPONENTS];
-    for (int32_t round = 0; round < 3; round++) {
-        sailnet_real square[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-        sailnet_real trace = R(0.0);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            for (int32_t l = 0; l <= j; l++) {
-                square[j][l] = R(0.0);
-                for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-                    square[j][l] += by[j][i] * weight[i] * by[l][i];
-                }
-            }
-            trace += square[j][j];
-        }
-        sailnet_leaves(missed, by, step, left);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            square[j][j] += R(0.02) + R(1.52587890625e-05) * trace;
-        }
-        sailnet_solved(square, left);
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            if (weight[i] > R(0.0)) {
-                sailnet_real wanted = R(0.0);
-                for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                    wanted -= by[j][i] * left[j];
-                }
-                wanted *= weight[i];
-                const sailnet_real taken = sailnet_clamped(wanted, -unit[i], unit[i]);
-                const sailnet_real free = value[i] + step[i] + taken;
-                const sailnet_real bounded = sailnet_bounded(free, i);
-                step[i] = bounded - value[i];
-                if ((bounded < free) || (bounded > free) || (taken < wanted) || (taken > wanted)) {
-                    weight[i] = R(0.0);
-                }
-            }
-        }
-    }
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        if (memory->arc_time[k] > R(0.0)) {
-            const int32_t later = SAILNET_TILTS + k;
-            /* For what rounding adds. */
-            memory->arc_time[k] = sailnet_bounded(value[later] + step[later], later);
-            sailnet_ways(memory->arc_tilt[k], way, size);
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                const int32_t tilt = i * SAILNET_ARCS + k;
-                size[i] = sailnet_bounded(value[tilt] + step[tilt], tilt);
-            }
-            sailnet_tilted(memory->arc_tilt[k], way, size);
-        }
-    }
-    sailnet_leaves(missed, by, step, left);
-    return sailnet_largest(left);
-}
-
-/*
- * The plan corrected: by how much it missed before that [arrival tolerances], and what is left of it. One that would miss
- * by too much for that to be told, or by what is no number, stays.
- */
-SAILNET_PART sailnet_real sailnet_correct(sailnet_memory *memory, const sailnet_state *known, sailnet_real *left)
-{
-    sailnet_real missed[SAILNET_COMPONENTS];
-    sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS];
-    sailnet_ends_off(memory, known, missed, by);
-    sailnet_real worst = sailnet_largest(missed);
-    sailnet_real steepest = worst;
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            const sailnet_real steep = by[j][i] < R(0.0) ? -by[j][i] : by[j][i];
-            steepest = ((steep > steepest) || (steep != steep)) ? steep : steepest;
-        }
-    }
-    if (steepest <= R(1000000.0)) {
-        *left = sailnet_improve(memory, missed, by);
-    } else {
-        *left = R(1000000.0);
-        worst = R(1000000.0);
-    }
-    return worst;
-}
-
-/*
- * Homing: the model flown ahead, so that what the networks would miss is not missed. A plan is a few arcs of constant
- * tilt, first as the networks would fly, then corrected each period by a step of Newton's method until it ends at
- * the target. While it does the networks steer; where it soon could no longer, or is sooner there, it is flown.
- */
-#define SAILNET_NO_PLAN 0u
-#define SAILNET_LOOKING 1u   /* the networks are flown ahead */
-#define SAILNET_CORRECTED 2u /* it does not end at the target yet */
-#define SAILNET_READY 3u     /* it does */
-#define SAILNET_FLOWN 4u
-
-/* How long the plan takes [TU]. */
-SAILNET_PART sailnet_real sailnet_planned(const sailnet_memory *memory)
-{
-    sailnet_real time = R(0.0);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        time += memory->arc_time[k];
-    }
-    return time;
-}
-
-/* So much of the plan is over [TU]. Arcs that are few are halved: there is the more to correct. */
-SAILNET_PART void sailnet_pass(sailnet_memory *memory, sailnet_real time)
-{
-    sailnet_real rest = time;
-    for (int32_t arc = 0; arc < SAILNET_ARCS; arc++) {
-        const sailnet_real first = memory->arc_time[0];
-        const sailnet_real over = first < rest ? first : rest;
-        rest -= over;
-        memory->arc_time[0] = first - over;
-        if (memory->arc_time[0] <= R(0.0)) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                const sailnet_real tilt = memory->arc_tilt[0][i];
-                for (int32_t k = 1; k < SAILNET_ARCS; k++) {
-                    memory->arc_tilt[k - 1][i] = memory->arc_tilt[k][i];
-                }
-                memory->arc_tilt[SAILNET_ARCS - 1][i] = tilt;
-            }
-            for (int32_t k = 1; k < SAILNET_ARCS; k++) {
-                memory->arc_time[k - 1] = memory->arc_time[k];
-            }
-            memory->arc_time[SAILNET_ARCS - 1] = R(0.0);
-        }
-    }
-    sailnet_real far = R(0.0);
-    for (int32_t k = SAILNET_ARCS / 2; k < SAILNET_ARCS; k++) {
-        far += memory->arc_time[k];
-    }
-    if (far <= R(0.0)) {
-        for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                memory->arc_tilt[k][i] = memory->arc_tilt[k / 2][i];
-            }
-            memory->arc_time[k] = R(0.5) * memory->arc_time[k / 2];
-        }
-    }
-    if (sailnet_planned(memory) <= R(0.0)) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
-}
-
-/* The plan ends where it came nearest the target, and what was flown meanwhile is over. */
-SAILNET_PART void sailnet_end_nearest(sailnet_memory *memory)
-{
-    sailnet_real left = memory->nearest_time;
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const sailnet_real time = memory->arc_time[k];
-        memory->arc_time[k] = sailnet_clamped(left, R(0.0), time);
-        left -= time;
-    }
-    memory->homing = SAILNET_CORRECTED;
-    sailnet_pass(memory, memory->looked);
-}
-
-/* The tilt of a command. */
-SAILNET_INLINE void sailnet_tilt_of(const sailnet_command *command, sailnet_real tilt[SAILNET_WAYS])
-{
-    tilt[0] = command->cone_angle;
-}
-
-/* The command of a tilt. */
-SAILNET_INLINE void sailnet_command_of(const sailnet_real tilt[SAILNET_WAYS], sailnet_command *command)
-{
-    command->cone_angle = tilt[0];
-}
-
-/* Fly the networks one step ahead, and remember it in the arc they are in: another where they turn over. */
-SAILNET_PART void sailnet_look(sailnet_memory *memory, sailnet_real plan)
-{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+#if SAILNET_PLANS
     sailnet_command command;
-    const sailnet_state state = memory->ahead;
-    const uint32_t seen = sailnet_law(&state, plan, &command);
-    const sailnet_real promised = command.time_of_flight;
-    const sailnet_real time = sailnet_clamped(promised, SAILNET_LEAST_ARC, SAILNET_HOMING_STEP);
-    const sailnet_real elapsed = sailnet_planned(memory);
-    uint32_t arc = memory->arc;
-    sailnet_real before = memory->arc_time[arc];
-    sailnet_real tilt[SAILNET_WAYS];
-    sailnet_tilt_of(&command, tilt);
-    sailnet_real alike = R(0.0);
-    for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-        alike += memory->arc_tilt[arc][i] * tilt[i];
+    if ((arrival != NULL) && ((sailnet_law(state, beta, &command) & ~SAILNET_THERE) != (uint32_t)SAILNET_INVALID_INPUT)) {
+        sailnet_direction(state, command.beta, arrival->direction);
+        arrival->time_to_go = (double)command.time_of_flight;
+        arrival->beta = (double)command.beta;
+        status = SAILNET_OK;
     }
-    if ((before > R(0.0)) && ((alike < R(0.0)) || (before >= SAILNET_LONGEST_ARC))) {
-        arc++;
-        before = R(0.0);
-    }
-    int32_t ends = 0;
-    if (promised <= SAILNET_HOMING_STEP) {
-        ends = 1;
-    }
-    if ((arc < (uint32_t)SAILNET_ARCS) && ((seen & ~SAILNET_THERE) < (uint32_t)SAILNET_OUTSIDE_DOMAIN) &&
-        (elapsed <= R(1.6) * memory->promised)) {
-        sailnet_real numbers[SAILNET_COMPONENTS];
-        const sailnet_real whole = before + time;
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            const sailnet_real mean = before > R(0.0) ? memory->arc_tilt[arc][i] : R(0.0);
-            memory->arc_tilt[arc][i] = (mean * before + tilt[i] * time) / whole;
-        }
-        memory->arc_time[arc] = whole;
-        memory->arc = arc;
-        sailnet_to_numbers(&state, numbers);
-        sailnet_arc(memory, numbers, tilt, time, 1, numbers);
-        sailnet_of_numbers(numbers, &memory->ahead);
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            numbers[i] = (numbers[i] - sailnet_home[i]) * sailnet_lengths[i];
-        }
-        const sailnet_real off = sailnet_largest(numbers);
-        if (off < memory->nearest) {
-            memory->nearest = off;
-            memory->nearest_time = elapsed + time;
-        }
-    } else {
-        ends = 1;
-    }
-    if (ends != 0) {
-        sailnet_end_nearest(memory);
-    }
+#else
+    (void)state;
+    (void)beta;
+    (void)arrival;
+#endif
+    return status;
 }
 
-/*
- * What becomes of a plan that is corrected. `fair` is the time to go without the reserve that the networks keep, which
- * costs time about in proportion.
- */
-SAILNET_PART void sailnet_judge(sailnet_memory *memory, const sailnet_state *known, sailnet_real promised,
-                                sailnet_real fair)
+/* Whether all numbers of what a plan commands are numbers, and no larger than SAILNET_OF_PLAN has it. */
+SAILNET_PART int32_t sailnet_are_numbers(const sailnet_planned *planned)
 {
-    sailnet_real left;
-    const sailnet_real missed = sailnet_correct(memory, known, &left);
-    const sailnet_real time = sailnet_planned(memory);
-    int32_t soon = 0;
-    int32_t given_up = 0;
-    if (time <= R(1.6) * promised + R(2.0) * SAILNET_HOMING_STEP) {
-        soon = 1;
-    }
-    if (memory->corrections <= 15u) {
-        memory->corrections++;
-    }
-    if ((memory->homing == SAILNET_CORRECTED) && (missed < R(0.3)) && (soon != 0)) {
-        memory->homing = SAILNET_READY;
-    }
-    if ((memory->homing == SAILNET_READY) && (soon != 0) && (time > R(0.6) * SAILNET_HOMING_STEP) &&
-        ((left > R(0.5)) || (time < fair - R(0.3) * SAILNET_HOMING_STEP))) {
-        memory->homing = SAILNET_FLOWN;
-    }
-    if (memory->homing == SAILNET_CORRECTED) {
-        if (memory->corrections > 15u) {
-            given_up = 1;
+    double numbers[sizeof(sailnet_planned) / sizeof(double)];
+    const double largest = (double)sailnet_limits[SAILNET_OF_PLAN][1];
+    int32_t are = 1;
+    (void)memcpy(numbers, planned, sizeof numbers);
+    for (uint32_t i = 0u; i < (sizeof numbers / sizeof numbers[0]); i++) {
+        if (!((numbers[i] >= -largest) && (numbers[i] <= largest))) {
+            are = 0;
         }
-    } else if (memory->homing == SAILNET_READY) {
-        given_up = 1 - soon;
-    } else if (left > R(1.0)) {
-        given_up = 1;
-    } else {
-        /* It is flown. */
     }
-    if (given_up != 0) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
+    return are;
 }
 
-/* The memory may have held any bits. */
-SAILNET_PART void sailnet_limit_plan(sailnet_memory *memory)
+/* The same as a number of the command: the clamp tells an analyser that it is one. */
+SAILNET_PART sailnet_real sailnet_of_plan(double number)
 {
-    if (memory->homing > SAILNET_FLOWN) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
-    if (memory->arc >= (uint32_t)SAILNET_ARCS) {
-        memory->arc = 0u;
-    }
-    if (memory->corrections > 15u) {
-        memory->corrections = 15u + 1u;
-    }
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            memory->arc_tilt[k][i] = sailnet_limited(&memory->arc_tilt[k][i], SAILNET_OF_CONE_ANGLE);
-        }
-        memory->arc_time[k] = sailnet_clamped(memory->arc_time[k], R(0.0), SAILNET_HOMING_HORIZON);
-    }
-    memory->looked = sailnet_clamped(memory->looked, R(0.0), SAILNET_HOMING_HORIZON);
-    memory->nearest_time = sailnet_clamped(memory->nearest_time, R(0.0), R(2.0) * SAILNET_HOMING_HORIZON);
+    const sailnet_real value = (sailnet_real)number;
+    return sailnet_limited(&value, SAILNET_OF_PLAN);
 }
 
-/*
- * Whether the plan is flown: then it is the command, and nobody is late, or waits. `plan` is the beta that the networks
- * read.
- */
-SAILNET_PART int32_t sailnet_homes(sailnet_memory *memory, const sailnet_state *known, sailnet_real plan,
-                                   sailnet_command *command)
+/* The command by the plan; 0 if there is none that passes through the state: then the networks' is to be flown. */
+SAILNET_PART int32_t sailnet_tracks(sailnet_memory *memory, const sailnet_state *known, sailnet_real beta,
+                                    sailnet_real estimated, sailnet_real hold, sailnet_command *command)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    const sailnet_real promised = command->time_of_flight;
-    sailnet_limit_plan(memory);
-    if (memory->homing >= SAILNET_CORRECTED) {
-        sailnet_pass(memory, held);
-    } else if (memory->homing == SAILNET_LOOKING) {
-        memory->looked += held;
-    } else {
-        /* There is none. */
+    sailnet_tracker *const tracker = &memory->tracker;
+    sailnet_planned planned;
+    double state[SAILNET_STATES];
+    sailnet_to_tracker(known, state);
+    sailnet_time_passes(tracker, (double)memory->estimate.held);
+    const sailnet_problem own = sailnet_own_problem(memory, (double)beta);
+    sailnet_arrival arrival;
+    if ((sailnet_needs_proposal(tracker) != 0) &&
+        (sailnet_propose_plan(known, sailnet_for_networks(memory, beta), &arrival) == SAILNET_OK)) {
+        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go);
     }
-    if ((memory->homing == SAILNET_NO_PLAN) && (promised <= SAILNET_HOMING_HORIZON) && (promised > SAILNET_HOMING_STEP)) {
-        for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                memory->arc_tilt[k][i] = R(0.0);
-            }
-            memory->arc_time[k] = R(0.0);
-        }
-        memory->homing = SAILNET_LOOKING;
-        memory->ahead = *known;
-        memory->promised = promised;
-        memory->nearest = R(1000000000.0);
-        memory->nearest_time = R(0.0);
-        memory->looked = R(0.0);
-        memory->arc = 0u;
-        memory->corrections = 0u;
+    int32_t flown = sailnet_follow(&own, tracker, state, (double)estimated, (double)hold,
+                                   SAILNET_EXTREMALS_PER_PERIOD, &planned);
+    /* The memory may have held any bits. */
+    if ((flown != 0) && (sailnet_are_numbers(&planned) == 0)) {
+        flown = 0;
     }
-    for (int32_t i = 0; i < 2; i++) {
-        if (memory->homing == SAILNET_LOOKING) {
-            sailnet_look(memory, plan);
-        }
-    }
-    if ((memory->homing >= SAILNET_CORRECTED) &&
-        ((memory->homing != SAILNET_READY) || ((memory->periods % 2u) == 0u))) {
-        sailnet_judge(memory, known, promised, promised * plan / memory->beta);
-    }
-    int32_t flown = 0;
-    if (memory->homing == SAILNET_FLOWN) {
-        flown = 1;
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            memory->arc_tilt[0][i] = sailnet_limited(&memory->arc_tilt[0][i], SAILNET_OF_CONE_ANGLE);
-        }
-        sailnet_command_of(memory->arc_tilt[0], command);
-        command->time_of_flight = sailnet_planned(memory);
-        memory->stake = R(0.0);
-        memory->regret = R(0.0);
-        memory->late = R(0.0);
-        memory->wait = R(0.0);
-        memory->waited = R(0.0);
+    if (flown != 0) {
+        const double unit = (double)beta / (sailnet_transfer.target_radius * sailnet_transfer.target_radius);
+        const sailnet_real along = sailnet_of_plan(planned.attitude.cosine);
+        const sailnet_real beside = sailnet_of_plan(planned.attitude.sine);
+        const sailnet_real size = sailnet_angle(&along, &beside);
+        command->hold = R(0.0);
+        command->beta = beta;
+        command->time_of_flight = sailnet_of_plan(planned.time_to_go);
+        command->lambda_v = sailnet_of_plan(unit * planned.costates[SAILNET_STATES - SAILNET_ACROSS]);
+        const sailnet_real angle = planned.attitude.across[0] < 0.0 ? -size : size;
+        command->cone_angle = sailnet_limited(&angle, SAILNET_OF_CONE_ANGLE);
     }
     return flown;
 }
@@ -1876,11 +3119,11 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
     if ((inside != 0) && (tau <= longest)) {
         *hold = sailnet_limited(&longest, SAILNET_OF_PERIOD);
         status = SAILNET_ARRIVED;
-    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) &&
+    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->estimate.periods > 0u) &&
                (tau >= memory->time_of_flight)) {
         *hold = R(0.0);
         status = SAILNET_ARRIVED;
-    } else if (memory->unseen > R(0.0)) {
+    } else if (memory->estimate.unseen > R(0.0)) {
         status = SAILNET_RECKONED;
     } else if ((SAILNET_READS_BETA != 0) && (inside != 0) && (plan < SAILNET_BETA_MIN)) {
         status = SAILNET_AT_LIMIT;
@@ -1894,16 +3137,16 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
  * For how long to hold the last command: on the straight line of one predicted step, until the target is nearest. By
  * then the time of flight is below what the networks know it to.
  */
-SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
+SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_estimate *estimate)
 {
     sailnet_change change;
-    sailnet_predict(memory, &change);
-    const sailnet_state *const from = &memory->state;
+    sailnet_predict(estimate, &change);
+    const sailnet_state *const from = &estimate->state;
     const sailnet_state *const by = &change.by;
     const sailnet_real forward =
         (SAILNET_TARGET_R - from->r) * by->r + (SAILNET_TARGET_U - from->u) * by->u + (SAILNET_TARGET_V - from->v) * by->v;
     const sailnet_real share = forward / (by->r * by->r + by->u * by->u + by->v * by->v);
-    return memory->held * sailnet_clamped(share, R(0.0), R(1.0));
+    return estimate->held * sailnet_clamped(share, R(0.0), R(1.0));
 }
 
 void sailnet_start(sailnet_memory *memory)
@@ -1911,48 +3154,49 @@ void sailnet_start(sailnet_memory *memory)
     if (memory != NULL) {
         /* Of a real, too, bits that are all 0 are 0. */
         (void)memset(memory, 0, sizeof *memory);
-        memory->beta = SAILNET_BETA;
+        memory->estimate.beta = SAILNET_BETA;
     }
 }
 
 /* The command by which a cone angle comes true. */
-SAILNET_PART sailnet_real sailnet_told(const sailnet_memory *memory, sailnet_real cone_angle)
+SAILNET_PART sailnet_real sailnet_told(const sailnet_estimate *estimate, sailnet_real cone_angle)
 {
-    const sailnet_real told = cone_angle - memory->offset;
+    const sailnet_real told = cone_angle - estimate->offset;
     return sailnet_limited(&told, SAILNET_OF_CONE_ANGLE);
 }
 
 void sailnet_measured(sailnet_memory *memory, sailnet_real cone_angle)
 {
     if ((memory != NULL) && (sailnet_is_finite(cone_angle) != 0)) {
-        const sailnet_real turn = cone_angle - memory->measured;
-        const sailnet_real askew = cone_angle - sailnet_told(memory, memory->cone_angle);
+        sailnet_estimate *const estimate = &memory->estimate;
+        const sailnet_real turn = cone_angle - estimate->measured;
+        const sailnet_real askew = cone_angle - sailnet_told(estimate, estimate->cone_angle);
         /* Farther off it lags. */
         if (askew * askew <= SAILNET_LARGEST_OFFSET * SAILNET_LARGEST_OFFSET) {
-            memory->offset += sailnet_weight(memory, SAILNET_SURPRISE_MEMORY) * (askew - memory->offset);
+            estimate->offset += sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY) * (askew - estimate->offset);
         }
-        memory->measured = cone_angle;
-        memory->attitude = cone_angle;
+        estimate->measured = cone_angle;
+        estimate->attitude = cone_angle;
         /* A mean tells the force if the sail hardly turned. */
-        memory->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : memory->held;
+        estimate->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : estimate->held;
     }
 }
 
 /* The state to steer by: the one shown, or where the sail must be; null if neither is known. */
-SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
+SAILNET_PART const sailnet_state *sailnet_known(sailnet_estimate *estimate, const sailnet_state *shown,
                                                 sailnet_change *change)
 {
     const sailnet_state *known = NULL;
     if ((shown != NULL) && (sailnet_is_state(shown) != 0)) {
-        sailnet_learn(memory, shown, change);
-        memory->unseen = R(0.0);
+        sailnet_learn(estimate, shown, change);
+        estimate->unseen = R(0.0);
         known = shown;
     } else {
-        memory->unseen += memory->held;
-        change->by.r += memory->state.r;
-        change->by.u += memory->state.u;
-        change->by.v += memory->state.v;
-        if ((memory->held > R(0.0)) && (memory->unseen <= SAILNET_LONGEST_RECKONING) &&
+        estimate->unseen += estimate->held;
+        change->by.r += estimate->state.r;
+        change->by.u += estimate->state.u;
+        change->by.v += estimate->state.v;
+        if ((estimate->held > R(0.0)) && (estimate->unseen <= SAILNET_LONGEST_RECKONING) &&
             (sailnet_is_state(&change->by) != 0)) {
             known = &change->by;
         }
@@ -1967,66 +3211,150 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         (void)sailnet_law(NULL, SAILNET_BETA, command);
         return SAILNET_INVALID_INPUT;
     }
+    sailnet_estimate *const estimate = &memory->estimate;
     sailnet_change change;
     const sailnet_state *known = NULL;
     sailnet_real hold = R(0.0);
     /* The memory may have held any bits. */
-    memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);
-    memory->attitude = sailnet_limited(&memory->attitude, SAILNET_OF_ATTITUDE);
-    memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);
+    estimate->cone_angle = sailnet_limited(&estimate->cone_angle, SAILNET_OF_CONE_ANGLE);
+    estimate->attitude = sailnet_limited(&estimate->attitude, SAILNET_OF_ATTITUDE);
+    estimate->offset = sailnet_limited(&estimate->offset, SAILNET_OF_OFFSET);
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
-        sailnet_predict(memory, &change);
-        known = sailnet_known(memory, state, &change);
+        sailnet_predict(estimate, &change);
+        known = sailnet_known(estimate, state, &change);
     }
-    memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
-    memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
-    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
-    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
-    const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
-    sailnet_real share = R(1.0) - lost;
+    estimate->beta = sailnet_limited(&estimate->beta, SAILNET_OF_BETA);
+    estimate->tangential = sailnet_limited(&estimate->tangential, SAILNET_OF_TANGENTIAL);
+    estimate->variance = sailnet_limited(&estimate->variance, SAILNET_OF_SHARE);
+    estimate->autocovariance = sailnet_limited(&estimate->autocovariance, SAILNET_OF_SHARE);
+    sailnet_real own = estimate->beta;
 #if SAILNET_AGES
     if (known != NULL) {
-        share *= sailnet_aged(memory, known);
+        own *= sailnet_aged(estimate, memory->time_of_flight, known);
     }
 #endif
-    const sailnet_real plan = memory->beta * share * (R(1.0) - sailnet_reserve(memory, hold));
-    uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
-    command->beta = memory->beta;
+    const sailnet_real plan = own * (R(1.0) - sailnet_reserve(estimate, &memory->time_of_flight, hold));
+    const sailnet_real beta = sailnet_limited(&plan, SAILNET_OF_BETA);
+    const sailnet_real estimated = sailnet_limited(&own, SAILNET_OF_BETA);
+    uint32_t seen = 0u;
+    if ((known == NULL) || (sailnet_tracks(memory, known, beta, estimated, hold, command) == 0)) {
+        seen = sailnet_law(known, sailnet_for_networks(memory, beta), command);
+        memory->source = (uint32_t)SAILNET_FROM_NETWORKS;
+    } else {
+        seen = sailnet_there(known);
+        memory->source = (uint32_t)SAILNET_FROM_PLAN;
+    }
+    command->beta = estimate->beta;
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (known == NULL) {
         /* What was learnt stays, but the next state is not what came of the last command. */
-        memory->held = R(0.0);
-        memory->homing = SAILNET_NO_PLAN;
+        estimate->held = R(0.0);
+        memory->source = (uint32_t)SAILNET_FROM_NOTHING;
     } else {
-        if (sailnet_homes(memory, known, sailnet_limited(&plan, SAILNET_OF_BETA), command) != 0) {
-            /* Where the model knows the way it is not for the networks to say whether they know it. */
-            seen &= SAILNET_THERE;
-        } else {
-            sailnet_keep_side(memory, &change, command);
-        }
         status = sailnet_ends(memory, seen, plan, command, &hold);
-        if (memory->periods > 0u) {
-            const sailnet_real left = memory->slewing - memory->held;
-            const sailnet_real turn = sailnet_size(command->cone_angle - memory->cone_angle);
-            memory->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
+        const sailnet_real turn = sailnet_size(command->cone_angle - estimate->cone_angle);
+        if (estimate->periods > 0u) {
+            const sailnet_real left = estimate->slewing - estimate->held;
+            estimate->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
         }
-        memory->state = *known;
-        memory->cone_angle = command->cone_angle;
-        command->cone_angle = sailnet_told(memory, command->cone_angle);
-        memory->attitude = command->cone_angle + memory->offset;
-        memory->held = hold;
+        estimate->state = *known;
+        estimate->cone_angle = command->cone_angle;
+        command->cone_angle = sailnet_told(estimate, command->cone_angle);
+        estimate->attitude = command->cone_angle + estimate->offset;
+        estimate->held = hold;
         if ((status == SAILNET_ARRIVED) && (hold > R(0.0))) {
-            hold = sailnet_until_nearest(memory);
-            memory->held = hold;
+            hold = sailnet_until_nearest(estimate);
+            estimate->held = hold;
         }
         memory->time_of_flight = command->time_of_flight;
-        if (memory->periods < UINT32_MAX) {
-            memory->periods++;
+        if (estimate->periods < UINT32_MAX) {
+            estimate->periods++;
         }
     }
     command->hold = hold;
     return status;
+}
+
+/* What is saved over a reboot, and the report of the plan. */
+
+/* A checksum of all that is before it: CRC-32 of IEEE 802.3, bit by bit. */
+SAILNET_PART uint32_t sailnet_checksum(const sailnet_memory *memory)
+{
+    const unsigned char *const bytes = (const unsigned char *)memory;
+    uint32_t remainder = UINT32_MAX;
+    for (uint32_t i = 0u; i < (uint32_t)offsetof(sailnet_memory, checksum); i++) {
+        remainder ^= bytes[i];
+        for (int32_t bit = 0; bit < 8; bit++) {
+            remainder = (remainder >> 1) ^ (((remainder & 1u) != 0u) ? 0xEDB88320u : 0u);
+        }
+    }
+    return ~remainder;
+}
+
+void sailnet_seal(sailnet_memory *memory)
+{
+    if (memory != NULL) {
+        memory->version = (uint32_t)SAILNET_API_VERSION;
+        memory->checksum = sailnet_checksum(memory);
+    }
+}
+
+sailnet_status sailnet_restore(sailnet_memory *memory)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if (memory != NULL) {
+        if ((memory->version == (uint32_t)SAILNET_API_VERSION) && (memory->checksum == sailnet_checksum(memory))) {
+            status = SAILNET_OK;
+        } else {
+            sailnet_start(memory);
+        }
+    }
+    return status;
+}
+
+/* Whether a text is the digest of this mission. */
+SAILNET_PART int32_t sailnet_is_mission(const char *digest)
+{
+    static const char own[] = SAILNET_MISSION_DIGEST;
+    int32_t same = 1;
+    for (uint32_t i = 0u; (same != 0) && (i < sizeof own); i++) {
+        same = digest[i] == own[i] ? 1 : 0;
+    }
+    return same;
+}
+
+sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_digest, const sailnet_state *state,
+                                   const sailnet_arrival *plan)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if ((memory != NULL) && (mission_digest != NULL) && (state != NULL) && (plan != NULL) &&
+        (sailnet_is_mission(mission_digest) != 0) && (sailnet_is_state(state) != 0) &&
+        (plan->beta >= (double)SAILNET_BETA_MIN) && (plan->beta <= (double)SAILNET_BETA_MAX)) {
+        double numbers[SAILNET_STATES];
+        const sailnet_problem own = sailnet_own_problem(memory, plan->beta);
+        sailnet_to_tracker(state, numbers);
+        if (sailnet_take_plan(&own, &memory->tracker, numbers, plan->direction, plan->time_to_go) !=
+            0) {
+            status = SAILNET_OK;
+        }
+    }
+    return status;
+}
+
+void sailnet_report_plan(const sailnet_memory *memory, sailnet_plan_report *report)
+{
+    if ((memory != NULL) && (report != NULL)) {
+        const sailnet_tracker *const tracker = &memory->tracker;
+        (void)memset(report, 0, sizeof *report);
+        (void)memcpy(report->direction, tracker->plan.direction, sizeof report->direction);
+        report->time_to_go = tracker->plan.time_to_go;
+        report->beta = tracker->plan.beta;
+        report->residual = tracker->plan.residual;
+        report->extremals = tracker->computed;
+        report->planned = tracker->planned;
+        report->source = memory->source;
+    }
 }

@@ -4,11 +4,16 @@
  *
  * Exported by sailnet 0.2.0 for mission earth_venus_3d: do not edit.
  * mission   31bed3ca15d288d78a55e4be739a98a5d906e4c404f838190481d71e61071683
- * networks  c8617ebf15cf95b2e66927f47e1dce599fd0f9ec3b58f64100955969a328f561
+ * networks  eca3c763368eabb67cc9d4e684164c4cbcbb91a5c863f0a73aae4554227f35d7
  * data set  7b6532c872eb0f814c1586c600666d44ece6d2c1aa009b294a2586f6c7c98c7d (tau)
  * data set  7b6532c872eb0f814c1586c600666d44ece6d2c1aa009b294a2586f6c7c98c7d (alpha_pre)
  * data set  7b6532c872eb0f814c1586c600666d44ece6d2c1aa009b294a2586f6c7c98c7d (lambda_v)
  * data set  7b6532c872eb0f814c1586c600666d44ece6d2c1aa009b294a2586f6c7c98c7d (lambda_w)
+ * data set  7ce0a52fa59d13bfd233c67a576a713c848d390ba711cdb8ccf5e730f6e60c3e (arrival_lambda_r)
+ * data set  7ce0a52fa59d13bfd233c67a576a713c848d390ba711cdb8ccf5e730f6e60c3e (arrival_lambda_latitude)
+ * data set  7ce0a52fa59d13bfd233c67a576a713c848d390ba711cdb8ccf5e730f6e60c3e (arrival_lambda_u)
+ * data set  7ce0a52fa59d13bfd233c67a576a713c848d390ba711cdb8ccf5e730f6e60c3e (arrival_lambda_v)
+ * data set  7ce0a52fa59d13bfd233c67a576a713c848d390ba711cdb8ccf5e730f6e60c3e (arrival_lambda_w)
  *
  * Vectors are those of gcc and clang (vector_size), as wide as the processor's registers. With other compilers, or
  * with -DSAILNET_PLAIN, the same text computes on single numbers, to the same bits but for contraction: that is what
@@ -16,6 +21,7 @@
  */
 #include "sailnet_guidance.h"
 
+#include <stddef.h>
 #include <string.h>
 #if defined(__SSE2__) && !defined(SAILNET_PLAIN)
 #include <immintrin.h>
@@ -105,11 +111,11 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
     return (value - value) == R(0.0);
 }
 
-/* pi, rounded down: a clock angle is in (-pi, pi] in either precision, and its mirror image too. */
+/* pi, rounded down: an angle is in (-pi, pi] in either precision, and its mirror image too. */
 #ifdef SAILNET_FLOAT64
-#define SAILNET_LARGEST_CLOCK_ANGLE 3.1415926535897927
+#define SAILNET_LARGEST_ANGLE 3.1415926535897927
 #else
-#define SAILNET_LARGEST_CLOCK_ANGLE 3.1415925f
+#define SAILNET_LARGEST_ANGLE 3.1415925f
 #endif
 
 /*
@@ -124,10 +130,11 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 #define SAILNET_OF_TIME_TO_GO 6
 #define SAILNET_OF_SHARE 7
 #define SAILNET_OF_TANGENTIAL 8
-#define SAILNET_OF_CLOCK_ANGLE 9
+#define SAILNET_OF_ANGLE 9
+#define SAILNET_OF_PLAN 10
 /* Three of each of r, u, v, latitude and w, and then one of each input. */
-#define SAILNET_OF_STATE 10
-#define SAILNET_OF_INPUTS 25
+#define SAILNET_OF_STATE 11
+#define SAILNET_OF_INPUTS 26
 static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_BETA_MIN, SAILNET_BETA_MAX},
     {-SAILNET_PHI_MAX, SAILNET_PHI_MAX},
@@ -138,7 +145,8 @@ static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_ARRIVAL_THRESHOLD, R(1e9)},
     {R(-1.0), R(1.0)},
     {-SAILNET_LARGEST_TANGENTIAL, SAILNET_LARGEST_TANGENTIAL},
-    {-SAILNET_LARGEST_CLOCK_ANGLE, SAILNET_LARGEST_CLOCK_ANGLE},
+    {-SAILNET_LARGEST_ANGLE, SAILNET_LARGEST_ANGLE},
+    {R(-1e18), R(1e18)},
     SAILNET_STATE_LIMITS,
     SAILNET_INPUT_LIMITS,
 };
@@ -463,25 +471,15 @@ SAILNET_INLINE sailnet_real sailnet_arctan_rest(sailnet_real z)
 #endif
 }
 
-/* The direction of a clock angle, along and northward: from its half, as beyond a right angle the series are not exact. */
-SAILNET_PART void sailnet_across(sailnet_real clock_angle, sailnet_real *along, sailnet_real *northward)
-{
-    sailnet_real cosine;
-    sailnet_real sine;
-    sailnet_cosine_sine(R(0.5) * clock_angle, &cosine, &sine);
-    *along = (cosine - sine) * (cosine + sine);
-    *northward = R(2.0) * sine * cosine;
-}
-
 /*
- * The angle of (along, northward) from the transverse direction to the north: of the smaller by the larger component,
- * turned back by pi/4 where that is steep, and then in each octant. Of two zeros it is 0. They come by their addresses,
- * as what is clamped does.
+ * The angle of a direction, from the first axis to the second: of the smaller by the larger component, turned back by
+ * pi/4 where that is steep, and then in each octant. Of two zeros it is 0. They come by their addresses, as what is
+ * clamped does.
  */
-SAILNET_PART sailnet_real sailnet_clock_angle(const sailnet_real *along, const sailnet_real *northward)
+SAILNET_PART sailnet_real sailnet_angle(const sailnet_real *first, const sailnet_real *second)
 {
-    const sailnet_real x = sailnet_size(*along);
-    const sailnet_real y = sailnet_size(*northward);
+    const sailnet_real x = sailnet_size(*first);
+    const sailnet_real y = sailnet_size(*second);
     const sailnet_real larger = x > y ? x : y;
     const sailnet_real smaller = x > y ? y : x;
     const sailnet_real steep = smaller > R(0.41421356237309505) * larger ? R(1.0) : R(0.0);
@@ -489,9 +487,9 @@ SAILNET_PART sailnet_real sailnet_clock_angle(const sailnet_real *along, const s
     const sailnet_real t = whole > R(0.0) ? (smaller - steep * larger) / whole : R(0.0);
     sailnet_real angle = steep * R(0.7853981633974483) + (t + t * (t * t) * sailnet_arctan_rest(t * t));
     angle = y > x ? R(1.5707963267948966) - angle : angle;
-    angle = *along < R(0.0) ? R(3.141592653589793) - angle : angle;
-    angle = *northward < R(0.0) ? -angle : angle;
-    return sailnet_limited(&angle, SAILNET_OF_CLOCK_ANGLE);
+    angle = *first < R(0.0) ? R(3.141592653589793) - angle : angle;
+    angle = *second < R(0.0) ? -angle : angle;
+    return sailnet_limited(&angle, SAILNET_OF_ANGLE);
 }
 
 /* ================================ The networks ================================ */
@@ -946,11 +944,13 @@ SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
 #undef STAGE_BLOCK
 #undef STAGE_TOGETHER
 
-/*
- * Each network reads all eight, those first that are known first; the first gives log2(tau / s), the last two outputs, of
- * which each has a factor that changes its sign in a mirror. beta must be in its range.
- */
-SAILNET_INLINE void sailnet_networks(const sailnet_real state[5], sailnet_real beta, sailnet_real output[5])
+/* Inputs of a network, those first that are known first; and in space what its outputs are multiplied by. */
+#define SAILNET_APPROACH_INPUTS 8
+#define SAILNET_APPROACH_STATES 5
+
+/* The inputs, and in space the two factors, which change their signs in a mirror; beta must be in its range. Returns s. */
+SAILNET_INLINE sailnet_real sailnet_approach(const sailnet_real state[SAILNET_APPROACH_STATES], sailnet_real beta,
+                                             sailnet_real input[SAILNET_APPROACH_INPUTS], sailnet_real factors[2])
 {
     /* Deviations in units of the sail's acceleration at the target, beta / r_f^2: they are times. */
     const sailnet_real per_acceleration = SAILNET_TARGET_R2 / beta;
@@ -970,6 +970,8 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[5], sailnet_real b
     const sailnet_real per_s2 = per_s * per_s;
     /* s4 tells the bound; the clamp tells it to an analyser of intervals. */
     const sailnet_real s = sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6));
+    input[0] = beta;
+    input[1] = s;
     /* What is off the plane comes as products, so that a mirror changes nothing but the two factors. */
     const sailnet_real lateral = missing[3] * per_s2;
     const sailnet_real northward = missing[4] * per_s;
@@ -977,11 +979,26 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[5], sailnet_real b
     const sailnet_real per_rho = sailnet_per_root(&rho2);
     const sailnet_real y_z = lateral * per_rho;
     const sailnet_real y_w = northward * per_rho;
-    const sailnet_real input[8] = {beta, s, northward * y_w, R(2.0) * lateral * y_w, lateral * y_z,
-                                   missing[2] * per_s, missing[1] * per_s, missing[0] * per_s2};
-    sailnet_approach_networks(input, output);
+    input[2] = northward * y_w;
+    input[3] = R(2.0) * lateral * y_w;
+    input[4] = lateral * y_z;
     /* Neither factor is above 1, but for rounding: the clamp tells so to an analyser. */
-    output[3] = output[3] * sailnet_clamped(y_z, R(-1.0), R(1.0)) + output[4] * sailnet_clamped(y_w, R(-1.0), R(1.0));
+    factors[0] = sailnet_clamped(y_z, R(-1.0), R(1.0));
+    factors[1] = sailnet_clamped(y_w, R(-1.0), R(1.0));
+    input[SAILNET_APPROACH_INPUTS - 3] = missing[2] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 2] = missing[1] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 1] = missing[0] * per_s2;
+    return s;
+}
+
+/* The first network gives log2(tau / s), the last two outputs, of which each has a factor. */
+SAILNET_INLINE void sailnet_networks(const sailnet_real state[5], sailnet_real beta, sailnet_real output[5])
+{
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real s = sailnet_approach(state, beta, input, factors);
+    sailnet_approach_networks(input, output);
+    output[3] = output[3] * factors[0] + output[4] * factors[1];
     /* Bounded, so that no weights make the product overflow. */
     const sailnet_real octaves = sailnet_clamped(output[0], R(-60.0), R(60.0));
     output[0] = s * sailnet_first_lane(sailnet_exp2(sailnet_all_lanes(octaves)));
@@ -1236,7 +1253,7 @@ sailnet_status sailnet_guidance(const sailnet_state *state, sailnet_real beta, s
     /* Not -lambda: a negative zero would turn it by pi. */
     const sailnet_real along = R(0.0) - command->lambda_v;
     const sailnet_real northward = R(0.0) - command->lambda_w;
-    command->clock_angle = sailnet_clock_angle(&along, &northward);
+    command->clock_angle = sailnet_angle(&along, &northward);
 
     if (!sailnet_in_domain(input, known)) {
         return SAILNET_OUTSIDE_DOMAIN;
@@ -1256,6 +1273,2059 @@ SAILNET_INLINE uint32_t sailnet_law(const sailnet_state *state, sailnet_real bet
         seen += (sailnet_at_target(now) != 0) ? SAILNET_THERE : 0u;
     }
     return seen;
+}
+
+/* ================================ The tracker ================================ */
+
+#define SAILNET_TRACKER_API static
+
+/*
+ * Extremals of minimum time, backward from the target orbit: Eqs. (14)-(19), with delta = 0.
+ *
+ * An extremal that arrives is a direction of the arrival costates, constant along the whole flight, and the time to go.
+ * Freestanding C99 without libm; it compiles where it lies, with -DSAILNET_IN_SPACE=1 in three dimensions.
+ */
+#ifndef SAILNET_EXTREMAL_H
+#define SAILNET_EXTREMAL_H
+
+
+
+/* The flight file holds all of this in one translation unit, where functions are static. */
+#ifndef SAILNET_TRACKER_API
+#define SAILNET_TRACKER_API
+#endif
+
+/*
+ * The state and costates `tau` before arrival, of the extremal that arrives with costates along `direction`.
+ *
+ * tolerance: local error of a step, in AU and AU/TU, of costates relative to their size.
+ * Returns the steps it took; 0 if it did not get there: too many steps, or numbers that are not finite.
+ */
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end);
+
+/* An end of an extremal `lapse` [TU] later; the rest is as for sailnet_extremal. */
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end);
+
+/* The optimal attitude of costates. */
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude);
+
+/* The product of costates and the force of an attitude, per beta / r^2: of the optimal one it is least. */
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude);
+
+/* The same for a sail that light pushes along its surface by so much more, per beta / r^2: as is learnt of a vehicle. */
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential);
+
+/* value^(-1/2) of a positive number, to a few units of rounding. */
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value);
+
+/* A square root; of 0 or less 0. */
+SAILNET_TRACKER_API double sailnet_root(double value);
+
+static inline double sailnet_absolute(double value)
+{
+    return value < 0.0 ? -value : value;
+}
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+#define UNKNOWNS (2 * SAILNET_STATES)
+/* Where lambda_u and lambda_v are among the unknowns. */
+#define LAMBDA_U (STATES + STATES - (SAILNET_IN_SPACE ? 3 : 2))
+#define LAMBDA_V (LAMBDA_U + 1)
+
+/* Stages of Dormand and Prince's method of fifth order; the seventh is the first of the next step. */
+#define STAGES 7
+static const double stage_weights[STAGES - 1][STAGES - 1] = {
+    {0.2, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.075, 0.225, 0.0, 0.0, 0.0, 0.0},
+    {0.9777777777777777, -3.7333333333333334, 3.5555555555555554, 0.0, 0.0, 0.0},
+    {2.9525986892242035, -11.595793324188385, 9.822892851699436, -0.2908093278463649, 0.0, 0.0},
+    {2.8462752525252526, -10.757575757575758, 8.906422717743473, 0.2784090909090909, -0.2735313036020583, 0.0},
+    {0.09114583333333333, 0.0, 0.44923629829290207, 0.6510416666666666, -0.322376179245283, 0.13095238095238096}};
+static const double error_weights[STAGES] = {0.0012326388888888888,  0.0, -0.0042527702905061394, 0.03697916666666667,
+                                             -0.05086379716981132, 0.0419047619047619, -0.025};
+
+/* First and shortest step [TU]; a step is at most so much of the time in which the primer, the costates that the
+   attitude depends on, would vanish: where it nearly does the attitude turns fast. */
+#define FIRST_STEP 0.05
+#define SHORTEST_STEP 1e-7
+#define OF_PRIMER 0.3
+/* By how much steps change at most. */
+#define SHRINK 0.1
+#define GROW 4.0
+/* Halvings of the interval in which an event lies. */
+#define HALVINGS 20
+
+/* An extremal on its way: between two events the law is smooth. */
+typedef struct {
+    const sailnet_problem *problem;
+    double at_bound[2]; /* the force at the bound on the cone angle, radial and lateral */
+    int32_t bound;      /* whether the cone angle is there */
+    double side;        /* in the plane the sign that it has there */
+} sailnet_arc;
+
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x5FE6EB50C7B537A9) - (bits >> 1);
+    (void)memcpy(&root, &bits, sizeof root);
+    /* The bits err by 3.5 %: a step of fourth order and one of third leave rounding. */
+    const double off = 1.0 - value * (root * root);
+    root += root * off * ((0.5 + 0.375 * off) + 0.3125 * (off * off));
+    const double rest = 1.0 - value * (root * root);
+    return root + root * (rest * (0.5 + 0.375 * rest));
+}
+
+SAILNET_TRACKER_API double sailnet_root(double value)
+{
+    return value > 0.0 ? value * sailnet_reciprocal_root(value) : 0.0;
+}
+
+/* The force of a cone angle across the Sun line: radial, lateral. */
+static void force_at(const sailnet_problem *problem, double cosine, double sine, double force[2])
+{
+    const double normal = problem->square * cosine + problem->linear;
+    force[0] = cosine * (normal * cosine + problem->across * sine * sine);
+    force[1] = cosine * sine * (normal - problem->across * cosine);
+}
+
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude)
+{
+    double force[2];
+    double along = 0.0;
+    force_at(problem, attitude->cosine, attitude->sine, force);
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        along += costate[STATES - SAILNET_ACROSS + i] * attitude->across[i];
+    }
+    return costate[STATES - SAILNET_ACROSS - 1] * force[0] + along * force[1];
+}
+
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential)
+{
+    const double c = problem->bound_cosine;
+    const double s = sailnet_absolute(problem->bound_sine);
+    problem->across += tangential;
+    problem->edge_radial += tangential * s * (2.0 * c * c - s * s);
+    problem->edge_lateral += tangential * c * (2.0 * s * s - c * c);
+}
+
+/*
+ * The cone angle inside the bound that makes lambda_u f_r - lateral f_t least: of an ideal sail in closed form, and from
+ * there by Newton's steps, which of an ideal sail are none.
+ */
+static void inside_the_bound(const sailnet_problem *problem, double lambda_u, double lateral, double *cosine,
+                             double *sine)
+{
+    const double x = -3.0 * lambda_u;
+    const double y = 2.8284271247461903 * lateral;
+    const double size = sailnet_root(x * x + y * y);
+    /* The tangent is (size - x) / (sqrt(2) y), or y / (sqrt(2) (size + x)): the larger of both numbers is exact. */
+    const double above = x > 0.0 ? y : size - x;
+    const double below = 1.4142135623730951 * (x > 0.0 ? size + x : y);
+    const double square2 = above * above + below * below;
+    const double whole = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
+    double c = whole > 0.0 ? below * whole : 1.0;
+    double s = above * whole;
+    const double linear = problem->linear;
+    const double across = problem->across;
+    if ((linear != 0.0) || (across != 0.0)) {
+        const double square = problem->square;
+        for (int32_t i = 0; i < 5; i++) {
+            const double c2 = c * c - s * s;
+            const double s2 = 2.0 * c * s;
+            /* Derivatives of the force by the cone angle, the first and the second. */
+            const double normal = square * c + linear;
+            const double f_r1 = -s * (3.0 * square * c * c + 2.0 * linear * c) + across * s * (2.0 * c * c - s * s);
+            const double f_t1 = c2 * (normal - across * c) - c * s * s * (square - across);
+            const double f_r2 = square * (6.0 * c * s * s - 3.0 * c * c * c) - 2.0 * linear * c2 +
+                                across * c * (2.0 * c * c - 7.0 * s * s);
+            const double f_t2 = -2.0 * s2 * (normal - across * c) - (square - across) * s * (c2 + 2.0 * c * c - s * s);
+            const double slope = lambda_u * f_r1 - lateral * f_t1;
+            const double bend = lambda_u * f_r2 - lateral * f_t2;
+            const double step = bend > 0.0 ? -slope / bend : 0.0;
+            /* A turn by arctan(step). */
+            const double turned = c - s * step;
+            const double rest = s + c * step;
+            const double per = sailnet_reciprocal_root(turned * turned + rest * rest);
+            c = turned * per;
+            s = rest * per;
+            /* What is left is its square. */
+            if (!(sailnet_absolute(step) > 1e-6)) {
+                break;
+            }
+        }
+    }
+    *cosine = c;
+    *sine = s;
+}
+
+/* Size of the costate across the Sun line. */
+static double lateral_of(const double *unknown)
+{
+    return sailnet_root(unknown[LAMBDA_V] * unknown[LAMBDA_V] + unknown[LAMBDA_V + 1] * unknown[LAMBDA_V + 1]);
+}
+
+/* Positive where the optimum is inside the bound. */
+static double inner(const sailnet_problem *problem, const double *unknown)
+{
+    return unknown[LAMBDA_U] * problem->edge_radial - lateral_of(unknown) * problem->edge_lateral;
+}
+
+/* The force by the law of the present arc: radial, along, and in space northward. */
+static void force_of(const sailnet_arc *arc, const double *unknown, double *force)
+{
+    const sailnet_problem *const problem = arc->problem;
+    double in_plane[2] = {arc->at_bound[0], arc->at_bound[1]};
+    const double lateral = lateral_of(unknown);
+    if (arc->bound == 0) {
+        double cosine;
+        double sine;
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &cosine, &sine);
+        force_at(problem, cosine, sine, in_plane);
+    }
+    force[0] = in_plane[0];
+    const double per = lateral > 0.0 ? in_plane[1] / lateral : 0.0;
+    force[1] = -per * unknown[LAMBDA_V];
+    force[2] = -per * unknown[LAMBDA_V + 1];
+}
+
+/* Eq. (15): rates of the unknowns by the time to go, which are those by time with another sign. */
+static void rates(const sailnet_arc *arc, const double *unknown, double *rate)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double per_r = 1.0 / unknown[0];
+    const double push = problem->beta * per_r * per_r;
+    double force[3] = {0.0, 0.0, 0.0};
+    force_of(arc, unknown, force);
+    const double t = unknown[1];
+    const double u = unknown[2];
+    const double v = unknown[3];
+    const double w = unknown[4];
+    const double l_r = unknown[5];
+    const double l_t = unknown[6];
+    const double l_u = unknown[7];
+    const double l_v = unknown[8];
+    const double l_w = unknown[9];
+    const double square = 1.0 + t * t;
+    const double turn = v * t;
+    const double work = push * (l_u * force[0] + l_v * force[1] + l_w * force[2]);
+    rate[0] = -u;
+    rate[1] = -square * w * per_r;
+    rate[2] = -((v * v + w * w) * per_r - per_r * per_r + push * force[0]);
+    rate[3] = (u * v - w * turn) * per_r - push * force[1];
+    rate[4] = (u * w + v * turn) * per_r - push * force[2];
+    rate[5] = -per_r * (per_r * (l_t * square * w + l_u * (v * v + w * w) - l_v * (u * v - w * turn) -
+                                 l_w * (u * w + v * turn) - 2.0 * l_u * per_r) +
+                        2.0 * work);
+    rate[6] = per_r * (2.0 * l_t * t * w + v * (l_v * w - l_w * v));
+    rate[7] = l_r - (l_v * v + l_w * w) * per_r;
+    rate[8] = per_r * (2.0 * l_u * v - l_v * (u - w * t) - 2.0 * l_w * turn);
+    rate[9] = per_r * (l_t * square + 2.0 * l_u * w + l_v * turn - l_w * u);
+}
+
+/* One step from `unknown`, whose rates are the first of the stages; returned is the estimate of its error. */
+static double step_by(const sailnet_arc *arc, const double *unknown, double step, double stage[STAGES][UNKNOWNS],
+                      double *reached)
+{
+    for (int32_t i = 0; i < (STAGES - 1); i++) {
+        (void)memcpy(reached, unknown, UNKNOWNS * sizeof reached[0]);
+        for (int32_t j = 0; j <= i; j++) {
+            const double share = step * stage_weights[i][j];
+            for (int32_t n = 0; n < UNKNOWNS; n++) {
+                reached[n] += share * stage[j][n];
+            }
+        }
+        rates(arc, reached, stage[i + 1]);
+    }
+    double size = 0.0;
+    for (int32_t n = STATES; n < UNKNOWNS; n++) {
+        size += sailnet_absolute(unknown[n]);
+    }
+    double error = 0.0;
+    for (int32_t n = 0; n < UNKNOWNS; n++) {
+        double sum = 0.0;
+        for (int32_t j = 0; j < STAGES; j++) {
+            sum += error_weights[j] * stage[j][n];
+        }
+        const double own = sailnet_absolute(step * sum);
+        /* Relative to the size of all costates; what is not a number stays none. */
+        const double counted = n < STATES ? own : own / size;
+        error = counted <= error ? error : counted;
+    }
+    return error;
+}
+
+/*
+ * The two functions that end an arc where they become negative: of the bound, and in the plane of the side there. In
+ * space the thrust turns about the Sun line without a jump.
+ */
+static double guard(const sailnet_arc *arc, const double *unknown, int32_t which)
+{
+    const double inside = inner(arc->problem, unknown);
+    double value = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        value = arc->bound != 0 ? -arc->side * unknown[LAMBDA_V] : 1.0;
+    }
+    return value;
+}
+
+/* Its slope: every guard is linear in the costates, but for the size of what is across the Sun line. */
+static double guard_slope(const sailnet_arc *arc, const double *unknown, const double *rate, int32_t which)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double lateral = lateral_of(unknown);
+    const double change = (unknown[LAMBDA_V] * rate[LAMBDA_V] + unknown[LAMBDA_V + 1] * rate[LAMBDA_V + 1]) /
+                          (lateral > 0.0 ? lateral : 1.0);
+    const double inside = rate[LAMBDA_U] * problem->edge_radial - change * problem->edge_lateral;
+    double slope = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        slope = arc->bound != 0 ? -arc->side * rate[LAMBDA_V] : 0.0;
+    }
+    return slope;
+}
+
+/* The share of a step after which a guard is negative: by the cubic of its values and slopes at both ends. */
+static double share_until(double g0, double slope0, double g1, double slope1)
+{
+    double low = 0.0;
+    double high = 1.0;
+    for (int32_t i = 0; i < HALVINGS; i++) {
+        const double x = 0.5 * (low + high);
+        const double q = 1.0 - x;
+        const double value =
+            q * q * ((1.0 + 2.0 * x) * g0 + x * slope0) + x * x * ((3.0 - 2.0 * x) * g1 - q * slope1);
+        if (value < 0.0) {
+            high = x;
+        } else {
+            low = x;
+        }
+    }
+    return high;
+}
+
+/* Which arc begins at `unknown`. */
+static void begin_arc(sailnet_arc *arc, const double *unknown)
+{
+    arc->bound = inner(arc->problem, unknown) > 0.0 ? 0 : 1;
+    arc->side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/* Which guard a step ends with, and when; -1 if it ends none. */
+static int32_t event_in(const sailnet_arc *arc, const double *before, const double *after,
+                        double stage[STAGES][UNKNOWNS], double *step)
+{
+    int32_t which = -1;
+    const double whole = *step;
+    for (int32_t i = 0; i < (SAILNET_IN_SPACE ? 1 : 2); i++) {
+        const double g1 = guard(arc, after, i);
+        if (g1 < 0.0) {
+            /* Where the arc has just begun rounding may have left it a little below 0. */
+            const double g0 = guard(arc, before, i);
+            const double slope0 = guard_slope(arc, before, stage[0], i) * whole;
+            const double slope1 = guard_slope(arc, after, stage[STAGES - 1], i) * whole;
+            const double at = whole * share_until(g0 > 0.0 ? g0 : 0.0, slope0, g1, slope1);
+            if ((which < 0) || (sailnet_absolute(at) < sailnet_absolute(*step))) {
+                *step = at;
+                which = i;
+            }
+        }
+    }
+    return which;
+}
+
+/* The fifth root of a positive number, to 3.4 %: of its bits, which are nearly its logarithm, and of which the upper half
+   is divided by 5. */
+static double about_fifth_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x3325CFAACD9E8600) + (bits >> 32) * UINT64_C(0x33333333);
+    (void)memcpy(&root, &bits, sizeof root);
+    return root;
+}
+
+/* What the next step is multiplied by. */
+static double factor_of(double tolerance, double error)
+{
+    double factor = SHRINK;
+    if (error <= 1e-6 * tolerance) {
+        factor = GROW;
+    } else if (error == error) {
+        factor = 0.9 * about_fifth_root(tolerance / error);
+    } else {
+        /* It is not a number: much shorter. */
+    }
+    factor = factor > SHRINK ? factor : SHRINK;
+    return factor < GROW ? factor : GROW;
+}
+
+/* A step, or the longest that the primer leaves. */
+static double limited_step(const double *unknown, const double *rate, double step)
+{
+    double primer = 0.0;
+    double change = 0.0;
+    double limited = step;
+    /* Where the thrust turns about the Sun line, it is what is across that line. */
+    const int32_t first = unknown[LAMBDA_U] > 0.0 ? LAMBDA_V : LAMBDA_U;
+    for (int32_t n = first; n < UNKNOWNS; n++) {
+        primer += unknown[n] * unknown[n];
+        change += rate[n] * rate[n];
+    }
+    if (!(step * step * change <= OF_PRIMER * OF_PRIMER * primer)) {
+        const double longest = OF_PRIMER * sailnet_root(primer / change);
+        limited = longest > SHORTEST_STEP ? longest : SHORTEST_STEP;
+    }
+    return limited < step ? limited : step;
+}
+
+/* The first trial of `step` from `unknown` that ends an arc, or none: as in event_in; and to the event itself. */
+static int32_t end_at_event(const sailnet_arc *arc, const double *unknown, double stage[STAGES][UNKNOWNS],
+                            double *reached, double left, double *step)
+{
+    const int32_t which = event_in(arc, unknown, reached, stage, step);
+    if (which >= 0) {
+        (void)step_by(arc, unknown, *step, stage, reached);
+        /* By one step of Newton's method. */
+        const double slope = guard_slope(arc, reached, stage[STAGES - 1], which);
+        const double more = slope != 0.0 ? -guard(arc, reached, which) / slope : 0.0;
+        if ((sailnet_absolute(more) < 0.1 * sailnet_absolute(*step)) && (sailnet_absolute(*step + more) < left)) {
+            *step += more;
+            (void)step_by(arc, unknown, *step, stage, reached);
+        }
+    }
+    return which;
+}
+
+/*
+ * An end of an extremal, `span` [TU] farther from arrival; nearer, if that is negative. Its rates are computed.
+ * Returns the steps it took; 0 if it did not get there.
+ */
+static int32_t fly(const sailnet_problem *problem, double span, double tolerance, sailnet_end *end)
+{
+    sailnet_arc arc = {problem, {0.0, 0.0}, 0, 1.0};
+    double *const unknown = end->value;
+    double stage[STAGES][UNKNOWNS];
+    double reached[UNKNOWNS];
+    const double sign = span < 0.0 ? -1.0 : 1.0;
+    double left = sailnet_absolute(span);
+    double wanted = FIRST_STEP;
+    int32_t steps = 0;
+    force_at(problem, problem->bound_cosine, problem->bound_sine, arc.at_bound);
+    begin_arc(&arc, unknown);
+    rates(&arc, unknown, stage[0]);
+    while ((left > 0.0) && (steps < SAILNET_MOST_STEPS)) {
+        const double longest = limited_step(unknown, stage[0], wanted);
+        double step = sign * (longest < left ? longest : left);
+        const double error = step_by(&arc, unknown, step, stage, reached);
+        steps++;
+        wanted = sign * step * factor_of(tolerance, error);
+        if (error <= tolerance) {
+            const int32_t which = end_at_event(&arc, unknown, stage, reached, left, &step);
+            (void)memcpy(unknown, reached, sizeof reached);
+            left = sign * step < left ? left - sign * step : 0.0;
+            if (which == 0) {
+                arc.bound = 1 - arc.bound;
+                arc.side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+            } else if (which > 0) {
+                arc.side = -arc.side;
+            } else {
+                /* The same arc goes on. */
+            }
+            if (which >= 0) {
+                wanted = FIRST_STEP;
+                rates(&arc, unknown, stage[0]);
+            } else {
+                (void)memcpy(stage[0], stage[STAGES - 1], sizeof stage[0]);
+            }
+        }
+    }
+    (void)memcpy(end->rate, stage[0], sizeof end->rate);
+    return left > 0.0 ? 0 : steps;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end)
+{
+    (void)memset(end->value, 0, sizeof end->value);
+    end->value[0] = problem->target_radius;
+    end->value[STATES - 1 - SAILNET_IN_SPACE] = sailnet_reciprocal_root(problem->target_radius);
+    (void)memcpy(&end->value[STATES], direction, (size_t)STATES * sizeof direction[0]);
+    return fly(problem, tau > 0.0 ? tau : 0.0, tolerance, end);
+}
+
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end)
+{
+    return fly(problem, -lapse, tolerance, end);
+}
+
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude)
+{
+    double unknown[UNKNOWNS] = {0.0};
+    (void)memcpy(&unknown[STATES], costate, (size_t)STATES * sizeof costate[0]);
+    const double lateral = lateral_of(unknown);
+    if (inner(problem, unknown) > 0.0) {
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &attitude->cosine, &attitude->sine);
+    } else {
+        attitude->cosine = problem->bound_cosine;
+        attitude->sine = problem->bound_sine;
+    }
+    const double per = lateral > 0.0 ? 1.0 / lateral : 0.0;
+    attitude->across[0] = lateral > 0.0 ? -per * unknown[LAMBDA_V] : 1.0;
+    attitude->across[1] = -per * unknown[LAMBDA_V + 1];
+}
+
+/*
+ * Newton's method that keeps a plan at the state of the sail.
+ */
+#ifndef SAILNET_PLAN_H
+#define SAILNET_PLAN_H
+
+
+
+/* The largest residual of a plan that counts as solved [AU, AU/TU], by the time to go [TU]: towards arrival an error of
+   the state takes a time that grows as its root. */
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go);
+
+/* Whether a plan passes through the state that it was last corrected for. */
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan);
+
+/* A budget is never larger, whatever is asked for. */
+#define SAILNET_MOST_EXTREMALS 64
+
+/* The problem of the vehicle that a plan is for; of `problem` the rest is used. */
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan);
+
+/*
+ * Correct a plan by damped Newton steps until its extremal of `problem` passes through `state`. The plan is replaced by a
+ * trial only if that has a smaller residual. What is not converged goes on in the next call.
+ *
+ * most: extremals that may be computed, at least 1; so many more than the components of a state are one step with new
+ *     derivatives.
+ * Returns how many extremals were computed: from 1 to `most`.
+ */
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan);
+
+/*
+ * Correct a plan, with its vehicle moved towards that of `problem`: beta by at most the share `largest` of it, and the
+ * force along the surface by at most as much. Where no extremal is found for that, the plan is corrected for its vehicle as
+ * it was: beyond the edge of what the sail can reach the last plan that exists is better than another revolution.
+ *
+ * The rest is as for sailnet_correct_plan.
+ */
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan);
+
+/* Whether a plan is for the vehicle of `problem`. */
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem);
+
+/* Bring the end of a plan to the present, and with it its residual: by how much it misses the state. */
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan);
+
+/* The attitude of a plan, `ahead` [TU] later than the state that `end` is of, and its costates there, scaled to H = 0. */
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude);
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+/* What is unknown of a plan: all components of the direction but one, and the time to go. */
+#define TIME (STATES - 1)
+
+/* Longest step of Newton's method: of the direction, per its largest component, and of the time to go [TU]. */
+#define LARGEST_TURN 0.2
+#define LARGEST_SHIFT 0.1
+/* By how much the direction is changed to differentiate by it. */
+#define DIFFERENCE 1e-5
+/* A shorter step is given up: derivatives are renewed, or there is no way. */
+#define SHORTEST_SHARE 1e-3
+/* Of the residual: derivatives that leave more of it are renewed. */
+#define STALE 0.5
+/* Of the goal: a residual in which integration errors are a part. */
+#define FLOOR 0.1
+/* A component that was the largest is replaced when it is less than so much of the one that is. */
+#define STILL_LARGE 0.4
+#define LEAST_TIME 1e-4
+/* The goal far from arrival [AU, AU/TU], and its smallest share. */
+#define LARGEST_GOAL 4e-6
+#define SMALLEST_SHARE 1e-4
+/* Of the goal: the local error of extremals. */
+#define TOLERANCE 0.03
+/* A residual of what cannot be flown. */
+#define NOWHERE 1e9
+
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go)
+{
+    const double square = time_to_go * time_to_go;
+    const double share = square < 1.0 ? square : 1.0;
+    return LARGEST_GOAL * (share > SMALLEST_SHARE ? share : SMALLEST_SHARE);
+}
+
+/* A plan that is tried. */
+typedef struct {
+    double direction[STATES];
+    double time_to_go;
+    double error[STATES];
+    double residual;
+    sailnet_end end;
+} trial;
+
+static void compare(const double state[STATES], trial *tried)
+{
+    double worst = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        tried->error[n] = state[n] - tried->end.value[n];
+        /* What is not a number leads nowhere. */
+        const double size = sailnet_absolute(tried->error[n]);
+        const double counted = size < NOWHERE ? size : NOWHERE;
+        worst = counted > worst ? counted : worst;
+    }
+    tried->residual = worst;
+}
+
+static void fly_back(const sailnet_problem *problem, const double state[STATES], trial *tried)
+{
+    const double tolerance = TOLERANCE * sailnet_plan_goal(tried->time_to_go);
+    const int32_t steps = sailnet_extremal(problem, tried->direction, tried->time_to_go, tolerance, &tried->end);
+    compare(state, tried);
+    tried->residual = steps > 0 ? tried->residual : NOWHERE;
+}
+
+/* Another direction: its components, per the largest, plus a share of a step. */
+static void turn_direction(const double from[STATES], int32_t largest, const double step[STATES], double share,
+                           double to[STATES])
+{
+    const double per = 1.0 / sailnet_absolute(from[largest]);
+    double square = 0.0;
+    int32_t k = 0;
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] = from[n] * per;
+        if (n != largest) {
+            to[n] += share * step[k];
+            k++;
+        }
+        square += to[n] * to[n];
+    }
+    const double scale = sailnet_reciprocal_root(square);
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] *= scale;
+    }
+}
+
+/* By which component the others are divided: the largest, or still the one that was. */
+static void choose_largest(sailnet_plan *plan)
+{
+    int32_t largest = 0;
+    for (int32_t n = 1; n < STATES; n++) {
+        if (sailnet_absolute(plan->direction[n]) > sailnet_absolute(plan->direction[largest])) {
+            largest = n;
+        }
+    }
+    const int32_t known = ((plan->largest >= 0) && (plan->largest < STATES)) ? plan->largest : largest;
+    const double size = sailnet_absolute(plan->direction[known]);
+    if ((known != plan->largest) || !(size >= STILL_LARGE * sailnet_absolute(plan->direction[largest]))) {
+        plan->largest = largest;
+        plan->differentiated = 0;
+    }
+}
+
+/* The derivatives by differences. */
+static void differentiate(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, const trial *at)
+{
+    trial near = *at;
+    plan->differentiated = 1;
+    for (int32_t k = 0; k < TIME; k++) {
+        double step[STATES] = {0.0};
+        step[k] = DIFFERENCE;
+        turn_direction(at->direction, plan->largest, step, 1.0, near.direction);
+        fly_back(problem, state, &near);
+        if (near.residual >= NOWHERE) {
+            plan->differentiated = 0;
+        }
+        for (int32_t n = 0; n < STATES; n++) {
+            plan->jacobian[n][k] = (near.end.value[n] - at->end.value[n]) / DIFFERENCE;
+        }
+    }
+}
+
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan)
+{
+    sailnet_problem own = *problem;
+    own.beta = plan->beta;
+    sailnet_push_aside(&own, plan->across - problem->across);
+    return own;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem)
+{
+    return ((plan->beta == problem->beta) && (plan->across == problem->across)) ? 1 : 0;
+}
+
+/* The derivative by what differs of another vehicle, `change`; of a plan that cannot be flown by that it is none. */
+static void differentiate_by_one(const sailnet_problem *other, const double state[STATES], double change,
+                                 sailnet_plan *plan, double derivative[STATES])
+{
+    trial near;
+    (void)memset(&near, 0, sizeof near);
+    (void)memcpy(near.direction, plan->direction, sizeof near.direction);
+    near.time_to_go = plan->time_to_go;
+    fly_back(other, state, &near);
+    if (near.residual >= NOWHERE) {
+        plan->differentiated = 1;
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        derivative[n] = (near.end.value[n] - plan->end.value[n]) / change;
+    }
+}
+
+/* Both derivatives by the vehicle: two extremals. */
+static void differentiate_by_vehicle(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    sailnet_problem stronger = own;
+    sailnet_problem aside = own;
+    const double change = DIFFERENCE * plan->beta;
+    stronger.beta += change;
+    sailnet_push_aside(&aside, DIFFERENCE);
+    plan->differentiated = 2;
+    differentiate_by_one(&stronger, state, change, plan, plan->per_beta);
+    differentiate_by_one(&aside, state, DIFFERENCE, plan, plan->per_across);
+}
+
+/* Newton's step: solve jacobian step = error by elimination with pivots; 0 if there is no solution. */
+static int32_t solve(const sailnet_plan *plan, const double error[STATES], double step[STATES])
+{
+    double m[STATES][STATES + 1];
+    int32_t solved = 1;
+    for (int32_t i = 0; i < STATES; i++) {
+        (void)memcpy(m[i], plan->jacobian[i], sizeof plan->jacobian[i]);
+        m[i][STATES] = error[i];
+    }
+    for (int32_t c = 0; c < STATES; c++) {
+        int32_t pivot = c;
+        for (int32_t i = c + 1; i < STATES; i++) {
+            pivot = sailnet_absolute(m[i][c]) > sailnet_absolute(m[pivot][c]) ? i : pivot;
+        }
+        solved = sailnet_absolute(m[pivot][c]) > 0.0 ? solved : 0;
+        for (int32_t j = 0; j <= STATES; j++) {
+            const double other = m[c][j];
+            m[c][j] = m[pivot][j];
+            m[pivot][j] = other;
+        }
+        for (int32_t i = 0; i < STATES; i++) {
+            const double factor = i != c ? m[i][c] / m[c][c] : 0.0;
+            for (int32_t j = c; j <= STATES; j++) {
+                m[i][j] -= factor * m[c][j];
+            }
+        }
+    }
+    for (int32_t i = 0; i < STATES; i++) {
+        step[i] = m[i][STATES] / m[i][i];
+        solved = step[i] == step[i] ? solved : 0;
+    }
+    return solved;
+}
+
+/* The share of a step of Newton's method that is within bounds. */
+static double share_within(const double step[STATES])
+{
+    double square = 0.0;
+    for (int32_t k = 0; k < TIME; k++) {
+        square += step[k] * step[k];
+    }
+    const double turned = square > 0.0 ? square * sailnet_reciprocal_root(square) : 0.0;
+    const double by_turn = turned > LARGEST_TURN ? LARGEST_TURN / turned : 1.0;
+    const double shift = sailnet_absolute(step[TIME]);
+    const double by_shift = shift > LARGEST_SHIFT ? LARGEST_SHIFT / shift : 1.0;
+    return by_turn < by_shift ? by_turn : by_shift;
+}
+
+/* Broyden's update: derivatives that say of the last step what it did, and of the change of the vehicle, by beta and by
+   the force along the surface, which what was before has in it as predicted. */
+static void mend(sailnet_plan *plan, const trial *before, const trial *after, const double step[STATES], double share,
+                 const double change[2])
+{
+    double moved[STATES];
+    double square = change[0] * change[0] + change[1] * change[1];
+    for (int32_t k = 0; k < STATES; k++) {
+        moved[k] = k < TIME ? share * step[k] : after->time_to_go - before->time_to_go;
+        square += moved[k] * moved[k];
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        double innovation = after->end.value[n] - before->end.value[n];
+        for (int32_t k = 0; k < STATES; k++) {
+            innovation -= plan->jacobian[n][k] * moved[k];
+        }
+        for (int32_t k = 0; k < STATES; k++) {
+            plan->jacobian[n][k] += innovation * moved[k] / square;
+        }
+        plan->per_beta[n] += innovation * change[0] / square;
+        plan->per_across[n] += innovation * change[1] / square;
+    }
+}
+
+/* The next trial, and what comes of it. */
+static void try_step(const sailnet_problem *problem, const double state[STATES], const sailnet_plan *plan,
+                     const trial *from, const double step[STATES], double share, trial *tried)
+{
+    const double later = from->time_to_go + share * step[TIME];
+    tried->time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
+    turn_direction(from->direction, plan->largest, step, share, tried->direction);
+    fly_back(problem, state, tried);
+}
+
+/* Take one damped step; 0 if it came no nearer. */
+static int32_t advance(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, trial *best,
+                       const double step[STATES], double share)
+{
+    static const double unchanged[2] = {0.0, 0.0};
+    trial tried;
+    try_step(problem, state, plan, best, step, share, &tried);
+    const int32_t nearer = tried.residual < best->residual ? 1 : 0;
+    if (nearer != 0) {
+        mend(plan, best, &tried, step, share, unchanged);
+        *best = tried;
+    }
+    return nearer;
+}
+
+static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
+{
+    for (int32_t n = 0; n < STATES; n++) {
+        plan->jacobian[n][TIME] = end->rate[n];
+    }
+}
+
+/* The first trial: a whole step from where the plan is predicted to be now, or the plan as it is. Returned are the
+   extremals that were computed. */
+static int32_t begin(const sailnet_problem *problem, const double state[STATES], int32_t most, sailnet_plan *plan,
+                     trial *best)
+{
+    const double change[2] = {problem->beta - plan->beta, problem->across - plan->across};
+    const double floor = FLOOR * sailnet_plan_goal(plan->time_to_go);
+    int32_t count = 0;
+    (void)memcpy(best->direction, plan->direction, sizeof best->direction);
+    best->time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
+    choose_largest(plan);
+    if ((plan->differentiated != 0) && (most > 1)) {
+        trial tried;
+        double step[STATES];
+        sailnet_bring_up(problem, state, plan);
+        best->end = plan->end;
+        for (int32_t n = 0; n < STATES; n++) {
+            best->end.value[n] += plan->per_beta[n] * change[0] + plan->per_across[n] * change[1];
+        }
+        compare(state, best);
+        differentiate_by_time(plan, &best->end);
+        if (solve(plan, best->error, step) != 0) {
+            const double share = share_within(step);
+            try_step(problem, state, plan, best, step, share, &tried);
+            count = 1;
+            if (tried.residual <= floor) {
+                *best = tried;
+            } else if (tried.residual < best->residual) {
+                const int32_t stale = tried.residual > STALE * best->residual ? 1 : 0;
+                mend(plan, best, &tried, step, share, change);
+                plan->differentiated = stale != 0 ? 0 : plan->differentiated;
+                *best = tried;
+            } else {
+                plan->differentiated = 0;
+                fly_back(problem, state, best);
+                count = 2;
+            }
+        }
+    }
+    if (count == 0) {
+        fly_back(problem, state, best);
+        count = 1;
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    trial now;
+    int32_t steps = 1;
+    if (plan->age > 0.0) {
+        const double tolerance = TOLERANCE * sailnet_plan_goal(plan->time_to_go);
+        steps = sailnet_move_end(&own, plan->age, tolerance, &plan->end);
+        plan->age = 0.0;
+    }
+    now.end = plan->end;
+    compare(state, &now);
+    plan->residual = steps > 0 ? now.residual : NOWHERE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan)
+{
+    trial best;
+    double step[STATES] = {0.0};
+    const double goal = sailnet_plan_goal(plan->time_to_go);
+    double damped = 1.0;
+    int32_t fresh = 0;
+    int32_t going = 1;
+    const int32_t limit = most < SAILNET_MOST_EXTREMALS ? most : SAILNET_MOST_EXTREMALS;
+    int32_t count = begin(problem, state, limit, plan, &best);
+    while ((going != 0) && (count < limit) && ((best.residual > goal) || (plan->differentiated == 0)) &&
+           (best.residual < NOWHERE)) {
+        choose_largest(plan);
+        const int32_t renewed = plan->differentiated == 0 ? TIME : 0;
+        going = count < (limit - renewed) ? 1 : 0;
+        if ((going != 0) && (renewed != 0)) {
+            differentiate(problem, state, plan, &best);
+            count += TIME;
+            fresh = 1;
+        }
+        differentiate_by_time(plan, &best.end);
+        if ((going != 0) && (plan->differentiated != 0)) {
+            going = solve(plan, best.error, step);
+            plan->differentiated = going != 0 ? plan->differentiated : 0;
+        }
+        going = plan->differentiated != 0 ? going : 0;
+        if (going != 0) {
+            const double before = best.residual;
+            const double share = damped * share_within(step);
+            count++;
+            if (advance(problem, state, plan, &best, step, share) != 0) {
+                plan->differentiated = ((best.residual > STALE * before) && (fresh == 0)) ? 0 : plan->differentiated;
+                fresh = 0;
+                damped = damped < 0.5 ? 2.0 * damped : 1.0;
+            } else if (fresh == 0) {
+                plan->differentiated = 0;
+            } else {
+                damped *= 0.25;
+                going = damped > SHORTEST_SHARE ? 1 : 0;
+            }
+        }
+    }
+    (void)memcpy(plan->direction, best.direction, sizeof best.direction);
+    plan->time_to_go = best.time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = best.residual;
+    plan->end = best.end;
+    plan->age = 0.0;
+    plan->differentiated = best.residual < NOWHERE ? plan->differentiated : 0;
+    /* It is no more than the limit: the comparison shows that to an analyser. */
+    return count < limit ? count : limit;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan)
+{
+    return plan->residual <= sailnet_plan_goal(plan->time_to_go) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan)
+{
+    const double stronger = problem->beta - plan->beta;
+    const double aside = problem->across - plan->across;
+    const double by_beta = sailnet_absolute(stronger) / plan->beta;
+    const double by_aside = sailnet_absolute(aside);
+    const double by = by_beta > by_aside ? by_beta : by_aside;
+    int32_t count = 0;
+    int32_t moves = by > 0.0 ? most - 2 : 0;
+    if (moves > 0) {
+        sailnet_problem next = *problem;
+        if (by > largest) {
+            const double share = largest / by;
+            next.beta = plan->beta + share * stronger;
+            sailnet_push_aside(&next, (share - 1.0) * aside);
+        }
+        if ((plan->differentiated == 1) && (moves > 3)) {
+            sailnet_bring_up(problem, state, plan);
+            differentiate_by_vehicle(problem, state, plan);
+            count = 2;
+        }
+        sailnet_plan moved = *plan;
+        count += sailnet_correct_plan(&next, state, moves - count, &moved);
+        if (sailnet_plan_is_solved(&moved) != 0) {
+            *plan = moved;
+        } else {
+            moves = 0;
+        }
+    }
+    if (moves <= 0) {
+        const sailnet_problem own = sailnet_problem_of(problem, plan);
+        count += sailnet_correct_plan(&own, state, most - count, plan);
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude)
+{
+    double product = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = end->value[STATES + n] - ahead * end->rate[STATES + n];
+        /* Rates are by the time to go. */
+        product += end->value[STATES + n] * end->rate[n];
+    }
+    sailnet_optimal_attitude(problem, costates, attitude);
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = product != 0.0 ? costates[n] / product : 0.0;
+    }
+}
+
+/*
+ * The tracker: the plan that is flown, when it is corrected, and when a plan of the networks replaces it.
+ */
+#ifndef SAILNET_TRACKER_H
+#define SAILNET_TRACKER_H
+
+
+
+/* The guidance period of `held` [TU] is over. */
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
+
+/* Whether the networks are to be evaluated, for sailnet_propose. */
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker);
+
+/*
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time to go
+ * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ */
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[SAILNET_STATES], double time_to_go);
+
+/* Fly by a plan from elsewhere, of the same numbers, if it converges to pass through the state; 0 if it does not. */
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[SAILNET_STATES],
+                                              const double direction[SAILNET_STATES], double time_to_go);
+
+/*
+ * Correct the plan, and the candidate, with at most `most` extremals in all; the command is the attitude in the middle
+ * of the next `hold` [TU].
+ *
+ * problem: of the vehicle to plan for.
+ * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
+ *     flown only while its beta moves.
+ * Returns 1; 0 if there is no plan that passes through the state.
+ */
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[SAILNET_STATES], double estimated, double hold,
+                                           int32_t most, sailnet_planned *planned);
+
+#endif
+
+#include <string.h>
+
+/* A plan is corrected after so much of its time to go, and at the latest after so long [TU]; in every guidance period while
+   it is not solved for the vehicle. While another attitude than its own is flown it stays, since it measures the time lost
+   by that. */
+#define CORRECT_AFTER 0.007
+#define CORRECT_AT_LATEST 0.1
+/* By how much a plan's vehicle moves in a correction, as a share of its force: at most, and at least. A step that fails
+   makes the next one shorter. */
+#define LARGEST_STRIDE 0.01
+#define SMALLEST_STRIDE 1e-4
+#define SHORTER 0.25
+#define LONGER 2.0
+/* The networks are evaluated for a plan once in so long [TU]. */
+#define SEARCH_EVERY 0.1
+/* A faster plan saves at least so much of the time to go: what networks err by. */
+#define FASTER 0.01
+/* A plan that was not solved for the vehicle for so long [TU] has failed: its family of extremals has ended, and any other
+   is better. */
+#define FAILED_AFTER 0.2
+/* Extremals that a candidate may take until it is given up. */
+#define CANDIDATE_EXTREMALS 80
+/* A plan that misses the state by more [AU, AU/TU] is not flown. */
+#define USABLE 1e-3
+#define UNSOLVED 1e9
+/* Hysteresis: an attitude is kept until that has lost so much of the time to go, and not while the plan misses the state by
+   more [AU, AU/TU]. A plan that misses by more and is not solved spends the thrust margin. */
+#define OF_TIME_TO_GO 1.6e-2
+#define STILL_NEAR 4e-4
+/* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
+   the side of the thrust. */
+#define TURN_COSINE 0.939
+#define LATE 1.0
+
+#define STATES SAILNET_STATES
+
+/* A time that has passed [TU]; of what is none, as long as counts. */
+static double passed(double before, double held)
+{
+    const double now = before + held;
+    return ((now >= 0.0) && (now < 1.0)) ? now : 1.0;
+}
+
+static void grow_older(sailnet_plan *plan, double held)
+{
+    plan->time_to_go -= held;
+    plan->age = passed(plan->age, held);
+}
+
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held)
+{
+    grow_older(&tracker->plan, held);
+    grow_older(&tracker->candidate, held);
+    tracker->since = passed(tracker->since, held);
+    tracker->searched = passed(tracker->searched, held);
+}
+
+/* Whether there is no plan, or none that will be flown on. */
+static int32_t has_failed(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER)) ? 1 : 0;
+}
+
+/* Whether a plan of so long a time to go is better than the one that is flown. */
+static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
+{
+    return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker)
+{
+    const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
+    return tracker->searching <= 0 ? due : 0;
+}
+
+/* A plan that is not corrected yet. */
+static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
+                       sailnet_plan *plan)
+{
+    (void)memset(plan, 0, sizeof *plan);
+    (void)memcpy(plan->direction, direction, sizeof plan->direction);
+    plan->largest = -1;
+    plan->time_to_go = time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = UNSOLVED;
+}
+
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[STATES], double time_to_go)
+{
+    tracker->searched = 0.0;
+    if (is_better(tracker, time_to_go) != 0) {
+        begin_plan(problem, direction, time_to_go, &tracker->candidate);
+        tracker->searching = CANDIDATE_EXTREMALS;
+    }
+}
+
+/* Fly by a plan that is solved. */
+static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
+{
+    tracker->plan = *plan;
+    tracker->since = 0.0;
+    tracker->stride = LARGEST_STRIDE;
+    tracker->planned = 1;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[STATES], const double direction[STATES],
+                                              double time_to_go)
+{
+    sailnet_plan plan;
+    begin_plan(problem, direction, time_to_go, &plan);
+    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
+    const int32_t solved = sailnet_plan_is_solved(&plan);
+    if (solved != 0) {
+        adopt(tracker, &plan);
+        tracker->searching = 0;
+    }
+    return solved;
+}
+
+/* Correct the candidate, and fly it if it is better. */
+static void advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                              int32_t most)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, &tracker->candidate);
+    const int32_t computed = sailnet_correct_plan(&own, state, most, &tracker->candidate);
+    tracker->computed += computed;
+    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
+    tracker->searching = left - computed;
+    if (sailnet_plan_is_solved(&tracker->candidate) != 0) {
+        tracker->searching = 0;
+        if (is_better(tracker, tracker->candidate.time_to_go) != 0) {
+            adopt(tracker, &tracker->candidate);
+        }
+    } else if (!(tracker->candidate.residual < UNSOLVED)) {
+        /* It leads nowhere. */
+        tracker->searching = 0;
+    } else {
+        /* It goes on in the next period. */
+    }
+}
+
+/* Keep the attitude while another hardly gains: noise would else turn the sail far again and again. */
+static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                          double hold, sailnet_planned *planned)
+{
+    const sailnet_attitude *const before = &tracker->flown;
+    sailnet_attitude *const attitude = &planned->attitude;
+    double alike = 0.0;
+    double size2 = 0.0;
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        alike += attitude->across[i] * before->across[i];
+        size2 += before->across[i] * before->across[i];
+    }
+    const double turn_cosine = attitude->cosine * before->cosine + attitude->sine * before->sine * alike;
+    /* Nothing else than unit vectors are directions. */
+    const double square = before->cosine * before->cosine + before->sine * before->sine;
+    const int32_t known = ((sailnet_absolute(size2 - 1.0) < 1e-6) && (sailnet_absolute(square - 1.0) < 1e-6)) ? 1 : 0;
+    double regret = 0.0;
+    if ((known != 0) && (turn_cosine < TURN_COSINE) && ((alike < 0.0) || (planned->time_to_go < LATE))) {
+        const double per_r = 1.0 / state[0];
+        const double loss = sailnet_work(problem, planned->costates, before) -
+                            sailnet_work(problem, planned->costates, attitude);
+        regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
+    }
+    const double share = OF_TIME_TO_GO * planned->time_to_go;
+    const int32_t near = tracker->plan.residual < STILL_NEAR ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (near != 0)) ? 1 : 0;
+    tracker->regret = keep != 0 ? regret : 0.0;
+    if (keep != 0) {
+        *attitude = *before;
+    }
+    tracker->flown = *attitude;
+}
+
+/* The next step of the plan's beta, by whether the last one found a plan. */
+static void keep_stride(sailnet_tracker *tracker, int32_t moved)
+{
+    const double next = (moved != 0 ? LONGER : SHORTER) * tracker->stride;
+    tracker->stride = next > SMALLEST_STRIDE ? next : SMALLEST_STRIDE;
+    tracker->stride = tracker->stride < LARGEST_STRIDE ? tracker->stride : LARGEST_STRIDE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[STATES], double estimated, double hold, int32_t most,
+                                           sailnet_planned *planned)
+{
+    sailnet_plan *const plan = &tracker->plan;
+    tracker->computed = 0;
+    if (tracker->planned != 0) {
+        sailnet_bring_up(problem, state, plan);
+    }
+    /* A plan that is not solved, or has failed, leaves the budget to the candidate. */
+    const int32_t first = ((tracker->planned == 1) && (has_failed(tracker) == 0)) ? 1 : 0;
+    if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
+        const sailnet_problem before = sailnet_problem_of(problem, plan);
+        int32_t corrected = 1;
+        if ((tracker->planned > 1) && (plan->residual > STILL_NEAR)) {
+            /* What no plan for less leads through, one for all that the vehicle has may. */
+            sailnet_problem all = *problem;
+            all.beta = estimated;
+            tracker->computed = sailnet_track(&all, state, LARGEST_STRIDE, most, plan);
+        } else if (tracker->planned > 1) {
+            tracker->computed = sailnet_correct_plan(&before, state, most, plan);
+        } else if (!(tracker->regret > 0.0) &&
+                   (!(tracker->since < CORRECT_AFTER * plan->time_to_go) || !(tracker->since < CORRECT_AT_LATEST))) {
+            const int32_t there = sailnet_is_for(plan, problem);
+            tracker->computed = sailnet_track(problem, state, tracker->stride, most, plan);
+            keep_stride(tracker, ((there != 0) || (sailnet_is_for(plan, &before) == 0)) ? 1 : 0);
+        } else {
+            corrected = 0;
+        }
+        if (corrected != 0) {
+            tracker->planned = 2 - sailnet_plan_is_solved(plan);
+            if ((tracker->planned == 1) && (plan->beta <= estimated)) {
+                /* On its way to another vehicle it goes on at once. */
+                const int32_t under_way = sailnet_is_for(plan, &before) + sailnet_is_for(plan, problem);
+                tracker->since = under_way == 0 ? CORRECT_AT_LATEST : 0.0;
+            }
+        }
+    }
+    if ((tracker->searching > 0) && (tracker->computed < (most - 1))) {
+        advance_candidate(problem, tracker, state, most - tracker->computed);
+    }
+    /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
+    const double stronger = (1.0 + LARGEST_STRIDE) * estimated;
+    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= LARGEST_STRIDE)) ? 1 : 0;
+    const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
+    if (flown != 0) {
+        const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
+        planned->time_to_go = plan->time_to_go;
+        sailnet_planned_attitude(problem, &plan->end, 0.5 * (hold < left ? hold : left), planned->costates,
+                                 &planned->attitude);
+        keep_attitude(problem, tracker, state, hold, planned);
+    } else {
+        (void)memset(&tracker->flown, 0, sizeof tracker->flown);
+        tracker->regret = 0.0;
+    }
+    return flown;
+}
+
+/* The direction of the arrival costates by the networks, of any size, from a state that is finite. */
+
+/* The time scale of the approach below which costates of position are scaled down [TU]. */
+#define SAILNET_ARRIVAL_SCALE R(1.0)
+/* Stage "plan": arrival_lambda_r [20, 20, 20], arrival_lambda_u [20, 20, 20], arrival_lambda_v [20, 20, 20], arrival_lambda_latitude [20, 20, 20]. */
+#define STAGE(name) sailnet_plan_##name
+#define STAGE_NETWORKS 4
+#define STAGE_INPUTS 8
+#define STAGE_EVEN_INPUTS 8
+#define STAGE_DEPTH 3
+#define STAGE_ROWS 20
+#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)
+#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == 16
+#define STAGE_SIDE_BY_SIDE 1
+#define STAGE_SHARE 4
+#define STAGE_PARTS 5
+#define STAGE_PART SAILNET_LANES
+#define STAGE_OUTPUTS STAGE_ROWS
+#define STAGE_OUTPUT SAILNET_PER_16_BYTES
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19, n3_0, n3_1, n3_2, n3_3, n3_4, n3_5, n3_6, n3_7, n3_8, n3_9, n3_10, n3_11, n3_12, n3_13, n3_14, n3_15, n3_16, n3_17, n3_18, n3_19) {{(n0_0), (n1_0), (n2_0), (n3_0), (n0_1), (n1_1), (n2_1), (n3_1), (n0_2), (n1_2), (n2_2), (n3_2), (n0_3), (n1_3), (n2_3), (n3_3)}, {(n0_4), (n1_4), (n2_4), (n3_4), (n0_5), (n1_5), (n2_5), (n3_5), (n0_6), (n1_6), (n2_6), (n3_6), (n0_7), (n1_7), (n2_7), (n3_7)}, {(n0_8), (n1_8), (n2_8), (n3_8), (n0_9), (n1_9), (n2_9), (n3_9), (n0_10), (n1_10), (n2_10), (n3_10), (n0_11), (n1_11), (n2_11), (n3_11)}, {(n0_12), (n1_12), (n2_12), (n3_12), (n0_13), (n1_13), (n2_13), (n3_13), (n0_14), (n1_14), (n2_14), (n3_14), (n0_15), (n1_15), (n2_15), (n3_15)}, {(n0_16), (n1_16), (n2_16), (n3_16), (n0_17), (n1_17), (n2_17), (n3_17), (n0_18), (n1_18), (n2_18), (n3_18), (n0_19), (n1_19), (n2_19), (n3_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19, n3_0, n3_1, n3_2, n3_3, n3_4, n3_5, n3_6, n3_7, n3_8, n3_9, n3_10, n3_11, n3_12, n3_13, n3_14, n3_15, n3_16, n3_17, n3_18, n3_19) {{(n0_0), (n1_0), (n2_0), (n3_0)}, {(n0_1), (n1_1), (n2_1), (n3_1)}, {(n0_2), (n1_2), (n2_2), (n3_2)}, {(n0_3), (n1_3), (n2_3), (n3_3)}, {(n0_4), (n1_4), (n2_4), (n3_4)}, {(n0_5), (n1_5), (n2_5), (n3_5)}, {(n0_6), (n1_6), (n2_6), (n3_6)}, {(n0_7), (n1_7), (n2_7), (n3_7)}, {(n0_8), (n1_8), (n2_8), (n3_8)}, {(n0_9), (n1_9), (n2_9), (n3_9)}, {(n0_10), (n1_10), (n2_10), (n3_10)}, {(n0_11), (n1_11), (n2_11), (n3_11)}, {(n0_12), (n1_12), (n2_12), (n3_12)}, {(n0_13), (n1_13), (n2_13), (n3_13)}, {(n0_14), (n1_14), (n2_14), (n3_14)}, {(n0_15), (n1_15), (n2_15), (n3_15)}, {(n0_16), (n1_16), (n2_16), (n3_16)}, {(n0_17), (n1_17), (n2_17), (n3_17)}, {(n0_18), (n1_18), (n2_18), (n3_18)}, {(n0_19), (n1_19), (n2_19), (n3_19)}}
+#else
+#define STAGE_SIDE_BY_SIDE 0
+#define STAGE_PARTS STAGE_NETWORKS
+#define STAGE_PART STAGE_WIDTH
+#define STAGE_OUTPUTS STAGE_NETWORKS
+#define STAGE_OUTPUT STAGE_WIDTH
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19, n3_0, n3_1, n3_2, n3_3, n3_4, n3_5, n3_6, n3_7, n3_8, n3_9, n3_10, n3_11, n3_12, n3_13, n3_14, n3_15, n3_16, n3_17, n3_18, n3_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}, {(n3_0), (n3_1), (n3_2), (n3_3), (n3_4), (n3_5), (n3_6), (n3_7), (n3_8), (n3_9), (n3_10), (n3_11), (n3_12), (n3_13), (n3_14), (n3_15), (n3_16), (n3_17), (n3_18), (n3_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19, n3_0, n3_1, n3_2, n3_3, n3_4, n3_5, n3_6, n3_7, n3_8, n3_9, n3_10, n3_11, n3_12, n3_13, n3_14, n3_15, n3_16, n3_17, n3_18, n3_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}, {(n3_0), (n3_1), (n3_2), (n3_3), (n3_4), (n3_5), (n3_6), (n3_7), (n3_8), (n3_9), (n3_10), (n3_11), (n3_12), (n3_13), (n3_14), (n3_15), (n3_16), (n3_17), (n3_18), (n3_19)}}
+#endif
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_lower[STAGE_INPUTS] =
+{R(0.135136), R(0.00070630391145856), R(7.198156368761519e-15), R(-0.7307239965964251), R(2.084034446201672e-14), R(-0.9742815241786018), R(-0.9995125481254155), R(-0.4999999807363872)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_min[STAGE_INPUTS] =
+{R(8.326672684688674e-17), R(-8.531533378007708), R(-1.9511753177256186), R(-3.6698237947852173), R(-0.9990987676330103), R(-4.916140853325416), R(-4.992526408522209), R(-2.499999866105788)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_max[STAGE_INPUTS] =
+{R(0.3378399999999999), R(12.799065826790208), R(2.9267629765884458), R(3.677925700686763), R(1.4986481514495675), R(4.93850746954162), R(4.9900082424697745), R(2.4999998473177136)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-1.6070049719743562), R(-0.09510867571487218), R(0.10743510137203385), R(4.985143326605885), R(-0.07213000303310761), R(2.167259812736024), R(-1.0226428692307394), R(3.442073569186196), R(-133.06527104002495), R(-0.8205222451376541), R(-5.619692003734796), R(3.5736667778710824), R(406.3632692732107), R(-2.433056527491827), R(7.805924378206337), R(4.154362994945482), R(-15.291340079722685), R(29.660365979538355), R(195.99136146480794), R(2.914213955754409), R(1.8666940731817125), R(-3.531311010235066), R(4.404098343809352), R(4.035625093575793), R(12.179656405527977), R(2.0104889719814025), R(0.5682740974338668), R(-0.36118531489914313), R(-139.85924601158843), R(3.3215126310243805), R(-7.944886626848443), R(1.226835330942359), R(-3.7143563699534394), R(-1.6396197278527351), R(13.283704360136495), R(2.303559737669421), R(-9.25731709357734), R(-3.4486526143245113), R(-19.82987393262953), R(1.335462447065939), R(-41.168034980245494), R(-0.5382231558176498), R(-5.1603142126763135), R(1.4259752896487168), R(2.5860046927351745), R(-1.9857452670146778), R(-2.5549216460335327), R(-0.638055718449713), R(2.2344311213545325), R(-0.8581071362469286), R(4.34468233503324), R(-1.6140304851298497), R(-0.427984957234348), R(5.618253502300196), R(1.06753958911613), R(12.364249675121005), R(-4.271474457068732), R(-14.120809837541236), R(9.328251704933859), R(-467.11219120479484), R(-14.152790014040582), R(6.4474149861837455), R(-0.2482770952728324), R(0.8930297348751651), R(-1.5195129297094467), R(2.3404901217432657), R(-3.3504329503275985), R(1.0019461915714754), R(-7.3566851031840965), R(-0.2107020964609489), R(0.6125651520583648), R(-7.2846084421417245), R(-4.779021456397079), R(-3.9514329042665417), R(1.4768135484290654), R(6.590311835915169), R(3.2333529205294136), R(0.39479712959420504), R(2.5535168121539495), R(0.23536188876185918)),
+STAGE_ROW(R(0.9995258974466729), R(4.801305751358434), R(0.2705332699437654), R(-1.5761931427246711), R(1.3111757026647421), R(11.796810792583768), R(0.23089327269307525), R(1.3461552622397506), R(9.748387875194537), R(-0.69510248444703), R(-1.4537615258569658), R(0.9263937701237823), R(5.673326266869935), R(0.9439468667284591), R(-1.8663691261103794), R(5.318871236317072), R(-1.041457484730756), R(-5.592205212522064), R(-0.012258444756015749), R(-3.8178695382549503), R(1.9552191520557178), R(-1.4308960388870569), R(0.8780947757991742), R(-2.221539762885969), R(0.5076349198993696), R(7.972620383398572), R(0.635953607185045), R(3.0682219083812026), R(9.113882746353593), R(-0.7407269267240137), R(-0.8916679482223085), R(0.0035521164636040715), R(-9.744906050825739), R(1.2563364356750704), R(-1.8223016565396883), R(4.2586516483862695), R(-1.1664736705058558), R(6.410629531142859), R(5.809312010070719), R(-0.1704280053333085), R(-1.3491291277406348), R(3.060455735910819), R(5.764956401014484), R(-0.7787119562038263), R(6.8993651950906445), R(-0.5807091251518128), R(-0.5126023518298372), R(2.2268068721163674), R(-3.8388847714682965), R(-1.757584014666049), R(-0.6378422301643591), R(-1.8547180496434297), R(3.3403736354584854), R(10.94158219374598), R(10.190370921691267), R(2.7513343348875074), R(2.7906116360779767), R(-4.7151688667054374), R(-0.168494163530619), R(-16.595915897260863), R(-0.8181661583591182), R(0.3064378764510498), R(0.6725360809320525), R(-4.103993865796913), R(-1.9317448410778273), R(-3.4783713337632305), R(-2.2013005530369743), R(-1.2858445433140355), R(-5.266949009282845), R(-1.4953897896123534), R(1.9570021303953993), R(1.644230248867286), R(4.266012273365991), R(0.946537193941678), R(-1.066683443570698), R(-2.2946895697138605), R(1.400363689406108), R(2.134066831351483), R(-6.3867871703733305), R(-6.775320203403699)),
+STAGE_ROW(R(-3.078938659705179), R(-0.8350401516728824), R(-8.579209831418009), R(0.8648776399525682), R(12.513452842568913), R(2.969815290407322), R(1.376664001123769), R(1.6503241326975566), R(9.471979041298923), R(9.056984981932192), R(0.5445427270107149), R(-0.5125184129744572), R(11.215823109960679), R(0.33361981971257443), R(0.9460896911731961), R(18.423243260082742), R(1.7387451353744003), R(-2.9493227668636166), R(43.13336465612925), R(3.7347487545904956), R(-1.3654494366032286), R(2.7171272798076416), R(-6.085175008324234), R(-0.33774517106469315), R(2.436264944920216), R(-1.1677606840053494), R(-8.981164464453512), R(-1.9637483165605716), R(3.6683776233984817), R(0.054764178912701134), R(0.26185193589163674), R(0.5922650940237898), R(-2.3986076169772654), R(1.355753221416809), R(-0.7670242687977695), R(-0.5847902305405712), R(0.5043744651428309), R(0.45398998691401304), R(-0.31584356000541847), R(-5.076472448271421), R(-11.615143964777918), R(-4.415137582335267), R(2.9341048372138134), R(-2.8136600142989443), R(4.048794412648922), R(4.941598324933624), R(-0.29484144867272744), R(0.06101895097444685), R(-7.57865709389063), R(0.40041089205537816), R(-1.2300785212887282), R(3.7082072954838186), R(2.3137316448027847), R(4.157837397034075), R(6.969917112040808), R(1.1334681046482353), R(0.5344569599749455), R(75.55151485173172), R(3.4049469220230852), R(-17.20937839982656), R(-20.6527969126207), R(8.048409870075206), R(-7.311381073105102), R(-1.36750310144153), R(-0.38276383886396714), R(11.44089696309516), R(-10.391471120235286), R(-9.109608534604085), R(24.398093344503604), R(13.35539460676049), R(6.3316714821490425), R(10.890379613440404), R(15.901275968323011), R(-11.712152239677758), R(-5.105528189117839), R(1.5342465801192138), R(0.31219174300400343), R(-17.527103340578805), R(2.334928989752403), R(0.24247699070960088)),
+STAGE_ROW(R(-3.493002284801609), R(-2.230373028462007), R(-4.703583693404226), R(-0.003164697516520097), R(2.5209450564547318), R(0.11894282203010056), R(-1.5703956306837243), R(-3.3054557927360784), R(0.9350348184655971), R(2.2516585750714646), R(2.070197017383581), R(5.6765969110426955), R(8.957561206490915), R(0.08750132597845545), R(-0.26725112396954553), R(-0.7404690306445665), R(0.4162796399886394), R(-1.9204128622944099), R(7.2511211256592825), R(-2.870712963895344), R(0.41118725794838284), R(4.4556243114026435), R(-3.7697080532499347), R(0.6827540525463572), R(3.6411090526423275), R(0.5890266259595802), R(1.2784090609634562), R(-0.6912450669305389), R(1.6339367888848062), R(-0.2964134225160552), R(1.3248442125416062), R(2.2618375991736044), R(-1.1138160016980467), R(-1.2269709855109323), R(-0.6022302381340623), R(-2.0484559337039534), R(0.5030188531772412), R(-0.5790109453709964), R(-2.455807343372076), R(6.033313498167401), R(-8.95569235672163), R(-17.845883952105083), R(-0.12499210448611883), R(-7.5411109049645715), R(2.484743123933708), R(2.4634797183263437), R(-1.1692997941398562), R(-0.12288970645213997), R(0.23621291259954338), R(-0.16542611202489502), R(-1.6686343147955454), R(1.565881114903567), R(0.9580804793113378), R(-2.811227791618287), R(7.631618121890546), R(-0.015436036850272086), R(3.47980623318518), R(-13.418360074873247), R(-0.003750668712962042), R(-8.484185274902293), R(-4.308023800665273), R(1.4494498839562977), R(-4.96547496692745), R(-1.0802775754605178), R(0.803665363778594), R(-5.471162683482415), R(0.878537332892505), R(0.04679966739938429), R(4.048727316784508), R(3.6068992989346755), R(2.2127130373487423), R(-0.18917797802277897), R(4.027208556863178), R(-5.280489021823512), R(-1.26116543812651), R(4.1840343465364445), R(-0.04153783835729817), R(-4.896454912776029), R(-31.24759432334874), R(-0.5948176578100158)),
+STAGE_ROW(R(-10.160943910148285), R(0.137988135203542), R(-6.113199179590782), R(7.595058433102707), R(4.995936477977888), R(1.4835868349942358), R(8.150820458286857), R(-33.86076067596061), R(22.828234653833135), R(-3.6654824178459395), R(-0.4127454050305253), R(8.106091446454803), R(-18.049554242469902), R(-4.512893719137593), R(-2.89605943127607), R(-4.745518881861547), R(5.136662207359212), R(-12.745810885090563), R(54.30008843994334), R(-3.149036583526492), R(4.178630542927404), R(9.028548813428404), R(-0.3256694985148698), R(3.5271755861066834), R(11.700789296114575), R(0.38383654226274255), R(5.064044248867554), R(-4.463819194794255), R(24.94948759710194), R(1.6670089357611018), R(-5.823957059630746), R(-4.4163670351831525), R(-2.6051906198432935), R(4.093632636058666), R(3.2842949045762397), R(15.816605664046975), R(0.08545666385446886), R(-0.626305597012841), R(-1.7882721106111132), R(-1.2653145459811954), R(-33.9153948152859), R(-39.28673614893174), R(-3.0865007525792514), R(-3.931133226803117), R(-1.201289208337245), R(-17.429176381903527), R(0.6043933344650977), R(-1.62333989939919), R(-12.477561194437964), R(-5.2030880291969535), R(-5.719431702090531), R(6.0010743312269454), R(1.5217370614141723), R(-4.9424008247753095), R(-3.679589494313407), R(2.9615460649852343), R(1.514473653421735), R(-36.50069732615167), R(-3.2093298234728946), R(-61.66083368988042), R(-9.319280018706934), R(4.109087397320221), R(-11.05116598999677), R(-5.983633863070053), R(5.347215676042862), R(-30.778602345911953), R(-17.489477894057174), R(2.2094793287445444), R(6.572071043851991), R(-24.038428196356616), R(3.04695174420257), R(14.859240748300149), R(30.242952535846843), R(-19.919171646955686), R(-12.531532616286652), R(18.559440400729216), R(-0.38491754898291886), R(41.38417394053602), R(-164.8149834305112), R(17.143204667535862)),
+STAGE_ROW(R(-0.7064634483117117), R(7.356019098005698), R(3.758573393409188), R(-3.748203033613257), R(7.730065681745885), R(-1.0337286667923766), R(-5.218276338256572), R(-4.92733918311602), R(2.701971443581238), R(4.004809404564856), R(-0.10351302267633207), R(-0.7564347727541235), R(2.3164091958190145), R(-3.844292979752907), R(0.043612957770062855), R(-2.5641162774167507), R(1.8523713385591898), R(2.923473240693049), R(7.351880217691228), R(0.013054184778333113), R(-4.900182704436017), R(2.0012166166556553), R(3.020774396951815), R(-2.9809087012389113), R(0.5289492256616215), R(0.3258848291234474), R(2.263388183008574), R(-1.4252444979769727), R(7.582768198264497), R(2.039989066357683), R(-1.4576279361294768), R(3.3060783003300367), R(-5.104084834309243), R(-0.3552479324474867), R(-3.952953074423866), R(4.651534615280738), R(0.9453206198253926), R(-3.8525364649386273), R(7.313689475131806), R(-2.6948428606870554), R(-2.2176687937806134), R(1.1596027349093165), R(8.995502790317998), R(1.0118400160549736), R(2.0851244617412585), R(0.69742564832652), R(3.706499732900789), R(2.4831853651686613), R(-0.5071102243195033), R(2.125014303320636), R(-4.495964306207149), R(2.277721495060298), R(-0.9805243432832152), R(0.5773059419246), R(1.3431382538283994), R(-6.0690221229855705), R(3.700231487096081), R(-8.141645007451014), R(-1.6753960057921145), R(-6.877501077629872), R(22.14683470369131), R(1.25448389999329), R(2.2980646432191056), R(-4.310688739677116), R(5.952265022762733), R(-5.608840155702587), R(5.6812497861395155), R(-6.4347632504226695), R(-0.43044488886795984), R(-2.886107683376583), R(1.2357798160102431), R(1.1242999960151252), R(-8.529356252968377), R(-1.9732293133812593), R(-0.06277308831512651), R(-1.4903967712094024), R(0.5759607402461935), R(1.0657017065849366), R(-8.882543078549595), R(-5.906930408851766)),
+STAGE_ROW(R(-5.755812768983713), R(-2.671220606217583), R(-1.790958001800963), R(-2.2373414787384722), R(0.1292347210412613), R(-0.14211844008907304), R(0.20129669786785115), R(-5.4049924893728525), R(-13.729490533973689), R(2.30441498664394), R(0.09958447021787548), R(1.7891247870590108), R(2.273738379206575), R(7.92304799126622), R(-1.7517112846027993), R(4.4476718428091075), R(0.061893942850992555), R(0.5562902879925137), R(-1.1655089961549567), R(2.9915151048880726), R(2.4175823332891704), R(4.823664334536363), R(-1.8210081523651653), R(-0.6271700984113852), R(-4.244769824580249), R(1.7194238365034844), R(1.2260229974939696), R(-3.2639956574324565), R(-4.548775607967979), R(4.315468038494534), R(-0.43027273279362094), R(3.0468215672079926), R(2.4665578636636054), R(6.122305410933018), R(-2.1447186200246993), R(-1.7370617607670507), R(-0.6304118060905191), R(-3.7772034124478178), R(-12.074542450035088), R(-2.504333121356417), R(-3.6206776766218103), R(-8.34437167462652), R(3.6453996863304026), R(-5.023299067612814), R(-1.1127483407433638), R(7.562358990304289), R(-0.9319980249553808), R(0.18399339893649058), R(-1.710282254518186), R(0.07409916614564932), R(-3.1872071262567068), R(2.7581159595399276), R(1.759964840099519), R(-3.2818770043991923), R(0.7251470603849771), R(4.552735850946103), R(2.1409674054489614), R(-8.27728669092723), R(-2.5586714093660246), R(-11.054072506715746), R(10.105909101161496), R(1.4757631591313263), R(6.489881341107612), R(0.10939965276916179), R(-0.26949239958564497), R(-7.959959936652966), R(1.5455869070263613), R(-1.3644118153656946), R(-5.405379432426649), R(9.589895398466904), R(-0.658023555357908), R(2.6912947833438126), R(0.7508803980955334), R(-1.8152878937006678), R(2.0386516264273284), R(-0.1743922772659701), R(-0.8510043658365243), R(0.5963893407066253), R(-17.865003129590644), R(-2.6680963040194854)),
+STAGE_ROW(R(5.8843697727815165), R(-7.117182650016822), R(3.5872671625645367), R(-0.5893269636653193), R(-7.888455954485483), R(1.0688281321403637), R(-0.6967098739955506), R(-6.5743554162768625), R(-11.551155579416541), R(2.2400209695516375), R(-4.523075768531573), R(4.45964218083168), R(4.890855096881974), R(-0.37057892527966896), R(-2.3204188186850248), R(-4.012838429765477), R(4.97216489278281), R(10.838546133484323), R(6.8430944821273325), R(-0.41943807788919013), R(3.820144755146004), R(-8.789122705598007), R(2.913369469912264), R(-1.3439554665048248), R(-1.8116766591289626), R(0.7612592104225513), R(-3.205104662448275), R(-3.746146487124099), R(-13.38533506478143), R(3.342500602564915), R(-3.014500785076462), R(4.402224495913329), R(-0.44126554021247805), R(-2.5513507702420433), R(0.6485056037946583), R(-4.861572445613128), R(5.586620456400982), R(6.71025045649116), R(1.89662259371066), R(-4.183472246331177), R(-0.7309541495776312), R(-3.486811041132939), R(0.07447998225299746), R(-5.224675146868322), R(-1.7687900560408225), R(16.20391151869428), R(-5.697157372152068), R(1.0050576442495678), R(7.118607039529313), R(7.278531647644018), R(-8.872268167679904), R(-1.7164249850622975), R(5.66188479546263), R(-11.982109218405764), R(-7.177757620000613), R(2.469163464762126), R(2.7389766017468085), R(-6.884708853562129), R(-2.3705315525062067), R(-8.43339517813784), R(17.690623772747376), R(-5.150464282570055), R(5.317532679236286), R(2.286693282910167), R(-5.435814031491156), R(7.4306407583066525), R(-0.4151074393151401), R(-3.2292595311018903), R(-8.708105423191103), R(0.36079545367856636), R(-7.85228304913668), R(3.4164000864220117), R(-6.688925117256618), R(0.9321027511078049), R(-2.070570481213219), R(-0.6244088024135974), R(4.410794313945668), R(1.954765865541863), R(-23.253260495753707), R(4.720783773731533))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-0.19832060747996957), R(-1.963172356018357), R(-1.1892691118860157), R(9.186280041105897), R(-0.10684079284722807), R(-0.5287616565887706), R(5.450448841289688), R(12.068894241465602), R(-13.599099700312387), R(-4.802710020934065), R(3.811275193422992), R(-9.65085251025494), R(6.946725522268823), R(3.414659683330526), R(5.813786987422273), R(-6.342837499775752), R(-2.094057909718637), R(7.472585575520178), R(3.5686972985871677), R(1.1174285168280955), R(-0.14234693306776958), R(2.7626809123249103), R(-0.546404130557806), R(5.935501924262813), R(-0.3464751622487754), R(-2.370997954119143), R(2.0591038832195316), R(8.335100025460815), R(-16.804854560142815), R(-3.6460778976302475), R(3.9566225518201774), R(-7.4350020487349475), R(2.363304475511294), R(1.6689180804424486), R(10.514787318951356), R(-3.394647330498738), R(-1.0369969626472502), R(6.883554419324131), R(-8.115852333012135), R(0.9341298564950498), R(-3.84082120243653), R(17.9001550293599), R(-16.85236086598255), R(10.681355203008263), R(-1.5874760021188905), R(-14.714277070061817), R(2.794395119529029), R(-6.061580611670395), R(4.083352371928383), R(-0.9072816161009454), R(11.758809799332372), R(2.112067378438744), R(-6.467879079857446), R(14.847894991956023), R(1.5536356225558896), R(-13.477132059591662), R(-9.080695539698967), R(6.567888396713759), R(7.830339911376727), R(-7.134108694442935), R(-17.584697981825965), R(-0.8675731332677734), R(-2.078181917080731), R(6.967201406087214), R(7.020114194950334), R(2.761127077435853), R(3.340604384567925), R(7.5866763898522445), R(-1.7418474148147514), R(-5.113093763976939), R(4.055674632957161), R(-10.548679290572089), R(-8.194391223328909), R(3.669165497339098), R(5.143088238616482), R(-4.138405087887754), R(-2.5381153005758943), R(4.978288158256533), R(52.29813914203721), R(2.7480374214752197)),
+STAGE_ROW(R(15.583938028902725), R(0.23295637556319448), R(-3.358562200034964), R(-39.9233079183539), R(-42.496895541486495), R(-4.048041704475781), R(-78.91761691615054), R(5.835352389162254), R(0.13903004349122094), R(-0.09344142912877873), R(-5.0947696094128725), R(-3.2946723050350877), R(-1.726789674799998), R(-47.79909702706701), R(8.491248701629779), R(3.0916311261951623), R(-0.5959496538675972), R(1.6760570629125333), R(-10.68044517715912), R(-15.112780800116623), R(-9.129092920570843), R(10.487630752876012), R(-37.35499226842074), R(-2.9420689433498004), R(8.807183659837484), R(-12.735965451094884), R(-18.41456460678781), R(3.1228472105082394), R(-19.40808343478985), R(-15.560616368844062), R(-6.19194022395632), R(0.041911323140776724), R(-7.522720378561907), R(33.47527652780044), R(6.062702564350932), R(-56.8133011234598), R(6.04487714134843), R(1.7170396187379076), R(1.0862440145933925), R(-1.01384887151237), R(43.59654665989352), R(28.819672478692468), R(-25.321819055024726), R(57.31735737336015), R(-4.83455469105931), R(-88.56672828742506), R(34.98742418850266), R(9.3031929942049), R(6.594493077928722), R(-52.95424043582107), R(-6.355572386788548), R(26.70940572317541), R(-12.886684734972231), R(-8.857589715466348), R(-39.728147921964315), R(-62.708784616256146), R(-62.677044059179146), R(175.35307348266534), R(44.85727372538518), R(36.92066450566956), R(16.41755190748432), R(15.360442821316184), R(-32.2391312903685), R(-34.83089544990937), R(51.8513315723706), R(62.49484185957712), R(-30.417842665522834), R(-18.292743413580865), R(-9.890903305963379), R(61.78860999343027), R(6.966604775168309), R(17.126783092421363), R(-17.879058991574823), R(10.73167545777386), R(6.624574022526482), R(15.426010586461857), R(-16.815101679915895), R(-22.34880588938849), R(8.178697805084214), R(0.9937458622972314)),
+STAGE_ROW(R(4.125165260462381), R(-3.2700786402734137), R(-2.8114927222826864), R(4.328512041147841), R(-13.758858203091046), R(-4.181232779094023), R(-17.585942849390555), R(11.60411028260909), R(5.007778405927514), R(-1.5364497444339233), R(3.233330070190342), R(-47.21975182580004), R(5.760185248406591), R(-4.58728127080888), R(23.87635316286237), R(-3.58680205874785), R(1.8041602322338917), R(9.874182284252768), R(-3.298433901199219), R(-15.382852926520776), R(-0.4743285442032996), R(-1.9510057622573622), R(9.143614131788606), R(-4.193322508108231), R(11.730992932630476), R(-19.766191197724694), R(-25.00153298233233), R(86.52416739495433), R(5.848587803449743), R(-3.12301293727212), R(-5.711713577319911), R(13.409372612560258), R(7.669645151531546), R(-5.80645528723936), R(-9.13685310588953), R(8.527973114454964), R(-0.3109589743432728), R(-12.533807306013804), R(-28.4844189655391), R(-24.037907051767593), R(-9.80844364816573), R(-15.542190146680277), R(-33.48000348567481), R(3.775709899669948), R(71.66267684709743), R(28.78261338301037), R(16.307298114312857), R(279.5100792864757), R(11.29789042715353), R(1.3614990506335778), R(0.4013307992068627), R(-82.61434447809661), R(-1.7257344950945945), R(-4.236356313708916), R(13.443003217786071), R(27.38869758757722), R(-4.069493331650436), R(25.941000411162683), R(-4.230193033168447), R(-32.03034139922591), R(-12.229617714520987), R(-129.73234283558395), R(-9.509702498548894), R(15.675576948006666), R(40.27446705482541), R(13.32930895102729), R(16.583833316450303), R(1.9365305574119656), R(13.092029362322508), R(-8.449916230553105), R(5.275417330465542), R(3.9588757892243454), R(-18.261977790212306), R(56.653043350113336), R(17.145908268342925), R(-14.156542676894485), R(31.308419875359675), R(48.9553386816475), R(-60.44670963276686), R(-2.9181633754056704))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_hidden[2][STAGE_ROWS][STAGE_PARTS][STAGE_PART] =
+{
+{
+STAGE_ROW(R(-0.9639785825131942), R(-0.32330292655703674), R(4.5603967473523035), R(1.4069764837758953), R(0.34715187049542007), R(1.547028983153528), R(-0.8092607487786623), R(0.3708593548585734), R(0.9697432900846638), R(6.710919900107938), R(-0.18301400574286183), R(0.060876689185960675), R(-0.14162947712249505), R(-1.3627864868988364), R(2.508643767901023), R(1.940377145205061), R(2.129975116734794), R(1.8281767960265056), R(-2.2672973657267486), R(-4.741219666442454), R(0.08184199144632998), R(-3.064415876531362), R(0.6017850772388343), R(-1.192812666815613), R(-1.3579072169060489), R(-3.404771606398273), R(1.219049321333467), R(1.1784184839175325), R(2.2595245130827166), R(1.531745566281554), R(0.42043310369785397), R(-0.5869382791873835), R(-0.7656885018944847), R(0.7435677365923703), R(0.4972604068272975), R(1.8102080924160269), R(0.917168230019741), R(-0.8585446078647336), R(-0.36690594072687316), R(1.0122445439467123), R(2.3231000764731387), R(2.0038769309476567), R(-2.593581998247189), R(3.53236852862165), R(-2.5875412223832823), R(3.0959114628822273), R(-5.3838515183533655), R(-0.07681107203670708), R(1.8666081334655253), R(-0.7411213654643241), R(-0.6042106727753487), R(-2.158577377677409), R(0.07201178225047564), R(-0.5914768371774012), R(-1.1429089132771566), R(9.75529198307349), R(-3.415002332260473), R(5.957357290431419), R(0.8296099368786715), R(13.71169521118507), R(-1.5137378176884906), R(-0.6264337064244845), R(0.2758637743853009), R(10.946766617369237), R(22.474558233416477), R(18.0947930840827), R(-0.6271279314204458), R(-2.6921667387367347), R(-2.5984033867419294), R(6.7124098840560285), R(6.793767762669707), R(0.6332094658978695), R(1.8234979986149353), R(0.363949583197469), R(3.15009185651825), R(0.5467873868785041), R(-5.486226080147715), R(-0.30269049497534756), R(2.50866897276685), R(0.9185478004093879)),
+STAGE_ROW(R(0.3294914110552123), R(-0.16828106755639075), R(-1.417292721332267), R(-6.509058156804318), R(-14.30095743721082), R(-3.5928548580821227), R(-5.60886066510273), R(0.8095536611925823), R(3.0295407136018797), R(-4.752615998447879), R(0.11255331531419621), R(1.983946715475001), R(0.5636288942147475), R(-1.9682678987510618), R(-0.8694936578251249), R(-2.073814773335243), R(-3.407945960043747), R(-1.4873243355468175), R(-0.5699380199947639), R(-12.121226554016818), R(1.0357116848975958), R(-2.0248246004501667), R(2.1175799317475827), R(1.2483151220891322), R(2.7153228184722464), R(-4.121665604712692), R(3.406616089418529), R(-1.0990861582475457), R(1.2712002303692254), R(0.588882858473896), R(2.2279247652220504), R(-1.1715376535583912), R(-0.8457956298990882), R(-4.938212987614462), R(-0.34838699883086355), R(-5.043761884955592), R(-1.5309444263571454), R(3.5189765362680134), R(0.4905946325393704), R(-1.7858667672132036), R(1.8705522667163643), R(2.816196675098009), R(-1.708787535274994), R(1.530644202253723), R(3.966363914823573), R(8.342523541990259), R(3.317502189469951), R(-0.29518140050527614), R(0.05337869210003131), R(-4.8344135803529396), R(-0.3717005171192565), R(0.12526132858978126), R(0.33224833504961027), R(0.6930713309545944), R(0.4348417849592654), R(-2.3275393441043755), R(-3.206730615997566), R(16.00686253559438), R(0.08815349027230522), R(1.6529324071706724), R(-2.760711880269686), R(-1.4815105323469564), R(-0.2658244857139145), R(5.736928643075361), R(-6.392571568154017), R(-3.7645881543195907), R(-2.412795517827737), R(-0.65732794526713), R(-0.05193099468523747), R(-0.4062452452482324), R(-2.3287491104557296), R(-0.4030260297718955), R(3.28864086863038), R(-1.5124316634024142), R(-0.5635526574639494), R(-2.7665136509588693), R(-1.2986509212791655), R(4.912596810153636), R(-1.0102192500362417), R(-0.06571457873514777)),
+STAGE_ROW(R(0.12210097078620485), R(-0.8724740890298639), R(2.6024894276838637), R(-8.19069083860653), R(1.155271193334151), R(6.809132446115392), R(-1.174237554034064), R(-6.166481750360252), R(-0.9284066295026836), R(1.158170038372717), R(0.8437227694835557), R(-1.312787028593752), R(1.6929737127890803), R(-7.268272120155529), R(-2.4268860315447474), R(2.8353497942246233), R(1.2246257112658272), R(5.249613687632425), R(0.8831622570590918), R(3.3488937898766102), R(-0.9092843357326267), R(-0.14086335781396012), R(-2.15180638785938), R(-0.7578106629775032), R(-2.290704078079863), R(-2.253011532901225), R(-9.23909245841449), R(2.2733357701382753), R(-0.49231382069443913), R(-0.8841495556573812), R(-0.07271427584953724), R(0.7816663613071531), R(1.0751822633902284), R(4.16093658035795), R(1.0773663722587257), R(6.276506253358213), R(0.2110424616496212), R(-1.759674982139158), R(-0.8363244747017298), R(0.26607739211970116), R(2.375437383069088), R(3.735514088775981), R(1.200640270099415), R(-0.5506758000120446), R(27.365609491272785), R(6.140410442778583), R(36.09343421295524), R(3.4459312218825144), R(12.183839904329673), R(-0.030856114469174172), R(5.436815574816306), R(-8.043682887451666), R(2.972590449424628), R(-4.139779475276807), R(-0.31084254839120545), R(-25.069944723115825), R(-8.68913552966717), R(12.40501753684542), R(0.2791656345715364), R(0.9834628344302384), R(-0.38604136548243284), R(2.12285909954072), R(-1.6423793145555774), R(-0.1141320959519116), R(10.225725553789418), R(12.730041893331714), R(-2.0476609419596397), R(-5.682580806977503), R(15.178817738157129), R(8.628145982248236), R(4.639003108934118), R(-0.9881483420776523), R(-5.294716064441055), R(2.098623079197912), R(1.6892755955302836), R(2.9853642856775435), R(-8.62842772872368), R(20.398490023839653), R(2.1971176867322284), R(0.961183624063579)),
+STAGE_ROW(R(0.18741567217619542), R(0.8762577194605575), R(-6.477130612098288), R(-4.018183981202457), R(-34.884251443375035), R(3.8776128710616624), R(8.391098001013322), R(6.989284965885707), R(-4.969757783434843), R(5.107891531996451), R(0.9382269617822545), R(0.9231354692519298), R(-1.6678987767296543), R(-2.3912840999088902), R(-1.4988208821078017), R(2.7582314247462674), R(-20.086192832167438), R(0.6268336785343168), R(2.040714481004753), R(13.901136815008119), R(0.5664409714051337), R(6.5755537971521845), R(-1.202451383303662), R(1.9919288859501243), R(0.7691398147730123), R(4.819206669454993), R(-8.589439817292472), R(1.3555353927679443), R(-14.939365106123445), R(4.974426516352304), R(1.5537645020135404), R(0.06536402593289359), R(-0.04887575239667296), R(4.136178243023867), R(1.6227522306080373), R(-16.225186287684593), R(-2.4178497544105753), R(1.087000998862043), R(-1.0110059016958868), R(3.7296336504066674), R(-0.30454468491754777), R(1.275216788451903), R(0.8624908015993465), R(14.830454792336008), R(-9.871553212571175), R(14.983124680320008), R(27.83942181275144), R(0.26469118339679953), R(1.9991536684635711), R(0.5345886807760841), R(7.021368115858851), R(-0.5958901201296547), R(-6.50743031648583), R(-1.5182449451412647), R(-18.145574215789257), R(-16.369250905577182), R(-15.008822481347321), R(41.55178817149472), R(14.633791277447193), R(-2.114133524904194), R(-4.994045583581364), R(-3.370041232547927), R(-2.159771776668008), R(-6.587807490276929), R(12.795897136967938), R(12.305739443742898), R(-4.71406964797463), R(-7.459008955773457), R(4.880881836794468), R(7.231757915186105), R(1.318811578970313), R(-3.2663375752128863), R(3.232518942113602), R(-2.7045795593981055), R(-1.7076054375239809), R(5.704525793657474), R(0.8240978537401843), R(-22.785834362407776), R(2.7439247965346705), R(-0.9462731017852521)),
+STAGE_ROW(R(0.3255190664515077), R(3.074225263542248), R(-2.93460433734836), R(-0.42981311282500406), R(-12.541864967176906), R(-1.0981394314383093), R(-3.059465977142354), R(-1.9812965891909033), R(-0.013411132686289774), R(-1.767972966968122), R(0.5512759768871532), R(1.4771812779531897), R(-1.337614293561109), R(2.1933954033112926), R(-0.9859481626598059), R(-1.651393176531871), R(-3.434867824545286), R(-1.0363671993492372), R(1.2578697534523784), R(1.728500684511656), R(-0.43226437545458185), R(-2.336368354906576), R(0.5045307665639001), R(0.6477928911766097), R(0.3587178965610546), R(-1.0291148400305217), R(1.6962250044549625), R(-1.4464004780430002), R(1.5714941227721881), R(-1.2823828949537226), R(1.1307227774220707), R(-0.044974734175666685), R(-0.6841275566784074), R(-1.3691323402190199), R(-1.1384041570550958), R(5.95984081367059), R(-1.1379520303427506), R(-1.9649791486086832), R(1.0691928370246413), R(0.7043698551523946), R(-0.6134735933257778), R(0.34910701959533924), R(2.546256741866032), R(-0.7219318235335043), R(4.170055270895667), R(-21.699801382779068), R(-8.782667844507833), R(-0.9112171530081846), R(-0.013826526782715272), R(-1.353938441497914), R(10.060170722792499), R(-7.9514196447742735), R(-7.0692211662438975), R(-4.7525847835014), R(-0.972719509206728), R(24.933951047894695), R(-1.566369192812151), R(3.528664554920302), R(0.8113496997165581), R(-12.400966608695933), R(4.033579467580739), R(4.757301901159591), R(0.5412685383822752), R(8.551250146347941), R(0.8482924222212308), R(-4.000337326155225), R(-0.9564198611260616), R(4.449370939683805), R(-11.371551349785367), R(-3.9857521541664993), R(-0.2677541226113286), R(6.294833686464458), R(-3.9877378059520017), R(2.886644651230866), R(-3.630721776084832), R(-4.143298937734314), R(-6.930712512636252), R(3.373740895098863), R(1.4281030895317386), R(-0.3140687405288707)),
+STAGE_ROW(R(-2.5940258268006238), R(2.540867044730511), R(2.1509616715405464), R(-8.034032060215246), R(-8.563022524459184), R(-0.0637844953083882), R(-5.114525577262104), R(-2.3275988509533256), R(1.0543843127815926), R(-1.52976238299997), R(0.913930371102702), R(0.4388456973117606), R(-2.2551705965265043), R(-1.3817449260824348), R(2.3843011819692315), R(-1.4059193741022453), R(1.1359977829485042), R(1.001230710669103), R(-0.8518670340881133), R(2.910221289558905), R(-1.6681094149037299), R(2.284328596849024), R(-10.035919204932124), R(1.3467266459862872), R(1.5912776781084514), R(5.626611658237067), R(0.5604721397453588), R(0.1896140909679661), R(-0.32069109640670385), R(-10.779758753606963), R(1.1484028534141), R(-0.7002894785110749), R(1.204114548494303), R(-1.1630020023489396), R(-0.28083695890576066), R(2.5030918197877776), R(0.61238265109475), R(2.1382331790241773), R(-0.8397545902615816), R(-2.473975336961023), R(0.9351526803428395), R(1.2625447332231476), R(-1.8444844069736592), R(3.3281749926034045), R(1.0559211186410908), R(9.428654329034257), R(13.022305457445599), R(-2.9022048004014676), R(-3.833169213814197), R(-0.483560809209851), R(5.473013781833903), R(0.10793193696917747), R(-6.153029153465168), R(0.6239746446547282), R(1.083203290005133), R(-23.447427289146276), R(-0.1407648742808838), R(1.0349858836575796), R(0.40442441555974834), R(1.23729258761038), R(0.8633529883201515), R(-0.9311687581612066), R(-1.3713245191803476), R(-2.8490404247492624), R(1.9675038012711696), R(2.9491254128502735), R(-0.7180159224815289), R(0.09526481931862237), R(-7.4688624243651685), R(-0.5325444371103891), R(-1.1861660748932292), R(5.889074474029404), R(-0.3194464777131247), R(0.2956836483874793), R(2.2854520524710837), R(1.4823883609147623), R(-3.8690256002609518), R(-6.4367009018599255), R(0.7189309652116073), R(1.1595778813398685)),
+STAGE_ROW(R(-1.4181227659034943), R(-0.5744318352825902), R(-0.5021276167830228), R(-0.3375319441469044), R(-8.283853644834007), R(0.7700875692844766), R(6.5196882467065205), R(-4.621891009788944), R(3.4046635637885503), R(-6.339039351902977), R(-1.6737031336800614), R(1.4464471008003912), R(-1.1525481906866548), R(10.225820219109492), R(1.6076569883723677), R(-0.2853885779470142), R(-6.282860504051438), R(1.4170977032454), R(2.4987969319664223), R(-4.547440243683146), R(-0.616211563502369), R(-1.1201260585581518), R(-3.710930883972083), R(-0.4930599067110277), R(-1.8284175571407284), R(-0.3284214391284934), R(1.5693234311143074), R(1.2661062249836585), R(0.19087153954563202), R(-0.4002788594160872), R(-2.1164159612739466), R(1.0366041665800971), R(0.7285959213148615), R(-2.123143186867072), R(-0.16901727433079242), R(18.740946148921157), R(-0.8848709904190873), R(1.537298380235713), R(3.2173703605688), R(-0.5361316671216878), R(3.228094153176549), R(10.195903844546148), R(-0.6173253120037301), R(4.707252192764745), R(-0.20404291008758435), R(-23.026099962594373), R(-23.917813346193046), R(-0.6015037445823959), R(-0.40430317851473585), R(-5.738167873342144), R(-1.0148663298017453), R(7.602142515748632), R(-1.7558152716226785), R(-1.4427421095110589), R(-1.4119699055726875), R(-35.70089776519663), R(-2.633384811332596), R(23.806015090094856), R(0.5949373193150151), R(6.026700219818479), R(3.1163804604892773), R(-0.40200447796828265), R(-0.9568028005791887), R(0.15457564782233574), R(-1.8624975191356141), R(2.123075443511557), R(-3.18581492626925), R(-2.512560881261221), R(13.687870218492378), R(1.9742670044097623), R(1.7025954703938444), R(-9.567976892180168), R(-6.6949163573231045), R(-0.1255990394419945), R(5.885533046827576), R(-0.22330032312893883), R(0.7245307469528062), R(18.24656191754), R(0.32185775822314366), R(-0.41244426016320623)),
+STAGE_ROW(R(-0.142203519519982), R(1.6251384739265566), R(1.0332443616740437), R(1.6891987635538335), R(11.272948140474584), R(-0.09399453352151384), R(-1.3193607449841391), R(3.21651699118332), R(-0.5699913598037744), R(0.0282602212932129), R(0.20937395152862642), R(-2.5695304950008735), R(-0.7749238002499362), R(1.7417697171360316), R(-1.0491941468503432), R(0.0109216371324655), R(2.3839414065730677), R(-1.6360426218091377), R(1.213339420477075), R(11.720542539785125), R(-0.33632798940902425), R(0.3429779403604658), R(7.00627433124801), R(-0.08445918921730841), R(3.2380627667976882), R(0.918505442073323), R(-0.8396431883020367), R(-2.36047601776337), R(-5.96467279328017), R(0.0581563497354461), R(-0.3962926649942112), R(-0.5943111580980472), R(2.5285732842060664), R(-0.8101110184328526), R(-1.2200605242185991), R(-72.36827253950709), R(-1.9225349868629453), R(0.6956924353787425), R(-0.12072210191112798), R(2.725284120614242), R(5.374200787763974), R(-2.3680907165969627), R(-4.045969185800707), R(1.2077900908802308), R(-4.317411093734054), R(30.920910243007874), R(-73.30430048792387), R(-10.346465344046745), R(-39.560869823689), R(-1.7758738755281724), R(-5.670683433193299), R(5.317689849922924), R(1.2495771354909795), R(1.1847743536142126), R(-0.7624350689758406), R(46.52173617237418), R(-2.9097246145081646), R(51.12477358451989), R(0.7854579749319236), R(-15.529530299170121), R(-5.1312916095778425), R(-0.7381183918537324), R(-1.6068547329789091), R(1.5237669084344694), R(-0.3250941666259133), R(-1.3374799630417977), R(-1.1972322372015454), R(1.9271154888810338), R(-5.874087921016023), R(2.384503642519206), R(-0.6553472734540079), R(4.792255621624093), R(2.2114552045713123), R(-0.5267479651348017), R(-1.774596834730531), R(-2.667957696248288), R(5.19344514811524), R(-10.900493377788418), R(-0.8083674071276702), R(-0.4816564136870123)),
+STAGE_ROW(R(-0.7319664104766448), R(0.7787929324170414), R(0.0779305037848992), R(4.912927884199768), R(4.4397711988590025), R(-0.6321337365450563), R(-6.812536486007672), R(-1.7805927596564106), R(1.6537668141539252), R(4.005792372092036), R(-0.3717362074851863), R(0.5767762470216541), R(-0.27459689972243106), R(-1.723110401057561), R(-1.2230610085375246), R(0.4060151928633906), R(-0.6215656271500286), R(0.6566598914577763), R(-0.3829688031464535), R(-1.5510997594049762), R(-1.087512492189332), R(-0.017664009933071836), R(0.6528458049929129), R(-0.06462579151469112), R(0.13468883406773302), R(0.3107204921469036), R(-0.27373421846782886), R(-0.26383095407305085), R(0.2615177408985989), R(-0.39631386936416113), R(-0.7729978083380692), R(0.5757377955690033), R(-0.44788904747225117), R(0.6222170033355872), R(0.41761600245126335), R(2.535048860857339), R(-0.5736314297684336), R(0.9843055035036118), R(-0.31860610289693636), R(-0.5887326492990532), R(-0.5536448297679178), R(-0.07771113174842263), R(-1.098330438185512), R(0.34914590763150244), R(-2.050801531404099), R(-0.6482645359307879), R(8.950751538360757), R(-0.9695495905784666), R(1.6916689586069473), R(-1.4949353927419593), R(5.932013611505046), R(0.5529924592230282), R(-3.4496977935365387), R(-0.7109041963126428), R(-0.37884116229069026), R(12.664172489629232), R(-0.35494800354341277), R(7.374173558728998), R(0.13639563195119153), R(-3.0769415240080766), R(-1.1783773169573075), R(0.34888345165408785), R(-0.41530707033799247), R(-1.8903657209675309), R(-0.5859394493649099), R(-1.1651770948057865), R(-1.4019420590050231), R(-1.2055467466745358), R(-3.493747465115597), R(-2.573394368287212), R(-1.4597862503080843), R(2.063109401126228), R(-0.32172339514789716), R(-0.024815470603058956), R(-0.4089315842872373), R(0.8033437345494523), R(0.703907127776265), R(-3.876339643989343), R(0.5248273701344269), R(-0.8717281332377581)),
+STAGE_ROW(R(-0.13388748396223424), R(-6.1238067757650505), R(3.883480552124375), R(-13.01180516654851), R(14.325503506389127), R(5.4717241145784925), R(0.361654264479769), R(-0.7660170977428756), R(-0.3405240100426992), R(10.450454917984331), R(-0.8610882865379063), R(2.744201864018819), R(5.193343561721285), R(-14.135408442962058), R(-4.9265885191202585), R(3.0149961244684813), R(5.499227800942539), R(5.0634965683063395), R(-2.7489273992888603), R(-18.815386981081804), R(0.08849745673355806), R(-1.3037116395316375), R(-3.9005613078462384), R(-3.360767689294947), R(-0.15677604310595222), R(-1.8013480569438642), R(-2.5161332234023686), R(1.4564213243923705), R(3.2321889999401225), R(-3.050407334214425), R(1.9103268301342393), R(2.1647946400200793), R(2.1357593115576257), R(0.7178127939451313), R(0.9995767595195989), R(-2.109400596493163), R(2.16463707605561), R(-4.501310318609604), R(-1.502016275926526), R(1.0774796030000569), R(2.4143386500466204), R(-6.607076916349194), R(0.9154416279428792), R(4.259761018055463), R(-13.066455871080636), R(-44.262353681386216), R(5.64779245807217), R(1.6251714565819717), R(11.245833467514222), R(-6.530533694555742), R(-4.226377336897126), R(-7.271140430985392), R(-4.475887794198293), R(-15.72454180367754), R(-1.517464491030556), R(8.055748703953357), R(-1.9048364990817035), R(2.0497098244592604), R(0.10073749827810499), R(50.622632362192164), R(0.06563827549680096), R(-0.1384907074147684), R(-2.73680180962453), R(6.805610133196655), R(-0.6409036066046414), R(-2.2649246915458847), R(-2.4421665181005388), R(2.007267916800065), R(-0.5912428470156103), R(-0.476826183802994), R(1.8332103044400434), R(0.38630261834046237), R(-0.13416675446302725), R(-0.8316090529002714), R(-0.4115389430281148), R(1.0507378757288333), R(-2.8326982868273682), R(0.2888813098014964), R(-0.08297722284573492), R(0.0036436486351601465)),
+STAGE_ROW(R(1.6722572059056249), R(0.3517335656148887), R(-2.889686879842761), R(9.965906321504283), R(-6.524342362662481), R(-6.702108522631876), R(-0.11208200657492966), R(0.8926385178169809), R(0.25097145836575047), R(-6.921825384728909), R(-0.5722572753634398), R(0.4496794930688724), R(-1.5808750101997413), R(15.332379645663934), R(-0.9636419648115837), R(-3.621553019081743), R(-2.154866071276927), R(-6.742020199333485), R(0.9844642082805436), R(7.442842796335682), R(-0.771529792911061), R(-0.39726471408716013), R(-2.7184024733305194), R(2.8791770989385985), R(0.23402695292835757), R(2.305095740170663), R(-0.07581704671588568), R(0.16585504980381507), R(-1.6775678113862764), R(1.5521396658776296), R(0.08196205624359637), R(1.5599838672460744), R(-0.05144269977942774), R(0.5937979094796917), R(0.5657177664435853), R(-1.542032245428422), R(0.7410710786365615), R(0.9579598024618209), R(-0.1560322474214861), R(-1.470493865678641), R(-0.2778911564102659), R(-3.074784958472299), R(-4.428121311784424), R(1.0225998873186772), R(-5.745647268375274), R(-20.377149300177194), R(9.217089749466542), R(2.9819934037338576), R(-2.254367011022778), R(-13.639330942978857), R(-2.720888858556959), R(11.765816036239245), R(-3.344680324072272), R(5.127004893987549), R(-0.796796268666504), R(-20.061457710818228), R(-1.8739933207767894), R(13.049263612479644), R(1.7878832266204536), R(-34.21702637888942), R(4.924018887363102), R(1.7721744883101465), R(0.04797930369348599), R(-16.436735311315804), R(13.613739716893495), R(8.902056071815563), R(-0.8533527308749086), R(-6.062386615120954), R(-12.311363328492163), R(12.356585600388705), R(1.7444850283468782), R(13.71583205545176), R(-2.6545305148097), R(1.4175296415277523), R(-1.2442171867154515), R(4.002326744533719), R(0.6771145101827244), R(-25.478341296444334), R(0.7425930958186499), R(-1.863364065998992)),
+STAGE_ROW(R(1.4913355023496575), R(-2.2267418511669654), R(1.8878062427673594), R(-6.8760160495799525), R(-3.8342325553366132), R(-0.0694775457772417), R(2.3710429719627752), R(1.430251747222312), R(0.784036665621408), R(-1.5502938669123723), R(-1.750113333665574), R(-0.14231073679991885), R(1.439561681041292), R(-2.4340570341536587), R(0.8373408127510052), R(0.6072071275760088), R(0.7530174102782906), R(0.9751063641419954), R(-2.3168890046676585), R(-9.098845693770537), R(0.36774438762413364), R(-0.46462604699239773), R(-2.017083564106201), R(-0.622149309671669), R(-0.551312715001403), R(-6.186782467787325), R(3.3500430293231207), R(2.1068044245090025), R(-2.905876333434643), R(-2.065435041494116), R(-1.8524441537627243), R(-1.6354712008303356), R(-1.462997530513577), R(2.099893374830754), R(0.7868478515983734), R(16.033467021896932), R(0.9033499783523243), R(-0.5518277289150978), R(-2.3758124192417758), R(0.5652790801394977), R(1.5629126516193745), R(3.0050340973943275), R(-0.5489310039076815), R(1.024319654167444), R(8.80725449873587), R(-6.379551588991982), R(-11.244235589504997), R(4.540006887566019), R(-12.016487221514204), R(-1.8626443066204876), R(-10.928977278524052), R(14.894236031069108), R(6.417890423541495), R(8.995509078403847), R(-0.11455791960137693), R(-5.494901505879942), R(-1.144060690747564), R(1.0364567464618297), R(-0.4572762963495298), R(-21.025866243939966), R(2.6365870842655452), R(1.3106732098160028), R(-2.353380852578873), R(1.9340808128763953), R(-2.9121567379692403), R(-1.0154444165008825), R(-0.9155078112826613), R(1.2363085821207465), R(-3.2295671149161342), R(-3.297011481370071), R(-0.9174061181572756), R(3.307078365321497), R(-0.7801583939081879), R(1.5201320727688132), R(1.1810319084036798), R(-0.2817440312519103), R(-2.509716855606868), R(0.8402072626036768), R(-1.2345032792378974), R(-2.8460705968709394)),
+STAGE_ROW(R(0.5673166508158702), R(-0.047870286384802466), R(-0.1829913951419104), R(-0.08658663678170318), R(0.14619546528492325), R(-0.8738692437879061), R(0.523765760521431), R(-0.6611849434926239), R(-0.7126527880501938), R(-0.34677857813596613), R(0.4513321394010821), R(0.7826540135136196), R(0.06645947143021541), R(0.44724550548122216), R(-0.6785547093738548), R(-0.5838528536258628), R(-0.6901209441005325), R(-0.3106520822687356), R(0.17123960542434707), R(0.6756975033723828), R(0.450580709800886), R(-0.16140416470148708), R(0.4075687672934661), R(-0.4332473885814822), R(-0.9780818855985629), R(-4.43754247181411), R(0.9929693686950927), R(-0.9502518397963908), R(3.2862684219215144), R(-1.3861553124018813), R(0.6460136816530342), R(0.45477296786669086), R(-0.9798329835154005), R(0.05225662737904955), R(-0.5379886628608112), R(2.9391865270119517), R(-0.42663186108140366), R(-0.7830950055433309), R(0.007001729720646991), R(-0.14159166572768778), R(0.9335471353409124), R(4.494234241069334), R(-3.6814043730211004), R(1.1417780627256966), R(5.677452286748886), R(-0.4072989189467298), R(-12.660044212254082), R(4.455731851355362), R(0.8478158253503479), R(-1.7698566370359607), R(4.060193135968244), R(6.905109126073339), R(3.0163161692308016), R(-3.926817338283487), R(-1.0485229647358554), R(-39.344119893242016), R(-0.965606990235044), R(2.908092777874898), R(0.492242019974095), R(-12.449122893086667), R(3.875051137468278), R(1.8401561588919755), R(-0.7292849823487029), R(-2.5341850402061583), R(-0.06114558423733607), R(-1.5802898266765064), R(0.14363189267079018), R(-0.11082184748991206), R(-1.3794141200212435), R(-0.4194096832007433), R(0.3837943320121094), R(-0.21086819422788936), R(-6.188744077552057), R(2.1686285397288727), R(0.8506955441166381), R(0.19728490737728557), R(1.0512287654492005), R(-4.8139423642212735), R(-0.8796762693656472), R(2.0982981276727264)),
+STAGE_ROW(R(2.2052498265777767), R(-3.767484519148659), R(2.678452832438341), R(-10.079141677124607), R(-4.4112385816373125), R(-0.4087490664657508), R(4.143906979535), R(3.768226371753382), R(-5.891501409018368), R(5.226654137635521), R(0.06812547580496668), R(-4.093259556130146), R(0.012257603693708635), R(-17.316999197278882), R(-3.1846981604456746), R(2.3994517965311384), R(5.567282974571565), R(1.7712131103152369), R(-5.491827924076553), R(-0.007883810430106676), R(-1.7977804123515564), R(1.8202184732422324), R(-2.3310247680004506), R(-0.6231469417597228), R(1.714855026869412), R(-1.667325624996147), R(-2.1743579962115165), R(1.2468503399016904), R(1.7918425091620502), R(-3.8216279179367945), R(-0.9622772310386375), R(0.6243170161085265), R(-2.7918373594987367), R(-0.04106496085190097), R(0.38298010059895143), R(16.030615944122324), R(-0.6982759458268144), R(1.3020576703781497), R(0.4061193695106956), R(-1.3978098350936552), R(0.5786520131121248), R(0.9536783398900759), R(-2.7574271292126538), R(2.128814264627174), R(8.618233652462132), R(-6.002042224799087), R(3.320489806715661), R(0.9974037448451143), R(4.2072919331494685), R(-3.0996661064850533), R(1.0791554624270816), R(0.32879569375920087), R(6.847635164200644), R(-3.5311082328132737), R(-0.9943288699020734), R(-2.6547651148648965), R(-3.4648665209993412), R(3.6370993275288575), R(0.6570395089321615), R(25.47471689579281), R(-0.40345408050779696), R(-1.7174572820200038), R(-2.3258594948826707), R(1.9770207463868386), R(-2.517884061379977), R(0.0781836706533876), R(-0.8514278117846896), R(0.8265376080710665), R(5.26898744309224), R(1.1731336862664594), R(-1.083720455089844), R(-5.170871585288229), R(2.354869676719786), R(-1.231336565825298), R(-0.26235568643956725), R(-0.9865246495303418), R(-2.0059498610881885), R(-0.40631414785169634), R(-0.5455786457102425), R(0.600400524229179)),
+STAGE_ROW(R(0.4599869578590905), R(-0.22993777544384375), R(-3.557709374621393), R(3.5886008903200093), R(-1.7044486029465369), R(-5.491965394546892), R(1.8404743666745775), R(2.732864036087193), R(-0.5629113236185648), R(-11.727919662437175), R(-0.5073801015730707), R(-1.062113686430292), R(-3.013456416695768), R(12.539317597476602), R(3.164450590511755), R(-3.8667134950910294), R(-1.0197913494598194), R(-3.5842621030966333), R(2.466988343483579), R(1.804358644764128), R(-4.637377499935389), R(-0.3800399871596788), R(-0.3978185275241324), R(4.555456065145651), R(4.7776840810739944), R(-2.963087468780823), R(-6.426611926111765), R(-1.4652753387525816), R(-0.7286285969444587), R(-1.529777448577848), R(3.792452481768757), R(0.19073501559044811), R(-3.831326099284343), R(-3.523102080322691), R(3.6295680578392733), R(-7.502504048151364), R(6.385631598452054), R(-1.7537336702126904), R(0.06752750164975177), R(-4.340134143472634), R(0.3801544714112648), R(-1.2020430381931075), R(-1.9960365784627945), R(-1.4624229567816402), R(-11.518578722446769), R(0.8005991137117744), R(18.342517495587973), R(-1.8775719415668748), R(1.8202349253506238), R(-1.5100218656830489), R(-12.569994013896478), R(5.244020871779), R(-0.39667764939757216), R(4.749133159866798), R(0.45604157859615896), R(-3.8843766241707516), R(-1.653105368998459), R(-0.5681278515817997), R(0.4797167439081176), R(20.81538150872473), R(2.163608597617613), R(-0.6215754425269757), R(0.40994485605205366), R(-0.15576721954533282), R(-1.700695561728707), R(-5.919227195351702), R(-0.4134597004351801), R(2.1576236387577223), R(-4.176123166062816), R(-9.94895022265816), R(1.3759893079544991), R(1.835227469091686), R(3.0593739449510453), R(-1.2170407662420535), R(1.853625742917492), R(-3.5587808705178285), R(7.229703037732115), R(-12.267999149113045), R(-2.176218069145686), R(-1.8752605277919434)),
+STAGE_ROW(R(0.4558318375453918), R(0.7565907863107436), R(-1.6777633647251085), R(1.2530958454830026), R(-4.41868477401665), R(-2.160153317965986), R(0.08279292832979188), R(3.0770230957893183), R(-0.25174084239277933), R(0.22024362864972682), R(0.9539138052787949), R(-1.3589088697660106), R(-0.31904492913526683), R(4.4777668071506636), R(-1.7850946173937956), R(-1.4750563778364099), R(-1.1521306847789403), R(-1.285929134239119), R(0.7493658252241232), R(-0.5294597190626025), R(0.4946219586498961), R(-0.5457791148172995), R(1.5733985154443957), R(0.03793756690463638), R(-0.23784452529610817), R(0.2304734233895565), R(1.8201939088699466), R(-0.46848935516933127), R(0.22040045723982452), R(0.21307240148663714), R(1.6192779896864193), R(0.24806613584666065), R(-0.9655514203209943), R(-0.4969895000936271), R(-1.1884521174360503), R(-12.04886306213503), R(-0.5564413848408071), R(-0.7724806001046081), R(-0.8073607703583848), R(-0.09918328140099071), R(2.013159663434701), R(1.1901126602535284), R(-1.793055550154056), R(2.2573846410329454), R(-4.636553076327629), R(0.7934460294404112), R(19.021836676618015), R(1.1863427148506744), R(11.756668403369947), R(-2.5080769340450084), R(3.1986702281642025), R(-10.864501522942204), R(0.1445869717287577), R(0.27777904957703864), R(-1.0121477296421035), R(-6.030681641304909), R(-3.0107363217239653), R(3.2551855246195642), R(-0.4577724663024718), R(2.0666164015644144), R(-2.9853372779359773), R(-0.5686990312793184), R(-1.0144990968668877), R(3.9375055925196514), R(-0.8054740161398118), R(-1.4561683293975853), R(-1.8488890945554135), R(2.4367274135186214), R(10.995022029774052), R(-2.996492370391821), R(2.631376826428655), R(-5.36444993570074), R(0.13829870248623238), R(-0.9884995538997665), R(-0.14800550259252407), R(0.5276158271245229), R(-0.5755101480728485), R(20.474472017191278), R(0.4658001595491048), R(-1.193802343753935)),
+STAGE_ROW(R(0.7364388217696007), R(-1.3864389911841877), R(-1.2316393555689087), R(-10.723161009390891), R(18.53968209460484), R(1.0066638846894345), R(-13.585469721411782), R(3.945227190568435), R(9.416514740663427), R(-1.225029305303538), R(0.22146268563532223), R(-2.0248381681963257), R(-0.21952590622165943), R(-3.341913190979816), R(2.2856886030149077), R(-0.4988762902206376), R(0.9256593630079322), R(3.3851790932094676), R(0.8575814146699208), R(-15.940242651296431), R(1.501195814922331), R(3.654881386260812), R(1.0025936268662405), R(-7.021314298594229), R(-3.9788200329725516), R(0.3574570241141127), R(-10.91884009739426), R(3.4183296091473334), R(-0.17431372424573516), R(-9.62236962830541), R(-2.8410775185612507), R(-2.4563479013029306), R(-0.9205876461812191), R(10.444668624874383), R(4.864785009850536), R(35.350397143260686), R(2.541934251983411), R(-9.978125045299969), R(1.8209163678604594), R(2.092733556534868), R(-3.2252296817186754), R(-0.7308276008111052), R(2.0488660274499955), R(2.820321441667262), R(-7.365010246803906), R(-24.081308360595557), R(28.982362566349515), R(4.992222536120171), R(11.333812078421857), R(-0.15382530258684612), R(-0.02754757001057327), R(4.843653489516259), R(-5.384447383176808), R(3.560900739681232), R(-1.7432021671192872), R(-21.117439401897414), R(-1.7263290684899568), R(-20.650938355138436), R(0.5882673266626521), R(0.0651313809819131), R(5.834489443225501), R(7.80820316875447), R(-3.072477981362203), R(-6.224620699376635), R(4.0490591310120605), R(9.387345835332702), R(-2.6682860788794196), R(-2.771858435756053), R(-10.782059094423966), R(7.44369726028039), R(-3.4418222686586697), R(3.524677962667326), R(-11.586322139144999), R(7.55572115901632), R(0.4901528663458935), R(3.2474757771055844), R(-5.431337801287612), R(-9.332844231097226), R(-3.531286277660435), R(-0.899256145782599)),
+STAGE_ROW(R(12.096338908263299), R(3.923243141227844), R(-0.05063231401579323), R(4.610627357479778), R(14.636802332760363), R(-7.171258738521161), R(-63.98692901088819), R(-1.5511622280005513), R(-1.6788106278999448), R(-1.6243814029093542), R(-1.2837521334719677), R(-2.128437291474127), R(-1.6443117398440785), R(-37.40853962095927), R(14.815148182932184), R(1.9456192027824195), R(13.992003489803473), R(-5.12893506169069), R(-11.280093420785402), R(19.258960822691225), R(-1.9514602778336736), R(5.1022593450033975), R(-22.91145081539147), R(1.19979124364485), R(8.509643748655224), R(-3.043067544020807), R(7.323604900947228), R(-2.5965547945855265), R(-1.9094900906675525), R(8.51318161992409), R(-7.883028776594386), R(-0.9309742817995194), R(-4.533673293057597), R(24.530734061324274), R(-2.8795961816982154), R(-35.81124927320876), R(-2.1273881323979302), R(11.918129307494471), R(-1.8625377596578958), R(1.605208246407441), R(19.99385854164713), R(2.096679328201626), R(-1.9940032508054464), R(12.645626777173625), R(0.8832841747152433), R(-23.48873439371965), R(-10.21473216222), R(0.25106740004573963), R(-0.02154284422371744), R(-2.1406714731841667), R(-0.47606529465304515), R(-0.3412016828633951), R(-0.05400135464212742), R(1.057062734406903), R(-9.172214815971635), R(34.58113601347806), R(-6.8055132515752215), R(-2.4525199886539095), R(18.031457547434755), R(0.34473094349194944), R(-0.054524133327654545), R(-0.23802003083329482), R(-9.465741622592653), R(-33.344967978325904), R(2.1939432283588807), R(14.123686051107487), R(-0.31405226812486736), R(-2.7279865987940144), R(-0.071572133300062), R(31.07236934716447), R(-3.7126879756482642), R(2.7870710669158534), R(0.6688053951844233), R(0.26379093950621135), R(0.19558837429943687), R(4.994065116035231), R(0.8803801844699327), R(-6.9859899450890355), R(0.6352518634497297), R(1.551669835001265)),
+STAGE_ROW(R(-0.04595212900970593), R(0.04812602486827907), R(-0.35287733338044275), R(-0.775692176963668), R(0.5148818033123203), R(-0.7538760188273365), R(-0.6334059178107727), R(0.24839028638750865), R(0.20110692891197848), R(0.22807210584288146), R(-0.23094260993918048), R(0.19492085657262204), R(-0.7719355736376448), R(0.31310937234290503), R(0.1496985629665553), R(-0.5506719034868849), R(-0.14486511607516397), R(0.09657234666116662), R(0.14732296678012294), R(0.7589380278928344), R(-0.24530194629059118), R(0.14070158893010093), R(0.7606749482009338), R(-1.0296611754134972), R(0.5972593755759737), R(-0.5530554592139358), R(-0.12853699968804508), R(0.16327846371672444), R(-1.4922704956218622), R(0.43489304098080306), R(-0.29787381386246625), R(-0.1741925093235845), R(-1.3563876220500632), R(0.12708631388099098), R(0.11435057207772328), R(-1.9167266635687874), R(-0.17897149431325898), R(-1.233256476539598), R(0.47923544377865684), R(-0.010948143156654771), R(-0.010553270086096396), R(0.24148615574525034), R(-0.6992272328731908), R(-0.23553661397135797), R(5.404980332263062), R(-1.616984074949575), R(16.90977957105707), R(4.593829870810059), R(6.973873946591269), R(0.009160046290519913), R(-4.138795423418908), R(7.940160140433662), R(-1.030442412537227), R(3.380358508725983), R(-0.10924456612426851), R(-22.51915838873324), R(-0.7316359116081957), R(0.22027717601561525), R(0.15489818861637644), R(-7.302212156157988), R(0.031809432217049946), R(0.8240113619517744), R(-0.9011876519450998), R(-0.17409966628966644), R(1.2897246099667616), R(-1.4579909661031576), R(-1.3489328476959994), R(0.08519834618382235), R(1.5527379831683874), R(-0.4515092131096212), R(0.6584346528419865), R(0.6674108245554838), R(0.16831733612383387), R(1.215845485919091), R(0.2569263247757274), R(-0.4483065159312391), R(-0.8047885580530033), R(2.547952365328245), R(0.21716992041429944), R(1.2759538165287951)),
+STAGE_ROW(R(0.9050052441376221), R(-2.6922898751537967), R(2.1896612777891313), R(-1.139593883237011), R(3.53271484074327), R(1.211076182275921), R(-0.6306607400698665), R(-1.2077805701574593), R(-0.10230317736452063), R(3.363119915482622), R(0.3550510133993995), R(0.0565521324341804), R(1.8561146136175777), R(-5.3786764285766155), R(2.4668588197752075), R(2.457675082134833), R(1.7083472532844506), R(0.11696590683550685), R(-2.4689912280133277), R(-2.783028651302301), R(0.5192130488567106), R(-1.7390919567790264), R(1.2667115822244839), R(0.0564084099825403), R(1.610935800589168), R(0.2328109560014518), R(0.15352249105934826), R(-1.0220736791620018), R(1.1774611722075994), R(1.3358823310408192), R(-0.4814890662856152), R(0.5183829597846277), R(2.5058880745588734), R(-0.23101115926077553), R(-0.468180645973776), R(-8.379155400839938), R(0.473748999342431), R(0.686519890692348), R(-0.6666968307634044), R(0.18285483638468847), R(2.0730495474801787), R(1.368596331783538), R(0.22521878088324804), R(1.4319774003435677), R(-0.8425134211409955), R(2.1805643213336583), R(-4.042596738543457), R(-0.8518288997187432), R(1.5431343870698426), R(-1.3122494585006537), R(-0.8168874746498642), R(-0.7206582030202286), R(1.0606225156380078), R(-0.9010118056274762), R(-0.8077433517389159), R(7.422832489745333), R(-1.6607258486286318), R(3.6493011314638597), R(-0.06454025715669656), R(8.872588294036197), R(7.9479891107768585), R(-1.044874054613452), R(0.18567590110877163), R(-6.708712060495752), R(3.0461940877908464), R(2.5603138748093333), R(-1.197618513606644), R(-2.231456713296431), R(3.937799038739458), R(8.100001416424927), R(0.7177788170493573), R(-3.8610033842803895), R(0.48584261549355073), R(-0.811755610378967), R(-0.6530136173126951), R(2.64553531191695), R(4.115782311306553), R(-0.7002598954632581), R(1.2967284249395823), R(-0.10328014940837074))
+},
+{
+STAGE_ROW(R(-0.24336299416862198), R(-1.158097275104461), R(0.10992915072052746), R(-2.692728186489089), R(-1.3166893837864102), R(2.00192576165385), R(-0.6642359387915273), R(2.401149622911523), R(-2.282007625145879), R(-1.3400745639998763), R(-0.04407468146864506), R(-19.903820721256558), R(2.952013596310592), R(-1.0615562050127318), R(1.6394822217996645), R(-9.977157452828864), R(2.553682821923932), R(-0.019647358031581175), R(5.582397544661513), R(-4.637650836750658), R(-0.7233119320282771), R(0.37056089905488343), R(0.6350014669885597), R(-0.2519506668630386), R(-7.484703094301656), R(-12.759990009886307), R(-2.869118090648876), R(17.921830975357466), R(-1.5744867554047475), R(-1.3548688288211936), R(0.02559642429375222), R(-12.98902582207752), R(1.4048233652422237), R(-0.10809141388270745), R(3.542126372239354), R(-0.6873649458788813), R(0.46211556192445413), R(-0.9385617804249488), R(-9.559474527538491), R(5.181638572369978), R(-1.641627549085891), R(0.2716869709644344), R(2.7804641902877547), R(-0.600591153317923), R(24.58698997442131), R(2.0665219285153817), R(-1.9092626388996687), R(0.5273994084105235), R(-0.9265635830568165), R(0.6062736559374589), R(1.00722436333476), R(-5.596702632671562), R(-1.279981892954869), R(-4.878512878358796), R(-1.4622543343753176), R(3.6306134239217522), R(-10.758804793720195), R(-0.7513331061667633), R(-0.03840206689493017), R(-4.934915537027347), R(-10.108804007659055), R(-2.9723464728874474), R(7.666713482761767), R(7.231453601071323), R(21.033364900566202), R(-0.6004029726134804), R(16.813181457051414), R(7.723560064544359), R(8.140530381550214), R(8.370829470560217), R(3.6226269633402985), R(-1.8512799667556183), R(2.3788355325964634), R(14.523633588200811), R(-1.678944849370042), R(-8.331856863569639), R(17.88756850679702), R(9.581399320491009), R(-15.229756196172278), R(-23.96267330127802)),
+STAGE_ROW(R(-1.64746305471845), R(0.9547109056294751), R(-2.07763526777673), R(-0.35700601098249857), R(0.33086330962280075), R(-3.5074854006065816), R(-1.085431572471063), R(-0.4935789461658781), R(-3.7410489901160138), R(0.5053014205801992), R(2.41430308002959), R(-0.559631522832096), R(-0.027758217936936544), R(-1.0344832342032582), R(1.9710704764206213), R(3.5599230482022506), R(-5.18639641999916), R(9.74140389235284), R(-0.8856657539240631), R(-0.1738112945739299), R(0.1427175955508453), R(0.38853346155536916), R(0.6565671452984759), R(-0.6731111703204009), R(-3.7806774115178206), R(-2.680978838050306), R(-1.0878972345615006), R(-6.597772794448277), R(-1.4794059542436695), R(1.8695822559529456), R(-2.1513304091219596), R(-3.737996687610774), R(-0.56062633747823), R(0.0882077710367744), R(8.506043621872733), R(1.2442756176352328), R(1.5718857093665892), R(-2.711270208204222), R(2.4315511129659617), R(7.651480137392988), R(1.7607629211856546), R(-1.1712505348601818), R(-1.9371356428190882), R(-0.037364477444877635), R(-1.4974467375722993), R(-7.322670404031292), R(-4.927392421708733), R(5.496557869563786), R(3.7327696227032763), R(-0.6466419336121434), R(0.07901668431831105), R(-11.822338683095774), R(-0.37092883376227836), R(-0.40521422481456737), R(3.049818012276671), R(-0.645218067456671), R(1.8371731523800083), R(11.182859999891527), R(-0.1512373703688861), R(-1.6857932952247994), R(-1.1012580171782944), R(-109.77914328431794), R(0.7890955424114695), R(2.4559771486275213), R(0.7249349746341787), R(0.5747737266245295), R(-2.596139589190795), R(-1.8035167894297262), R(5.357176537138765), R(5.232694493215002), R(1.6736737493623375), R(-2.8677899903337942), R(2.0221445705283347), R(-3.391724185621904), R(-1.2506241190505696), R(8.596750294169247), R(4.701489670023331), R(21.92932279310997), R(4.292416199996145), R(-1.1240559679039404)),
+STAGE_ROW(R(0.27002119583651873), R(-1.6657530371702591), R(1.4322207495896884), R(1.7767290076617677), R(0.3816009392845869), R(8.209879421421538), R(0.5799376575318693), R(2.575015452643333), R(1.0998278750916424), R(0.6814024625302121), R(-0.49483909162155587), R(-0.17392673043866413), R(1.175820320553104), R(3.4634091998529035), R(0.838785422913098), R(-2.115314058087282), R(3.667887664995497), R(0.859021234671189), R(2.329575838801869), R(0.9251302791378021), R(-0.25894041112428917), R(-0.4663778117968835), R(0.8340612316037889), R(0.5976161665132629), R(-0.10891018644056755), R(2.942835784629461), R(2.0816914652474114), R(-11.722098884766364), R(-1.0296844488905461), R(1.0596441429615155), R(-0.6722719343491645), R(-9.571066658913677), R(-0.33596402524583396), R(-0.02374083996303702), R(0.08944208067423029), R(-0.14300961239020918), R(-0.3131720428659874), R(-1.2606850031525134), R(-0.17139699142293488), R(8.311788395370776), R(-1.4151021142006723), R(-1.6807016842197626), R(-3.713994202872975), R(0.3204509393840261), R(4.796793808336462), R(2.6392571639265583), R(4.085562581423599), R(10.951837602468334), R(2.9567261050295293), R(1.4343682842487275), R(-0.23871651207223415), R(-1.2563714673250126), R(-4.86115428555709), R(-0.15972253885119858), R(0.6696173092911379), R(1.5688012348371372), R(1.2119011500391836), R(-2.5136638470784267), R(0.7917935874328298), R(-0.6179309750394599), R(-0.9793040980786466), R(1.51586750620959), R(3.9456525293827798), R(-0.3173644609568929), R(-0.8993212828121704), R(-0.23582075210411926), R(-1.0791702069921114), R(0.012682291704960566), R(-1.4085767326939764), R(0.19862314839018527), R(-0.08007340719540589), R(1.430282149798466), R(0.05384801550329967), R(-2.3673246101507504), R(-0.16207697514091385), R(1.8045961532130135), R(-0.11588636582812267), R(-2.3689809766473533), R(2.8428214272890715), R(0.029911488630134733)),
+STAGE_ROW(R(1.1857534475843037), R(0.19434117420790029), R(-0.08191503592451448), R(-0.6655152211367), R(-0.8107141995877787), R(8.402464821232407), R(-0.748818345029826), R(1.6888652805935471), R(2.1401271847979264), R(-0.36597186357847616), R(-0.5563386392346841), R(1.7711078934877986), R(-0.6410705862038898), R(2.6606134047148204), R(0.962852266914952), R(-0.8036352320790104), R(0.6220420275873162), R(-1.1254562840863642), R(1.0237446798479148), R(-1.3914159471245389), R(0.9186416115993423), R(-1.9564113896145117), R(0.11488813102118683), R(0.48782747714239466), R(3.6446578807559002), R(10.085536689558277), R(1.8690094654591223), R(1.2438178185017554), R(-0.6431793313979346), R(-1.2285610615007163), R(-0.9541254184725524), R(-10.451473329739589), R(-0.7464500059390471), R(-1.7426337783715173), R(-9.14665284035155), R(2.1679292848617715), R(-1.3093165582338635), R(5.83633210668236), R(2.9722766330215724), R(-1.3726464130658882), R(0.7008941668081412), R(-0.21581080399994534), R(-0.05128472451848532), R(0.4597407473162092), R(-0.4187344868825068), R(0.6033670568437366), R(-0.29004888329634554), R(0.5913306117379471), R(0.005952195831235956), R(-0.7581960955762901), R(-0.694428105139698), R(-0.7059757970260827), R(-0.3058202981665878), R(0.42135029929042606), R(-0.06027856906293503), R(-0.13868485895622135), R(-0.5182961513258586), R(-0.27093599919487765), R(0.2890230008878036), R(-0.6476760956029286), R(2.284808091175243), R(11.98821786112636), R(-3.3202517328003016), R(0.9119628837143621), R(-0.9180692155243908), R(-0.4496623597889567), R(-0.6171149002963318), R(0.575014376903348), R(-6.773290608944039), R(-1.333621248109529), R(0.08566292041094256), R(7.392656294164566), R(1.6232926046492102), R(0.9655016962132414), R(2.5282622954225573), R(-1.0800303318230968), R(-1.1762446573423548), R(-0.7516431734687911), R(3.5258414726576106), R(0.39824557248389)),
+STAGE_ROW(R(-0.21447187633643366), R(-0.48493267215430735), R(-0.45148955664341894), R(-0.9111358936340129), R(-0.07339534945469849), R(-2.1384027708309756), R(-0.4008621992992482), R(0.3328018661287706), R(-0.8384153801045343), R(0.3129231535007018), R(-0.48327236754780484), R(0.9582985382220808), R(0.11800524003963182), R(-0.9657595076997915), R(0.5781035480466963), R(-7.458423525077467), R(1.0663720099989102), R(-2.152916347252654), R(-1.6160520466178057), R(-0.5624254366388609), R(-0.13344319663113852), R(-0.7197127154367335), R(0.011129633108371157), R(-0.2015833877364225), R(-1.376187283909869), R(-0.5160823093925974), R(0.920033853683484), R(-9.699576897286114), R(-0.9573094137940152), R(0.9038127835844688), R(0.7670311307267056), R(8.957390386703933), R(0.6140369313592942), R(-1.914882198677439), R(0.3031112089280416), R(-0.3523760454070926), R(1.3062009596573398), R(0.23106475842588017), R(-4.330786749371612), R(-6.47603030867046), R(-0.23811442853567683), R(-0.7630655959326915), R(-3.435808797712208), R(-1.2687121862860677), R(4.54835617580747), R(-0.6351288182387892), R(3.2358719826433635), R(6.665614588507168), R(-1.7246440765930475), R(0.4156502722712486), R(-0.29045259134657436), R(-2.080092129918647), R(-0.594955144077284), R(-1.1633230232512752), R(0.17694450495415093), R(0.6204723522142068), R(-1.0230072515488913), R(22.81288873602822), R(-1.1429555279035344), R(1.0324815588744534), R(-0.08709212005876411), R(-2.2875541922009597), R(3.6325181189694837), R(-0.5437631581544976), R(1.5826153747829548), R(0.9753559136345057), R(1.1862905685747827), R(0.8753359714617772), R(4.103470603047023), R(-3.8461052798300606), R(1.9058630231057394), R(-4.618163322636884), R(-4.966858919579901), R(3.3665005201481257), R(-0.5663803923105054), R(-1.344371293562385), R(0.6699791678724341), R(-4.943956299308491), R(-3.3466572553634406), R(6.221296757505453)),
+STAGE_ROW(R(-0.5479717883874633), R(3.5957660132823976), R(-1.7413425054156972), R(-2.6858388015592576), R(-0.1888553504028213), R(6.580209955968679), R(0.009727282954683487), R(4.856478590808377), R(0.6976764191304371), R(0.6349056731248874), R(-1.4316997561294367), R(27.704241411191965), R(-1.787338387165705), R(-0.7757167865349088), R(0.5351821915872855), R(2.3550365857777917), R(-2.6405015580628497), R(-2.983604697024473), R(-1.2845602717927511), R(0.015406253034783381), R(1.156003532720687), R(0.5345280972437433), R(-1.5751058930775133), R(0.15902715053876887), R(0.12612810310191908), R(0.015797997648630057), R(-0.2991667153397759), R(-1.100312633071831), R(0.547924724651545), R(-0.9373908443493539), R(-0.32249322981123324), R(15.690542757859514), R(-0.34713430712986687), R(-0.29736432452762473), R(-4.526546484106921), R(-1.3289279901575533), R(0.3533986120165922), R(1.3246459775002597), R(1.9001832088347916), R(-2.6510828029685944), R(-0.21250581287544773), R(0.15732452364161387), R(-3.898793984934064), R(-1.3309083361107217), R(1.6530702862964994), R(1.0896680416892335), R(2.8355742329086175), R(12.66805179335205), R(-0.31093213626053967), R(-0.13937312003384525), R(0.0880872651345658), R(-1.8452510812010958), R(-0.2713151357567537), R(-0.7030694610784554), R(0.4467790026877045), R(-0.8612162667044497), R(-0.5992977848792304), R(1.3100361095139066), R(-0.2943122199264104), R(-2.9595000498299635), R(-7.926449509240368), R(-10.75799008010121), R(-15.545576822699212), R(11.799725467417813), R(18.315523012985164), R(5.008029780864622), R(11.591715147375293), R(-7.067079996133113), R(8.855985149192428), R(-0.03937496564694004), R(-5.6971291351721565), R(-2.1518860891472724), R(-8.657287456290355), R(20.01115220133542), R(8.828949693757215), R(-11.748535867267416), R(13.448364308936894), R(12.408709814048478), R(-13.42486851657787), R(-4.26543096602226)),
+STAGE_ROW(R(1.7327419218081161), R(-1.209369446913671), R(1.016322038100629), R(-1.0712617521879046), R(-0.9612247607951017), R(-0.9670796472106868), R(-0.2724321044038591), R(-2.478436382454371), R(-0.30567966330173274), R(0.656174850885729), R(0.746802128594209), R(1.3013622145516768), R(0.500636396813492), R(0.08358097335848023), R(0.0912681272930448), R(1.913103794177907), R(0.29695180062979976), R(5.500033402026435), R(0.09739196587518775), R(-0.40725699517804304), R(1.197440104261498), R(-0.5554443344070832), R(0.6610399928657595), R(-0.9331591435515121), R(-1.8287684851774466), R(-14.009430487754544), R(1.7611581668338305), R(-4.494128574193228), R(-1.3483388290341136), R(-0.26323858093657165), R(0.8454665025364992), R(-0.8081780672356498), R(0.11111763634117372), R(2.9131634631873964), R(-0.40376488941748345), R(-1.7854169547422467), R(-0.22392907744694085), R(-3.950092915712536), R(-2.2988949642894827), R(-2.6845933747733803), R(0.6434000325189725), R(-0.8924877665678546), R(-18.839619429364117), R(-1.5639442878580592), R(2.086903712541293), R(-0.32880708893351807), R(0.4251248083479567), R(4.674217333419112), R(1.1335902239124098), R(-3.490059038875687), R(-1.109530036858697), R(-2.7427481021967286), R(0.4550335701089536), R(-1.950329992264381), R(-0.7006050182979431), R(-0.9336491200654904), R(-1.5235269044473918), R(-4.769279740104564), R(0.01242404853235813), R(-9.110044797592964), R(0.5267019939702159), R(1.7188122764675382), R(3.848505112860291), R(-1.61480783387539), R(-2.1252842505317737), R(-0.6794306096389379), R(-1.6317206189737337), R(0.32050304846277383), R(-1.9267293563791585), R(0.4692456369541017), R(0.950341943121771), R(0.2835333042636802), R(0.18405604416742288), R(-2.1272114704474627), R(-1.4291940494908184), R(2.109547461656581), R(-0.27992300323347485), R(-0.8607883271564774), R(1.7760094805469635), R(-0.7258273278579264)),
+STAGE_ROW(R(-0.12075770731384129), R(0.25706830229590655), R(-1.321932726340208), R(1.119044425399129), R(-0.24223785407103796), R(-0.392257737883582), R(0.043647046674485324), R(-2.0335879030947885), R(0.7028782703304874), R(-0.6333757403905562), R(0.033286667045246174), R(6.3085253226531055), R(-0.45546347330885933), R(0.04533499013590829), R(0.6281869466998956), R(3.4622848073615895), R(-2.3705017474839494), R(1.0030158867786743), R(1.3920668103274112), R(-0.2738353026475157), R(-1.9804231842391702), R(2.1686394911496207), R(-1.660193909521744), R(0.16650611813756752), R(3.966952536377094), R(11.240840098457793), R(5.263359500808696), R(-7.091008341623154), R(2.2238964086061337), R(1.0581733784323994), R(-0.5964404904854358), R(1.908555266965834), R(-0.28340328536779913), R(-1.0304171341870794), R(-3.2298984084835554), R(0.16532741965424413), R(-0.7292682464972385), R(7.498515892468586), R(5.511816860048598), R(2.2867320962687714), R(-0.8583238976690638), R(0.21933139845960994), R(-0.8193690515333589), R(-0.1617944999985442), R(1.8231009199344048), R(1.5011282882198276), R(2.6572885520190637), R(6.504195373388048), R(1.2202838149268564), R(1.619194998677898), R(1.6174016585902486), R(-2.3496143109590357), R(-1.5787987673624433), R(2.941852092136908), R(-0.12565306270068327), R(-0.6401000645477612), R(2.1404061558661476), R(15.189228018682597), R(-0.44100521863093756), R(-1.1156556741353827), R(-0.47239282440093927), R(-9.587843597007275), R(-0.4607613855591381), R(2.1797448288699135), R(2.5911804289923848), R(1.360155814289445), R(2.09337161306909), R(1.7052146698779647), R(3.896448885075415), R(-5.205380772591418), R(-4.29736065229632), R(-4.714455011599405), R(-3.6806192357207257), R(6.675841038530262), R(1.4904488972217171), R(-3.75391390277753), R(-1.0152765975867526), R(2.355014630722643), R(-7.897761734067045), R(-1.0567280610369119)),
+STAGE_ROW(R(-1.2549147304550663), R(-2.8184207258391303), R(-0.2151084455053038), R(0.9737180054685899), R(0.3040579250436345), R(-3.147671251508928), R(0.026960656054447044), R(-1.5212453539968738), R(0.05581625114081309), R(-0.8029994471737416), R(1.6583004754576998), R(-29.179376987224238), R(0.2891711767985858), R(0.31829642915537354), R(1.2131949069360226), R(-1.2232671935191435), R(0.16526448092129276), R(-8.678067343080386), R(-0.3230742674476982), R(-1.1622702263716256), R(-0.45756744539305166), R(-3.0999812215916513), R(-0.12391950993737665), R(-0.39963568838408475), R(3.231961235623119), R(4.843936161934819), R(-1.4013840200053072), R(6.823562985542856), R(0.5147483918834406), R(0.4671555072486077), R(0.6591489561007857), R(-0.785498821597262), R(1.5480221429590382), R(0.9529793999844747), R(0.25311356862699486), R(0.5996942277624889), R(-0.735508006736697), R(1.8397275091807368), R(-0.303124992784951), R(0.5627586345847589), R(-0.24540420176122668), R(-0.9951240393263826), R(2.2196812553889598), R(0.9057058419254437), R(4.907351569041771), R(1.9485915844607846), R(1.3233452449240564), R(6.543650540422612), R(1.3632867334571606), R(-7.125691016198903), R(-3.839206273085648), R(-2.676140996952543), R(23.082000831795266), R(0.20656569997755433), R(0.46251858331919293), R(-5.374835914734504), R(-0.2611949976311519), R(-2.489688811260094), R(0.5491627683392442), R(-1.1400331242538315), R(0.16637258360703522), R(-3.1342900955893542), R(-0.07592177241445824), R(2.1520900385339248), R(2.6402437467716675), R(0.06961675022150393), R(3.3182410916752487), R(-0.6077734586152618), R(3.3202598244317714), R(1.6336651842148233), R(-0.12440923979493695), R(-3.3091335238526614), R(0.15569481289764167), R(2.953046586614007), R(0.5022247399196731), R(-2.3374821310996707), R(1.2003036232670892), R(1.4731557086842504), R(-3.45631507143384), R(-1.6971311995797604)),
+STAGE_ROW(R(0.16810730753003128), R(-0.5428960863847357), R(1.5037272839770721), R(2.383147750604985), R(-0.2086710830310583), R(-7.545249427955685), R(-0.507036097490757), R(0.24973766126016475), R(-2.8281274205586877), R(0.1905742291354741), R(-1.5850254132570865), R(9.778914286351242), R(-0.4340905639609146), R(-1.981238781378702), R(0.747741539387155), R(0.35281514597160807), R(3.4868402127554807), R(0.06795199618409103), R(1.4477571486056053), R(0.946764602601706), R(-0.9454872469747089), R(0.8850082438121364), R(0.40917268070041146), R(0.8988837674793335), R(-3.7516194567984895), R(1.3456553938551863), R(-0.20784887683779674), R(8.738667761425038), R(-4.3860655347488215), R(-2.275495421949485), R(1.8236195771569264), R(7.136138072969537), R(-1.5241893379449072), R(-3.464925672277694), R(2.9809132133698357), R(0.09741629277925229), R(1.378021389877785), R(2.0618203205577057), R(5.103236726801529), R(-3.186083873134925), R(-1.1441767116243042), R(-0.7042280263231729), R(-1.4666551442549685), R(0.04769619101437987), R(3.454459868037064), R(2.2780948159883105), R(1.4740495620394134), R(14.172234749277925), R(1.6835116067588325), R(0.5415797259427567), R(0.40402649395913187), R(-1.2931818085319329), R(-5.8897637215099685), R(-1.6476131837428143), R(0.8149160084350492), R(3.0183352356923225), R(0.25797201004574855), R(-1.3712475793276007), R(0.0017206213178009109), R(-0.9666121241768787), R(-4.9919847094235035), R(-1.322999985210579), R(-5.459765394301938), R(1.6697566916146411), R(8.435740392641826), R(0.830846110156293), R(2.09948747125927), R(-1.2302465446560888), R(5.065799593786201), R(-2.9340038416401746), R(1.1971834079014607), R(-1.908374623971453), R(0.43386709973738236), R(3.2495066133360426), R(2.152463697146362), R(-2.2371891703773894), R(5.543719620780348), R(9.07964987779834), R(-6.646973300442749), R(5.0816549226391725)),
+STAGE_ROW(R(0.16354550670410534), R(-0.5372016796972857), R(-0.0801233758396877), R(-0.23328764061825974), R(-0.6713143364077132), R(-1.7280289492692813), R(-1.262480188517642), R(-1.3548274160785736), R(0.30569514053105), R(-0.7559136242320481), R(-0.43858940621694914), R(4.408017618290853), R(0.8342865757890344), R(-1.1552511318940726), R(0.040726851585221276), R(0.8408955210013195), R(0.45373825515011584), R(-2.784187104036774), R(0.1706152667314319), R(-1.0022843413995135), R(0.8867353815245839), R(0.7665148132530807), R(0.5599623907947778), R(-0.562269942504514), R(-0.01624719903387471), R(-8.411825529304725), R(-3.058377719292897), R(8.96141134644134), R(0.06453248596947653), R(-1.675190370542826), R(-2.1243793427099003), R(0.38109804790804636), R(1.49363717832023), R(2.32089099905486), R(-5.005164942331384), R(-0.7911036933256114), R(1.050398934454689), R(-8.254686979460741), R(-4.348913087746277), R(-7.380212896305671), R(-0.40792132699434247), R(-0.6532954795753773), R(-1.6857592852458285), R(-0.16571454370608021), R(0.5295420463848357), R(-0.377755722076998), R(-5.220744880831439), R(10.428902044152219), R(3.4665390387525314), R(-5.163349046983445), R(-0.8574985929852813), R(-3.1430763658605527), R(12.044120707300323), R(1.7193031111695023), R(0.6372368202628117), R(-1.8032110802517882), R(3.200455266536702), R(-8.764710852233634), R(-1.7851444845415667), R(-1.906258066435672), R(0.732073992950564), R(-15.378454929383455), R(-0.48950832737877525), R(-1.6708337681901797), R(1.2188562187527594), R(0.4408881933859063), R(-1.3848361454192861), R(0.6326231109427839), R(-1.3408881507208084), R(-0.8609934303813696), R(0.9949036670543184), R(1.2790444053942855), R(-0.9534609231656006), R(-0.8509234908593353), R(1.0789138819552748), R(-1.7566918150748512), R(0.4294970109773059), R(0.19728190546773425), R(-0.972951338067911), R(0.7517809137700103)),
+STAGE_ROW(R(-0.8515533038996276), R(-1.4984770063598185), R(-0.010912004705066435), R(2.0749438260583193), R(-1.9063724025643978), R(2.0773146794361232), R(-2.0225542095070512), R(1.1897690564601482), R(-2.1014313298068874), R(-0.07909566915368316), R(-0.4607912812021387), R(4.589532665614633), R(-0.7634679205590098), R(1.8746392992837997), R(4.930201032848868), R(3.605898529352109), R(0.8341409238796166), R(-5.7594557601196446), R(-6.687784354001798), R(-0.765331426414753), R(-2.053213905803619), R(-0.10837704623486613), R(5.226752619679141), R(-2.716617975157085), R(3.350937874890681), R(-7.136407658993885), R(-27.934670453727453), R(64.19314582422568), R(3.368709956956282), R(-0.26729044177441097), R(-0.9710376493195371), R(-16.02950320566411), R(3.3602725084620015), R(-2.1766832757509063), R(-6.063427146176987), R(5.161398636342837), R(0.03599748746145872), R(-0.7036028400259742), R(-28.656865642026727), R(-9.651268745690412), R(-0.2055184802341236), R(-1.082699249209986), R(1.3754069290087023), R(0.8639639494125158), R(2.924777868793496), R(0.6779274341844045), R(5.42259618448022), R(0.9012858945641736), R(1.0654296752728916), R(4.527767029059884), R(0.8741314266896129), R(-11.262719473154682), R(-6.038833916385854), R(-1.6591046466727473), R(3.006055274842729), R(5.415228443338286), R(-1.4371877284017134), R(-4.295924362929348), R(0.5458033328710465), R(5.468965345940969), R(0.3143798868786381), R(-32.52747646572937), R(0.05599985502922495), R(0.451152405569738), R(3.279443503869155), R(-0.08296868219243882), R(2.2288774957260937), R(-3.8935181527895666), R(1.790324696155339), R(1.4947697529876545), R(1.9140112749747422), R(-1.7354596432174325), R(-1.787676215951837), R(0.23417588913253135), R(1.3426637264119232), R(-3.358160386406381), R(0.9161980339297456), R(3.433357578137912), R(-1.5738759113953444), R(-0.5585657181169557)),
+STAGE_ROW(R(-1.450056062539948), R(2.083740741484117), R(-7.2298642330263565), R(-0.8472729243410004), R(-0.24113029403022698), R(1.8066211769823834), R(-0.7591892266853424), R(4.993282533677049), R(0.9246799794402438), R(0.6304564304727321), R(0.935782999516427), R(9.528068972389443), R(-0.04878087860237112), R(-2.290453096246549), R(1.1701657540473296), R(5.880145189573485), R(-4.61582370694177), R(0.5173725221156148), R(0.33868847102863125), R(-1.6144947075158533), R(-0.15432365278363752), R(-2.2110224409217643), R(-1.6662207080435656), R(0.4554928191390816), R(-1.578691420045587), R(-1.0275424405868507), R(1.0765948448777722), R(-0.6398915877510424), R(-1.5874135936051161), R(2.4288872565257815), R(-1.3745579916330088), R(7.882916367725946), R(-0.23940336983880792), R(0.2390487537232268), R(0.7770101318336166), R(-0.5314290176667077), R(0.7093470756211425), R(-1.8202631058375567), R(-2.0486111772342173), R(0.12980344556847756), R(-2.858080819091116), R(-2.072313881902984), R(-1.906551685298478), R(1.8223841211963467), R(2.80856088025029), R(2.7234636122089957), R(0.4751296986132386), R(16.418913908868625), R(0.8509108284682245), R(2.2126603213332148), R(-0.6431319780573866), R(-3.079132548732867), R(-5.3887795179023925), R(0.0534904733357153), R(0.37916497511088487), R(2.071182436381672), R(0.0587420316669402), R(-1.5077239041516806), R(2.4177989641408986), R(-3.3388469553541325), R(-2.5979507525934524), R(-5.918324762336908), R(-5.170495003775865), R(-3.616153541411219), R(-2.9442523428189435), R(2.378878201023987), R(-2.8631774349687347), R(2.1487768620365095), R(-1.9044743556621702), R(3.1934918296411468), R(-2.184583159048343), R(2.798644345140977), R(-1.5287598287389903), R(-2.9373044471379397), R(-1.2194434043059537), R(0.29435748982860416), R(0.26921442720381816), R(-0.0629915728163429), R(3.373071104624185), R(2.893799681156202)),
+STAGE_ROW(R(0.31502074920767237), R(1.187921032911289), R(-1.5815583912953508), R(-2.6972478630579637), R(-0.471393040468375), R(2.1944161571976464), R(-0.13770143771288446), R(-0.17248498313766691), R(1.7371287511340632), R(0.8125428664255658), R(2.164719425765868), R(-0.1433799070792538), R(1.1155158200784216), R(-2.324980547874893), R(0.7287162288554938), R(-0.31526575078511626), R(-1.457880928043727), R(1.02505708735969), R(1.1048110999074274), R(-1.0859423932070469), R(1.295013339814287), R(1.0706999726098667), R(5.946408539081526), R(-0.3423876775129059), R(13.017716990009646), R(-4.783422513311463), R(10.078564182154377), R(-0.05307344976938528), R(2.2805586251545007), R(0.013511743031314376), R(0.016744926348754147), R(12.169279239069603), R(-2.8643774786214617), R(-2.1096846304680374), R(0.3942211034635671), R(-0.9090351936232586), R(-0.5597724187183548), R(0.30224471159355987), R(5.531855162958553), R(-2.711360942075398), R(0.4181234162704635), R(0.8719650585465414), R(0.7822031451605983), R(1.2801754677428805), R(4.249043434359225), R(-0.13917058814359012), R(0.9769567968483961), R(4.04124720358394), R(-15.155409613916035), R(-1.0421124454193935), R(4.623972495599476), R(-1.8310425885254984), R(-2.059104409599728), R(5.515730079065281), R(-0.26020232080502836), R(16.922565820563705), R(-0.7017698012602809), R(13.458529063291332), R(1.1408868744785945), R(-9.293672384408174), R(-2.231685904489957), R(31.543310362230823), R(-1.798202479891793), R(-3.306078502065944), R(-0.7985485753053404), R(-0.09658180060434116), R(-2.0228817959807954), R(2.4584165623608483), R(-7.463943796624473), R(-2.2441434288897426), R(1.3946571605532276), R(7.06698432788967), R(0.1921769932083606), R(-2.754659206052923), R(-1.6185465555958605), R(-1.6999512125296616), R(-0.6605246213126739), R(-5.507332513326847), R(3.672105811542565), R(5.445866045612614)),
+STAGE_ROW(R(1.134705153010466), R(0.09504775786230743), R(-1.9139331189715298), R(0.04772817681568277), R(0.5462953930187755), R(-3.5497883577076776), R(-0.7115432383143837), R(0.8494430923518431), R(-0.2470483083707351), R(-0.3538585497199525), R(0.30521362393210466), R(4.144237316788347), R(-0.5016353675716733), R(-0.28669203732046844), R(1.351465171384823), R(3.4802059374259997), R(-0.002689859620335782), R(2.3620967345060566), R(-1.034202977445424), R(-1.4026846405284945), R(0.29180344320748686), R(3.2130268974065235), R(-1.0775906367063124), R(-0.9474970974123984), R(5.069007355307129), R(10.058317021879489), R(3.103259989971812), R(9.143600844035017), R(0.8431499886362426), R(-1.2781461482800613), R(0.422368437488814), R(4.215412694171736), R(-0.3651472924831023), R(-2.1008458669815084), R(-9.298114342506118), R(1.458750418533757), R(0.6020471018701168), R(3.1038438378484585), R(1.048837065281974), R(-5.910830046062169), R(-0.06849271562370264), R(0.06487549313985748), R(-2.2960446634496385), R(-0.47485429296313303), R(3.386985557467403), R(1.7493314214825328), R(0.9604875896446773), R(10.234390730533288), R(2.1367831245913687), R(0.7312716046326001), R(0.49304505088039696), R(-2.470419086185519), R(-5.00852507597324), R(-0.7974274488845258), R(0.9718150468823079), R(2.67948507343768), R(0.8872313622107894), R(-1.630864101003559), R(0.47900760479551463), R(-2.5653817673518007), R(1.0883646754267993), R(-12.820716994629242), R(-2.767786973653838), R(1.6744190641867658), R(-0.4193112327177903), R(0.45203009294773916), R(0.8462130568907141), R(1.2632633792408345), R(1.488332659013152), R(1.614392216161758), R(-2.204972896566281), R(-1.755720473812152), R(2.7655498465999484), R(0.9955790161202193), R(1.6467925062732816), R(2.850496854637539), R(2.041766448715182), R(1.5820365728647625), R(-0.7956164289466554), R(0.1763073341441086)),
+STAGE_ROW(R(1.6045957004189797), R(1.4297924982849648), R(3.8522805201502455), R(0.6695226487029838), R(-1.1647108696460127), R(-7.9780436570119235), R(-1.6840297754064817), R(0.9703531248040996), R(-2.052977401322285), R(-0.8915791823542641), R(0.2602966509203421), R(-22.749068828605672), R(0.5266276435163956), R(-2.7471944555755483), R(2.648795335349987), R(5.4620758812901276), R(1.1090410383006901), R(3.6709393021032133), R(1.0815667535406197), R(-0.6408114163106807), R(0.2723272918960046), R(-0.058346529275010064), R(0.43899337439635283), R(0.2497918561191174), R(5.063282371158794), R(7.019790138587275), R(2.2472225225902793), R(2.512473043717257), R(3.167431857762382), R(-1.4139094744536282), R(0.7394446591999736), R(-0.11670229628020444), R(-1.0248322698509407), R(0.7603861787927352), R(3.2546040599061072), R(-0.36479497808504485), R(0.6015398395893122), R(3.838462254832712), R(4.829181086927467), R(3.347922986920308), R(-2.6286799841616104), R(0.22856247891144804), R(2.32713690174601), R(0.3652690304227337), R(2.6742616062924367), R(4.572022590390033), R(4.445266733602827), R(100.82569237386275), R(0.3445143903195112), R(5.525827315425412), R(-0.09447615271859718), R(-6.814511393747295), R(0.42458609104781303), R(0.06007472855032942), R(1.5060409393034222), R(1.7701908070243302), R(0.3693406668564834), R(-0.8645989263731826), R(0.34831778825065157), R(11.876708684021754), R(12.140372857003861), R(-4.989203627400634), R(2.432528202843346), R(-5.485922632973361), R(-8.370305921584848), R(8.23365187643282), R(-7.175856310893668), R(5.931532212145379), R(-11.066658442094708), R(-19.485272325605806), R(0.898544153239351), R(9.60753213670246), R(-8.856997144552118), R(24.714650685177773), R(7.319640076178835), R(-0.6540999126637097), R(-10.25726115911032), R(-3.893446909890292), R(-16.19640630450965), R(25.91362608534602)),
+STAGE_ROW(R(0.32587523146030384), R(0.0712187975224232), R(1.1447265911238687), R(-0.41974185434503375), R(-1.3055558550380852), R(-3.198381379981309), R(-0.7862232502283674), R(1.323596892088064), R(3.4717083989799113), R(0.7736598773047442), R(0.2930886393933034), R(-9.657620256526265), R(0.19037593112970952), R(-0.6361683674093951), R(3.114934926422757), R(-6.537498203588676), R(1.563704126362238), R(1.5953894450221155), R(-2.1587099206992795), R(-0.6265420227678477), R(0.03761474725278533), R(-0.20423228039610913), R(0.7087647515816953), R(-0.8908702408933507), R(4.55124016211406), R(-15.29845155740276), R(-0.3988470463704384), R(16.115948850331367), R(5.0282425631359144), R(-2.598813221235844), R(1.092498211137831), R(-0.7468987760351383), R(0.7553602815394088), R(2.0560432300168925), R(2.9501129797932992), R(-4.9993381303469135), R(-0.3789857494190992), R(-6.702514510910964), R(-3.9548664348849223), R(-6.442961290517902), R(-1.5622650701316678), R(-1.026495336304364), R(-0.7193837834169706), R(-0.06660864307378507), R(1.384868598674669), R(9.725657442111267), R(0.7872902998876248), R(62.51393149336908), R(3.7998780961213714), R(1.3296991664716957), R(0.19902389416110824), R(-15.945930272802503), R(-4.7001603470876185), R(-1.325816216793291), R(7.231650387561724), R(1.207705488515633), R(1.3480297081666055), R(-4.2014243153330835), R(-1.2399557960575063), R(-14.510323968760714), R(-2.2940253603702123), R(-6.226841518787101), R(0.5764602975254567), R(-0.4985895939907447), R(1.9991246154403757), R(1.1323628923377334), R(2.5105673468525875), R(-2.471392866028621), R(6.138820771644355), R(0.8970071719218927), R(1.9890067265597253), R(-6.661479520105377), R(-1.7160470423136307), R(-0.8034931064431197), R(-1.4629051224270428), R(-0.47930093275635943), R(1.5809479711773975), R(1.5337391417343225), R(-4.610067986874672), R(-0.6490079308470533)),
+STAGE_ROW(R(-0.9023756491625697), R(0.626067173593859), R(3.2205336370602224), R(3.840226179906112), R(0.5936095138883927), R(-0.021808807838157425), R(-0.9394940427955207), R(-3.728566914723489), R(-0.9069112386341913), R(-1.2704511470819828), R(-3.20078726311881), R(-17.883142075427514), R(1.7161220430364499), R(2.6809635242498437), R(1.0683015427160334), R(7.029165243926288), R(9.238577202618051), R(2.7624360512801673), R(-0.40616046726830707), R(-0.0780939106639192), R(0.01943866318212824), R(-0.7712963192394368), R(-1.0583028588087808), R(1.326238184603523), R(1.9582075367118994), R(8.271296217241666), R(-1.8016804994108926), R(-6.589468533035475), R(1.0896142808259897), R(-0.40853945142124937), R(-1.9043688253551971), R(-1.795064566093018), R(0.44740278724705174), R(1.6676475937368027), R(-0.6061175995136573), R(0.9598122874635495), R(0.29247935605961234), R(-0.6716703711707539), R(1.9947954873044982), R(-0.14056307030368073), R(0.09786077702863738), R(-0.585324156274473), R(-1.6672899106727188), R(0.7715803399869372), R(3.6965976084766745), R(1.7395070156803791), R(0.07277579504146045), R(-0.49256577840448323), R(0.1621770908019689), R(0.5569137085437306), R(-2.6526912406259866), R(-3.0131426312796084), R(0.01914646619542158), R(0.7079771709960785), R(0.37179214974837227), R(-0.06454905376866014), R(4.732894467137029), R(0.399055055779065), R(-0.5888813672370198), R(3.7714508620317955), R(1.3704133577451452), R(1.053688359805331), R(-1.544338732940472), R(2.407062011856808), R(2.9055887155415276), R(0.1340783648273029), R(2.8678615415818465), R(-0.40836125785410676), R(7.793210293117044), R(0.48194455760460714), R(0.40991152723478946), R(-7.97467352907994), R(1.715415340026283), R(3.7158735553451545), R(1.0101072293887208), R(-0.8129081696186612), R(1.9923523341144003), R(1.3768187774734695), R(-0.9252641404281647), R(0.4028040563335787)),
+STAGE_ROW(R(1.1259737780571586), R(-0.26344015805166643), R(1.1315865000683485), R(0.21501455758521734), R(-0.9300803823541011), R(9.877585497288292), R(-2.902374249487113), R(0.8857695019303361), R(4.2487847062024695), R(-1.7450756576001996), R(3.409531845201992), R(-3.2498035265424936), R(1.2614723633564306), R(2.7665090362129647), R(0.09528917823420636), R(-2.8991859895700283), R(-2.2281362583910846), R(3.7817277398419398), R(-0.9494438912723666), R(-1.2723906754678094), R(-1.0380493486919653), R(0.5876945022326777), R(-0.009778663045610828), R(-2.5157995927406285), R(-5.247624602715855), R(-4.151627032611495), R(-12.19004876568301), R(3.1139898520367097), R(-2.932745671723903), R(0.07206887256551234), R(-0.780433647379825), R(2.070162844419652), R(6.933927806314352), R(-2.0802199645055732), R(0.5950180920163443), R(4.466848483732418), R(0.25814507463965136), R(-10.15103648133695), R(-2.2763824354788), R(-7.148534307615755), R(-1.1143258774031253), R(-2.4349797112867546), R(-0.9682909382175541), R(0.20400562326925284), R(0.5403591437991986), R(4.500178551103395), R(0.48395969254248544), R(-2.6744973374770438), R(-0.11064289332141185), R(-0.7931849200800165), R(0.8033343507031815), R(0.8747630563866386), R(0.01173246112538566), R(-1.0498126253069362), R(-2.1757357824662273), R(-1.3458124202920392), R(-0.8007201316980288), R(-9.805499520128633), R(-0.5847181804796102), R(1.083568797416166), R(-0.9943445748106748), R(20.384053995184967), R(-0.6271444147371353), R(-0.9395828172164857), R(-1.2737557111317157), R(-1.4646391591122714), R(-2.68858507304845), R(-1.2884708907690958), R(-7.245420304599892), R(-0.6692901106247632), R(-0.017120631732835193), R(6.210321000894835), R(3.4626912959178995), R(-3.5985733786091156), R(2.0217476345811476), R(-0.05440169132844921), R(-0.20257664030223205), R(4.65306293780119), R(-0.3157590704021197), R(-9.805448223976283)),
+STAGE_ROW(R(0.8823184617206012), R(-1.0561104557008019), R(-1.4132663139456079), R(-0.04899936336974501), R(-0.9930271169353961), R(-1.972930028737098), R(-0.8876140666732004), R(0.7548599510516232), R(2.11103327816678), R(-0.5259723823471859), R(-0.10687228684526501), R(-22.771871922372448), R(0.08927200585275186), R(-1.82429885708064), R(1.442983348333373), R(-17.994753985519225), R(-0.9206238789524381), R(0.6628909938676008), R(1.3259080523433462), R(-0.021091873367959223), R(-2.275895531126104), R(0.5876931376217581), R(-1.2276226375371357), R(-1.010021025202832), R(0.8193769158853857), R(-2.890869255127321), R(-1.8947804010569003), R(8.561360322756915), R(2.544289392685756), R(-0.16292353370699383), R(-0.42937996097126285), R(-2.211322996537526), R(-0.512387139082227), R(-1.6238644707779288), R(8.904491547487892), R(-0.5303298822223175), R(-0.041444116555126136), R(1.156594166084737), R(2.12137274298417), R(1.6660538880004048), R(-0.9840953636031798), R(-0.7150228492197404), R(2.4878869712202447), R(-0.194376774096509), R(2.24917953312237), R(0.886460239972705), R(-0.5449867433322484), R(-0.53769310279578), R(0.15091697427779024), R(-3.9047484587173447), R(0.5072662157172276), R(-2.270078500808539), R(10.569495329509401), R(1.327077799520441), R(1.1552413299865418), R(-8.065538532383703), R(0.6260791286334181), R(8.955855454445565), R(-0.15272080020480056), R(1.0691649575340507), R(0.33501446473729396), R(17.10833274353241), R(-2.4372814241159224), R(-0.43119548705200095), R(0.22684898022354583), R(0.04123374201732451), R(-1.4591068522288526), R(-2.0553240306964384), R(-3.241345686604438), R(1.7077288042149121), R(2.7233990042009744), R(4.171896771664603), R(0.007188035099137784), R(-0.7915668555308574), R(1.0810928084467135), R(0.1137198421199921), R(-0.40845308704772115), R(1.5108668525543711), R(-4.682224586069284), R(-4.33121621468182))
+}
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(0.7726801903651409), R(0.5707985599811692), R(-0.38510609476358737), R(-0.34061829877384336), R(0.0627319620258724), R(0.09350032543367102), R(0.04799775485738729), R(-0.20655062283680642), R(-0.21646107080800195), R(0.4922837490128627), R(-0.7113968603259581), R(0.12755640912095403), R(-0.7704813527654111), R(0.3805711952009551), R(-0.01569446394440866), R(0.5334236861213689), R(-0.7092496830600622), R(0.2746361028073818), R(0.14439631414303247), R(0.06295729955984627), R(0.6649739032354496), R(0.4238269732438073), R(-0.3287757534313334), R(-0.43205852460618493), R(0.2650575262435506), R(0.2293043988385205), R(0.15804090636788357), R(-0.17238323554048463), R(-0.4305825075694763), R(0.45777218657186397), R(-0.6385378342201263), R(0.07845022642471859), R(-0.7107781554992412), R(0.4702364603121976), R(-0.328858425209247), R(0.37221205982499744), R(-0.49646319962308705), R(0.19348464685019576), R(0.24461182527750208), R(0.5358776056155435), R(0.5926537174764661), R(0.5267020504470887), R(-0.17358961877183243), R(-0.4159131934673148), R(0.049982875162060764), R(0.026578694490299124), R(0.09755769302463563), R(-0.04175399181839363), R(-0.37206817589631197), R(0.07251173289032126), R(-0.8567889924935519), R(0.10427678699479251), R(-0.7848423672147014), R(0.42741896139590607), R(-0.014053739308749582), R(0.08738273227024317), R(-0.5785041917255779), R(0.08083484777914861), R(0.6542690687832271), R(0.177365106569297), R(0.07024250426650179), R(1.1751535414386285), R(-0.4285983920631097), R(-0.8619378091087934), R(-0.12553620258337184), R(-1.7337383983150207), R(0.44211299815288346), R(0.15341874819765894), R(0.8403340029455162), R(0.18189922800362068), R(-0.5113642372629877), R(0.8103414217096556), R(-0.7690451842029828), R(0.3583875080771053), R(-0.22354879788763782), R(-0.08507955353765939), R(-0.05076795290310686), R(0.1265519943988723), R(-0.3689811538399332), R(0.38160123606904683));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output_bias[STAGE_NETWORKS] =
+{R(-1.6807300023455052), R(-1.4297425077060633), R(-2.0180311512582385), R(-1.150154918315621)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_second[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(0.0), R(-0.5500497977506004), R(-0.6277081436243783), R(0.08802452073709523), R(0.42845195055818186), R(0.6263305770352722), R(0.6141159234846862), R(-0.22331696261563103), R(0.3336420141474003), R(-0.5461296132127699), R(0.29926481803515265), R(-0.09043225525914146), R(-0.4493153325692873), R(0.30385965595805947), R(-0.2751074724170826), R(0.4999583230528207), R(0.39979287659298934), R(-0.7290828526801367), R(0.41389768245099917), R(0.12556050522264947), R(0.3302802475911656));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_second_bias[STAGE_NETWORKS] =
+{R(0.0), R(0.0), R(0.0), R(1.2791269506303726)};
+#define STAGE_DEPTHS {3, 3, 3, 3}
+
+
+/*
+ * A stage: networks evaluated in step. Its tables, which come before this, define its sizes, STAGE_..., and the names
+ * of its tables and functions: STAGE(networks) computes it.
+ */
+#if STAGE_SIDE_BY_SIDE
+/*
+ * A stage on vectors of 16 numbers: its networks side by side. Lane l of part m is neuron STAGE_SHARE m +
+ * l / STAGE_NETWORKS of network l % STAGE_NETWORKS, and lanes left over are zeros. Sums are added up in the order of
+ * the other form of a stage, to the same bits.
+ */
+
+/* In each lane what its network has of neuron q of a part. */
+SAILNET_INLINE sailnet_lanes STAGE(neuron)(sailnet_lanes part, int32_t q)
+{
+    const sailnet_mask network = {
+        0 % STAGE_NETWORKS,  1 % STAGE_NETWORKS,  2 % STAGE_NETWORKS,  3 % STAGE_NETWORKS,
+        4 % STAGE_NETWORKS,  5 % STAGE_NETWORKS,  6 % STAGE_NETWORKS,  7 % STAGE_NETWORKS,
+        8 % STAGE_NETWORKS,  9 % STAGE_NETWORKS,  10 % STAGE_NETWORKS, 11 % STAGE_NETWORKS,
+        12 % STAGE_NETWORKS, 13 % STAGE_NETWORKS, 14 % STAGE_NETWORKS, 15 % STAGE_NETWORKS,
+    };
+    return _mm512_maskz_permutexvar_ps(0xFFFF, (__m512i)(network + q * STAGE_NETWORKS), part);
+}
+
+SAILNET_INLINE void STAGE(begin)(int32_t layer, sailnet_lanes sums[2][STAGE_PARTS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[0][m] = sailnet_at(STAGE(biases)[layer][m]);
+        sums[1][m] = nothing;
+    }
+}
+
+/* Two sums for each neuron: in one, an addition would wait for the one before it. */
+SAILNET_INLINE void STAGE(add)(sailnet_lanes a, const sailnet_real weights[STAGE_PARTS][STAGE_PART],
+                                      sailnet_lanes sums[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[m] += a * sailnet_at(weights[m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(activate)(sailnet_lanes sums[2][STAGE_PARTS], sailnet_lanes neurons[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        neurons[m] = sailnet_sigmoid(sums[0][m] + sums[1][m]);
+    }
+}
+
+/* The second output of the last network is the last. */
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS + 1])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    sailnet_lanes sums[2][STAGE_PARTS];
+    sailnet_lanes neurons[STAGE_PARTS];
+    STAGE(begin)(0, sums);
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_lanes clamped =
+            sailnet_lanes_clamped(nothing + input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        STAGE(add)(clamped - STAGE(lower)[i], STAGE(first)[i], sums[i % 2]);
+    }
+    STAGE(activate)(sums, neurons);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(begin)(layer, sums);
+        SAILNET_UNROLLED
+        for (int32_t i = 0; i < STAGE_ROWS; i++) {
+            STAGE(add)(STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE),
+                              STAGE(hidden)[layer - 1][i], sums[i % 2]);
+        }
+        STAGE(activate)(sums, neurons);
+    }
+    sailnet_16_bytes products[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    sailnet_16_bytes seconds[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_ROWS; i++) {
+        const sailnet_lanes neuron = STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE);
+        const void *const weights = STAGE(output)[i];
+        sailnet_16_bytes first;
+        (void)memcpy(&first, &neuron, sizeof first);
+        products[i % 4] += first * *(const sailnet_16_bytes *)weights;
+        const void *const others = STAGE(second)[i];
+        seconds[i % 4] += first * *(const sailnet_16_bytes *)others;
+    }
+    const sailnet_16_bytes sum = (products[0] + products[2]) + (products[1] + products[3]);
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = sum[k] + STAGE(output_bias)[k];
+    }
+    const sailnet_16_bytes second = (seconds[0] + seconds[2]) + (seconds[1] + seconds[3]);
+    output[STAGE_NETWORKS] = second[STAGE_NETWORKS - 1] + STAGE(second_bias)[STAGE_NETWORKS - 1];
+}
+#else
+/*
+ * A stage: STAGE_NETWORKS network(s) with the same STAGE_INPUTS inputs, layer by layer. STAGE_DEPTH
+ * hidden layers of at most STAGE_ROWS neurons; a shallower network uses the first ones.
+ */
+
+/* Physical input, clamped to the widened range it had in training, less the lower end of that range. */
+SAILNET_INLINE void STAGE(shifted)(const sailnet_real input[STAGE_INPUTS],
+                                          sailnet_real shifted[STAGE_EVEN_INPUTS])
+{
+    shifted[STAGE_EVEN_INPUTS - 1] = R(0.0);
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_real clamped =
+            sailnet_clamped(input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        shifted[i] = clamped - STAGE(lower)[i];
+    }
+}
+
+#define STAGE_VECTORS (STAGE_WIDTH / SAILNET_LANES)
+/* Sums of one network that registers hold, twice; and of how many networks they hold as many. */
+#if STAGE_VECTORS % 6 == 0
+#define STAGE_BLOCK 6
+#elif STAGE_VECTORS % 5 == 0
+#define STAGE_BLOCK 5
+#elif STAGE_VECTORS % 4 == 0
+#define STAGE_BLOCK 4
+#elif STAGE_VECTORS % 3 == 0
+#define STAGE_BLOCK 3
+#elif STAGE_VECTORS % 2 == 0
+#define STAGE_BLOCK 2
+#else
+#define STAGE_BLOCK 1
+#endif
+#if 2 * STAGE_BLOCK * STAGE_NETWORKS < SAILNET_REGISTERS
+#define STAGE_TOGETHER STAGE_NETWORKS
+#else
+#define STAGE_TOGETHER 1
+#endif
+
+/*
+ * activations becomes the sigmoids of biases + weights a, for each network: a[k] are the inputs of network k, an even
+ * number, and a[0] of all if `each` is 0.
+ */
+SAILNET_INLINE void STAGE(layer)(const sailnet_real *a, int32_t each, int32_t inputs,
+                                        const sailnet_real biases[STAGE_NETWORKS][STAGE_WIDTH],
+                                        const sailnet_real weights[][STAGE_NETWORKS][STAGE_WIDTH],
+                                        sailnet_real activations[STAGE_NETWORKS][STAGE_WIDTH])
+{
+    SAILNET_ROLLED
+    for (int32_t network = 0; network < STAGE_NETWORKS; network += STAGE_TOGETHER) {
+        SAILNET_ROLLED
+        for (int32_t block = 0; block < STAGE_WIDTH; block += STAGE_BLOCK * SAILNET_LANES) {
+            /* Two sums for each neuron: in one, an addition would wait for the one before it. */
+            sailnet_lanes even[STAGE_TOGETHER][STAGE_BLOCK];
+            sailnet_lanes odd[STAGE_TOGETHER][STAGE_BLOCK];
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const int32_t k = network + n;
+                    const int32_t j = block + m * SAILNET_LANES;
+                    even[n][m] = sailnet_at(&biases[k][j]) + a[k * each] * sailnet_at(&weights[0][k][j]);
+                    odd[n][m] = a[k * each + 1] * sailnet_at(&weights[1][k][j]);
+                }
+            }
+            SAILNET_ROLLED
+            for (int32_t i = 2; i < inputs; i += 2) {
+                SAILNET_UNROLLED
+                for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                    SAILNET_UNROLLED
+                    for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                        const int32_t k = network + n;
+                        const int32_t j = block + m * SAILNET_LANES;
+                        even[n][m] += a[k * each + i] * sailnet_at(&weights[i][k][j]);
+                        odd[n][m] += a[k * each + i + 1] * sailnet_at(&weights[i + 1][k][j]);
+                    }
+                }
+            }
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const sailnet_lanes sigmoids = sailnet_sigmoid(even[n][m] + odd[n][m]);
+                    (void)memcpy(&activations[network + n][block + m * SAILNET_LANES], &sigmoids, sizeof sigmoids);
+                }
+            }
+        }
+    }
+}
+
+/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
+SAILNET_INLINE sailnet_real STAGE(product)(const sailnet_real *a, const sailnet_real *b, int32_t count)
+{
+#ifdef SAILNET_VECTORS
+    sailnet_16_bytes sums = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
+    }
+#else
+    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
+            sums[lane] += a[j + lane] * b[j + lane];
+        }
+    }
+#endif
+#ifdef SAILNET_FLOAT64
+    return sums[0] + sums[1];
+#else
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+#endif
+}
+
+/* The second output of the last network is the last. */
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS + 1])
+{
+    static const int32_t depth[STAGE_NETWORKS] = STAGE_DEPTHS;
+    SAILNET_ALIGNED sailnet_real layers[STAGE_DEPTH][STAGE_NETWORKS][STAGE_WIDTH];
+    sailnet_real shifted[STAGE_EVEN_INPUTS];
+    STAGE(shifted)(input, shifted);
+    STAGE(layer)(shifted, 0, STAGE_EVEN_INPUTS, STAGE(biases)[0], STAGE(first), layers[0]);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(layer)(layers[layer - 1][0], STAGE_WIDTH, STAGE_ROWS, STAGE(biases)[layer],
+                            STAGE(hidden)[layer - 1], layers[layer]);
+    }
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = STAGE(product)(layers[depth[k] - 1][k], STAGE(output)[k], STAGE_ROWS) +
+                    STAGE(output_bias)[k];
+    }
+    const int32_t last = STAGE_NETWORKS - 1;
+    output[STAGE_NETWORKS] = STAGE(product)(layers[depth[last] - 1][last], STAGE(second)[last], STAGE_ROWS) +
+                             STAGE(second_bias)[last];
+}
+#endif
+#undef STAGE
+#undef STAGE_NETWORKS
+#undef STAGE_INPUTS
+#undef STAGE_EVEN_INPUTS
+#undef STAGE_DEPTH
+#undef STAGE_DEPTHS
+#undef STAGE_ROWS
+#undef STAGE_WIDTH
+#undef STAGE_SIDE_BY_SIDE
+#undef STAGE_SHARE
+#undef STAGE_PARTS
+#undef STAGE_PART
+#undef STAGE_OUTPUTS
+#undef STAGE_OUTPUT
+#undef STAGE_ROW
+#undef STAGE_OUTPUT_ROW
+#undef STAGE_VECTORS
+#undef STAGE_BLOCK
+#undef STAGE_TOGETHER
+
+/* Stage "plan_w": arrival_lambda_w [20, 20, 20]. */
+#define STAGE(name) sailnet_plan_w_##name
+#define STAGE_NETWORKS 1
+#define STAGE_INPUTS 8
+#define STAGE_EVEN_INPUTS 8
+#define STAGE_DEPTH 3
+#define STAGE_ROWS 20
+#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)
+#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == 16
+#define STAGE_SIDE_BY_SIDE 1
+#define STAGE_SHARE 16
+#define STAGE_PARTS 2
+#define STAGE_PART SAILNET_LANES
+#define STAGE_OUTPUTS STAGE_ROWS
+#define STAGE_OUTPUT SAILNET_PER_16_BYTES
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15)}, {(n0_16), (n0_17), (n0_18), (n0_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19) {{(n0_0)}, {(n0_1)}, {(n0_2)}, {(n0_3)}, {(n0_4)}, {(n0_5)}, {(n0_6)}, {(n0_7)}, {(n0_8)}, {(n0_9)}, {(n0_10)}, {(n0_11)}, {(n0_12)}, {(n0_13)}, {(n0_14)}, {(n0_15)}, {(n0_16)}, {(n0_17)}, {(n0_18)}, {(n0_19)}}
+#else
+#define STAGE_SIDE_BY_SIDE 0
+#define STAGE_PARTS STAGE_NETWORKS
+#define STAGE_PART STAGE_WIDTH
+#define STAGE_OUTPUTS STAGE_NETWORKS
+#define STAGE_OUTPUT STAGE_WIDTH
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}}
+#endif
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_lower[STAGE_INPUTS] =
+{R(0.135136), R(0.00070630391145856), R(7.198156368761519e-15), R(-0.7307239965964251), R(2.084034446201672e-14), R(-0.9742815241786018), R(-0.9995125481254155), R(-0.4999999807363872)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_clamp_min[STAGE_INPUTS] =
+{R(8.326672684688674e-17), R(-8.531533378007708), R(-1.9511753177256186), R(-3.6698237947852173), R(-0.9990987676330103), R(-4.916140853325416), R(-4.992526408522209), R(-2.499999866105788)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_clamp_max[STAGE_INPUTS] =
+{R(0.3378399999999999), R(12.799065826790208), R(2.9267629765884458), R(3.677925700686763), R(1.4986481514495675), R(4.93850746954162), R(4.9900082424697745), R(2.4999998473177136)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(0.36532534212236745), R(2.032852380334306), R(1.1538012138846858), R(1.1186702870949425), R(-1.9033912291360275), R(14.346439471973957), R(3.2871040912155207), R(9.183861385198952), R(-0.4706815609522875), R(-0.832117960804605), R(-1.5405314618685317), R(-1.271511560710605), R(25.898165976104192), R(0.6684465010845716), R(-5.755158767943762), R(-8.081818198558555), R(-3.2179509227055574), R(-0.41381115131374374), R(-0.03851698827503011), R(-180.36886739480713)),
+STAGE_ROW(R(7.228348094006845), R(-2.7881112544042512), R(1.2039045785797782), R(2.388509147171591), R(-0.8606272122934484), R(3.4496179031044365), R(3.417412329066245), R(-2.7536957932817554), R(0.11059012928104354), R(-1.9434940640547484), R(-1.150407523154592), R(0.8885280487378348), R(-9.615164428503908), R(-3.0724895053644463), R(3.568949632645135), R(1.1627927993762486), R(-0.3915731419695965), R(-3.2542393741500533), R(-1.1549721762665466), R(-1.1108303672559778)),
+STAGE_ROW(R(9.029659442742883), R(4.699581125500574), R(1.0447876527667694), R(2.7659985932777382), R(2.1202651769427048), R(7.04994979826002), R(-2.3731365732793526), R(-6.984493777756905), R(4.899870000846976), R(-4.211316010788128), R(4.661312424287454), R(2.821631138129389), R(-2.6785994645990323), R(-8.40195428125187), R(0.26222805597296717), R(5.695950310823314), R(-3.0667943224021705), R(-6.124611360709344), R(22.099490422435075), R(-13.142571678976983)),
+STAGE_ROW(R(-5.81791690097742), R(3.497064497627664), R(0.36655529700922396), R(-2.851952586198028), R(-0.04945809904773501), R(-1.226557083319446), R(-1.6593853730534172), R(-2.39130975772602), R(-1.067232776920361), R(-1.358124151967896), R(0.644030144135572), R(-0.32999610003146396), R(1.3846817785301522), R(0.4006372789698953), R(-0.7305410388436446), R(1.8757415835524698), R(0.01725237620189686), R(-2.824601792561928), R(6.546345522119549), R(-3.1855978395178557)),
+STAGE_ROW(R(-15.578640018903037), R(3.6221451046880038), R(3.026798921001724), R(5.019416539229545), R(14.80451331955938), R(14.58999071546242), R(-7.348261357945282), R(-14.745424767784344), R(0.5734708081506688), R(-9.89031114626768), R(6.099492690285573), R(1.5569140811582876), R(-2.356022168038363), R(-14.270229516078885), R(-9.198747305172454), R(-28.744097679764835), R(-9.686642462756094), R(-7.686243339964485), R(-30.923261601383764), R(-14.699164416273538)),
+STAGE_ROW(R(5.328405044324818), R(-6.172180521048071), R(-3.8467726905819664), R(1.511551128820314), R(1.497035763401496), R(-16.82482911263846), R(-0.5711664808464545), R(3.4148205084739978), R(3.508052538980102), R(5.034150559470141), R(-0.17325762371356027), R(2.538283602641165), R(-15.197036167673412), R(-1.4657963025291254), R(1.6082263310133382), R(7.713090815563367), R(1.1786077618589277), R(-0.8225194242447982), R(-3.1818221778999254), R(-2.9160605743713925)),
+STAGE_ROW(R(4.023232595244106), R(-2.3814756588448063), R(-5.492736385018738), R(4.500821171506497), R(-0.4901671504061635), R(-4.220433991134306), R(0.36163616692939965), R(-0.5927930968449903), R(-4.83835399568255), R(2.227825736787386), R(-0.43258712709938985), R(1.928935601580117), R(-3.6874413866365328), R(5.491350603531884), R(-2.1866295475132635), R(1.726535409853873), R(0.5744185637334456), R(2.8475087140661763), R(11.351095322095654), R(-3.8783629037991374)),
+STAGE_ROW(R(0.07064928212087174), R(-1.5620313964943742), R(5.248837366176139), R(-3.1660547163562027), R(-0.3597568910560417), R(-2.9048610399530657), R(-1.5348289562085098), R(-2.77952694372689), R(-0.33451401200961034), R(2.871148267579634), R(0.5769942279733067), R(5.563691405937011), R(-2.8344100756484614), R(-1.331771020672087), R(-3.4300476769078805), R(-2.640749193516529), R(4.615895343164209), R(1.9316227239583244), R(-3.6804479521841547), R(-3.9509763426360536))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-9.528302018027555), R(4.687723677604908), R(-0.3310710527052671), R(1.4595081967853643), R(-0.6874187593215453), R(2.2611641793950374), R(2.186880384564647), R(13.963631865959359), R(-2.4901109414161846), R(-2.3674960929020394), R(3.525367711248174), R(-7.417878788028601), R(35.78173814010366), R(3.90626697930215), R(4.824543962096802), R(-6.3824695998288385), R(-3.4315547694168287), R(5.095619535859833), R(-5.528073372764796), R(-1.582555276709329)),
+STAGE_ROW(R(-11.04959132146104), R(7.6167110119544486), R(1.1745280496841957), R(-1.453142076491934), R(-8.024855880261065), R(-16.89143640812923), R(-19.06685292762794), R(9.593437521593033), R(-22.417016469512212), R(0.8688529052175396), R(-0.780236666224308), R(48.17479043812852), R(44.945570396134926), R(-34.06114648014228), R(7.240318578891377), R(18.429178296499856), R(13.983731591687656), R(1.2395996550967248), R(1.886335843754899), R(-9.046978544744103)),
+STAGE_ROW(R(5.330915206824845), R(6.7772197104458884), R(-6.402150552191138), R(-1.0293134610077115), R(6.221405824117697), R(18.026599616229102), R(14.5964389154792), R(14.30525469642629), R(-12.383220090123194), R(-0.04758945800897262), R(11.324355597066491), R(-0.7138444469919379), R(12.997716367298006), R(-13.592823496967188), R(0.9768494264996803), R(3.25560604741204), R(18.067645414422113), R(18.123740416441194), R(-40.14479151948184), R(19.887265371666544))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_hidden[2][STAGE_ROWS][STAGE_PARTS][STAGE_PART] =
+{
+{
+STAGE_ROW(R(0.07526905530962794), R(-0.5405898020430587), R(1.377659651462017), R(-4.6332016816327), R(0.32220592648764235), R(-0.7281535248637588), R(0.8731062498331565), R(-1.565608466508736), R(-0.7138313180045746), R(0.12457990022804404), R(0.6538983524097083), R(-3.6811699632502073), R(0.36132136369595264), R(-1.3804558774536955), R(-3.0313187594171422), R(-0.9728918690728169), R(1.1993081251088162), R(0.10589538814564589), R(0.26161089269880183), R(0.8393166525212643)),
+STAGE_ROW(R(3.1575271783737553), R(-0.010847738942464493), R(0.5800900320107006), R(-3.6292086879802956), R(-0.5638679868385188), R(-3.038789809931811), R(-1.302599569433008), R(-13.391112589767399), R(0.06675757785237244), R(0.7401809911447305), R(2.2492719159040075), R(0.8015474400240556), R(1.5859696553596139), R(-3.072801626790563), R(-4.443752493048768), R(-3.874721690873564), R(-1.3724321853722279), R(1.5664726015837414), R(-1.0327338910606523), R(4.898947994436101)),
+STAGE_ROW(R(-0.9320146642350677), R(-0.02256389940373905), R(1.7743038031081786), R(-0.21541832262057564), R(-0.3346681625484678), R(1.1121630537553717), R(-1.969817657062798), R(10.322537768364919), R(1.471674588600442), R(1.8661121068325512), R(-4.271544443647525), R(4.468309681383653), R(-1.4252280855764508), R(1.9275842675749553), R(2.613164375076006), R(1.5868943544298295), R(0.26025137676744114), R(0.7100723898249549), R(-0.015388724253003945), R(-8.468201627804294)),
+STAGE_ROW(R(-5.104075167385154), R(0.26109855030806167), R(-3.9831550675585428), R(-4.483469939716699), R(0.10431904315863029), R(3.8474901529409085), R(-3.856134144883104), R(12.971518151350054), R(2.2857260232101306), R(-7.210072035838178), R(8.377149849007045), R(-2.679412650911844), R(-1.3620162652868053), R(-3.5464712133704617), R(-4.159601302317573), R(5.228685443148583), R(-2.211421652252306), R(-3.7026904496111785), R(-3.2709355886314055), R(-1.1577188481973484)),
+STAGE_ROW(R(7.399244951691136), R(-0.4360648546393597), R(2.6004404705359234), R(0.7988164092548217), R(1.783198334889884), R(6.166838520060086), R(-1.9667931160904921), R(1.130721637701789), R(-0.2108397467937427), R(0.5021284776620903), R(5.151995278012891), R(-6.126943797961512), R(-0.6511335448872837), R(-3.3403355661146303), R(-5.757018985254675), R(0.9253339044909635), R(3.3656708719016453), R(-1.3057231084473648), R(2.6188009628670192), R(2.515673919519824)),
+STAGE_ROW(R(-1.2691058495641732), R(0.8168186230368344), R(-3.6464948689232313), R(11.204061160777883), R(-0.5574076937320717), R(-0.29924006329551295), R(2.6820357477253784), R(-10.196551304650068), R(2.055300200733806), R(-2.168447813321441), R(1.487761915792794), R(-0.12100119747155584), R(-0.4118150366622161), R(-2.378600233120385), R(-0.4304542836821455), R(0.6570189538434169), R(-4.228945543364017), R(0.7818803024503933), R(-1.6560813430058225), R(-0.5675585700117352)),
+STAGE_ROW(R(1.5238293918814731), R(-1.0932225479133284), R(4.657043543874846), R(2.291999723618306), R(-6.371479643254243), R(1.045531139163649), R(-2.0638565020231985), R(-5.30345278331645), R(-0.583905879598873), R(2.1982959532027215), R(0.5896996201298143), R(-1.3718551991100365), R(-1.2500724720168381), R(-14.690279202282577), R(-3.5050337067152375), R(3.025421881321169), R(5.155708249982485), R(0.48069880714879853), R(3.0321920058791494), R(4.134959481036132)),
+STAGE_ROW(R(6.356692580182154), R(4.665151843227761), R(-11.277883198493857), R(13.113206338789189), R(-3.8945556303991777), R(-5.77861935992111), R(-3.6492856967843297), R(-0.35925004617513817), R(-8.664170727784896), R(2.2008056658326196), R(-4.073589597721243), R(6.47837604936967), R(15.539405371663399), R(21.08545978193593), R(13.55319495899781), R(-0.9625105714959035), R(-5.819353805358848), R(2.132971540185479), R(-2.4190657871042007), R(-1.9794528592153944)),
+STAGE_ROW(R(-3.1225543876693056), R(4.480854390808904), R(0.629915617947962), R(3.4412397513237205), R(0.690430682796963), R(-4.256926196764868), R(0.42723640039440713), R(-12.20391074541541), R(0.6228941910553946), R(0.8454906364045989), R(-1.5011545083362337), R(4.4614095721005125), R(-1.5463387700563853), R(-11.180122860881976), R(-1.469402857772799), R(-0.2644465272479329), R(-1.7132355031687048), R(2.230364558332229), R(-1.5264348195595783), R(-4.0353218616617275)),
+STAGE_ROW(R(2.2952834775187037), R(-3.8552677154841346), R(-1.0062261977856422), R(-4.024165600416802), R(-1.161103469348469), R(-0.22037084431332293), R(0.3549859372440688), R(16.75355524300434), R(0.542024292486481), R(-4.148899848606033), R(6.278012960111715), R(-5.954028330506801), R(1.7902288903687902), R(8.41639413728956), R(-4.0176004199686455), R(-0.10494220247512322), R(3.6737717509464756), R(-0.796590309498821), R(0.9729989545808951), R(3.5404573501109136)),
+STAGE_ROW(R(-11.267376754274675), R(-4.647443771175845), R(6.808345178061878), R(-6.054544567201125), R(6.7247047252853065), R(-13.155806847503023), R(3.5938778333202257), R(16.140199233634558), R(-10.817461058945645), R(-6.40539400566741), R(9.538259931789296), R(22.786574699870005), R(27.4085864344844), R(-25.188976595748933), R(4.689746988422998), R(10.223087894105953), R(5.92961965942805), R(0.4868765446063481), R(-3.270244966985773), R(-1.340070729320144)),
+STAGE_ROW(R(-2.000042687995059), R(-0.7708799671566463), R(7.651516540293575), R(-3.106715140123519), R(-2.866322838635368), R(-9.045148672129978), R(-6.333374349205159), R(14.034731401651017), R(-2.388404318940805), R(10.991591044744348), R(-12.473469380612986), R(13.262685744094178), R(0.6859457386715604), R(-12.277838641164575), R(6.569720798122585), R(2.3929764984086193), R(10.108359537486006), R(3.3473193179065097), R(3.8647458981360066), R(-3.1786675736077132)),
+STAGE_ROW(R(-1.8902577843822346), R(0.8680687575093643), R(0.46657500926633866), R(8.961190701890681), R(-0.5694199065637296), R(-0.35883141846958055), R(-7.104287920891606), R(-1.7671180173314773), R(-1.3016962632721756), R(3.881272738610575), R(-3.540152356923451), R(11.689408236580816), R(-6.748666894105982), R(-7.0651343410029614), R(-4.991351594239298), R(-0.10943719219547327), R(0.9169929302825509), R(0.6840654623302109), R(1.662683280279742), R(-0.5483218410766391)),
+STAGE_ROW(R(6.027098723431143), R(-2.8136253088335237), R(0.5960754948933364), R(11.952621160976811), R(-2.0706794102648285), R(1.6307594551884337), R(0.9226819095343686), R(13.020550747188333), R(0.9445290293816441), R(-1.2608950548119329), R(2.249814138472485), R(-4.0479524496639545), R(-2.458359121399385), R(6.269882615750451), R(5.790987572208486), R(-2.41410808857944), R(-3.79218111978528), R(0.7296498068968602), R(0.8447514420419655), R(3.001373414018083)),
+STAGE_ROW(R(1.0871187083213696), R(0.04917858109614938), R(-1.7687383711007612), R(7.464004120254963), R(0.06858941180385189), R(-1.9959084686862185), R(1.1256385516292464), R(-23.56252930602124), R(0.4998683644130965), R(-1.9333705229464604), R(3.338123204273332), R(-2.5666514606506876), R(-0.7684799472903677), R(-5.168045325401347), R(-1.6196737674707085), R(-1.7448226396551367), R(-0.5949166372803886), R(1.8560328947199265), R(-1.9596703895891712), R(3.875167889957137)),
+STAGE_ROW(R(-0.47004336260683355), R(-1.9414114701872243), R(-0.3465951434856859), R(1.0289429288419951), R(0.5630773256121255), R(0.029097447641756473), R(0.23866500193972837), R(-1.1664862645595198), R(0.1692392817463406), R(-0.07468800722239351), R(0.490779011021744), R(-1.9395619738907224), R(-2.454001287370774), R(5.3025216884838065), R(0.47254972611058266), R(0.3137755765740767), R(-0.6535224612952467), R(-0.03621715177167423), R(-0.6163910016006373), R(-0.46594560993396444)),
+STAGE_ROW(R(0.6647746405711152), R(1.6095708138005513), R(-0.8724693559595265), R(-9.842214083937632), R(10.052425625983025), R(5.456632533069853), R(-5.0281589314287425), R(9.1977516835169), R(0.9966496663684239), R(-1.0215407383741204), R(-0.8020214677567241), R(2.3007652458630115), R(-1.799162513876684), R(4.849250325871413), R(-2.606863980056141), R(1.8057148528755993), R(0.3372928345552254), R(-5.346590890310868), R(3.888405539081554), R(0.6095277282170617)),
+STAGE_ROW(R(-6.80251641677201), R(7.986382639329829), R(1.0594964979915165), R(-7.890008203202607), R(4.469798864985701), R(-0.04878210742095742), R(-3.1137660123011797), R(-23.09984029306593), R(-1.661107096931302), R(3.581717386045294), R(-8.438238112509337), R(9.167451970915344), R(7.579568240298173), R(-4.209462961069733), R(-0.18826114974685307), R(-1.5972421102244434), R(-2.092529368255552), R(-0.8419444005118921), R(-2.237983857056589), R(-7.196582141418636)),
+STAGE_ROW(R(0.4095501132880443), R(-0.5684915991256506), R(0.778038917620948), R(-0.0019947833850763475), R(-0.2030828764017739), R(-0.8925034164480218), R(0.18708476613737962), R(-1.3407221066388257), R(-0.07730073995023001), R(0.16867134605585035), R(0.5647372921574216), R(-2.9552256090561486), R(-0.4329460588068197), R(-0.47106114815498107), R(-0.5189786127295807), R(-0.342085598047322), R(0.3371451924419585), R(0.17777362203365263), R(0.31968250375393187), R(3.363956655500091)),
+STAGE_ROW(R(-2.0937848425816945), R(-0.8317361828293454), R(-0.5719812569135199), R(-5.7254928713102), R(-2.3435185820163498), R(0.16678862123052077), R(1.7098671720282836), R(3.1733398440476064), R(0.007053942017998308), R(-0.4336481278784109), R(-1.2374127661327459), R(1.4141187126509847), R(3.0498819810075752), R(3.9446051501627153), R(3.3703842156992208), R(1.0853039776450812), R(0.8496639982382599), R(-1.0350804670932434), R(-1.0261161154035199), R(-1.589132226350112))
+},
+{
+STAGE_ROW(R(-1.0106261148184914), R(-0.44567481850475554), R(1.5361190082495797), R(0.4256595809148671), R(0.5265063835367365), R(8.295251047210598), R(-1.7994984664901699), R(-4.053267075395516), R(-0.8204823049236265), R(3.2880056477156874), R(1.5704393777761203), R(0.006194133458427705), R(1.1938794045073504), R(-6.129910268548785), R(6.588303049162091), R(0.22084063246743316), R(3.711523271614237), R(1.7641604373362105), R(-7.117851583557653), R(1.4744667147867971)),
+STAGE_ROW(R(3.0300155437142284), R(1.2745951764115835), R(-7.229778239510382), R(-2.246958946196318), R(13.124620821501233), R(-20.42446395995583), R(1.6306319207460205), R(1.7206947382546756), R(-1.3549505680631042), R(0.30205445915215984), R(1.7559926565507795), R(-0.43726965233611026), R(-0.7940715625591498), R(-2.0875637614025333), R(-4.16289703048916), R(-1.4505490681739195), R(14.07142202165156), R(-1.4954253762465883), R(-27.07506908050602), R(-1.7096789856600783)),
+STAGE_ROW(R(-1.8911624605812434), R(0.721884551459081), R(-1.6014351335111991), R(-0.535401349643526), R(4.098435035837948), R(-2.1264283824221053), R(4.051175312976075), R(0.8319954735907621), R(-0.5186104280769775), R(-2.721811293777711), R(-0.8710187224773887), R(-0.45896003211852066), R(2.6169127120593823), R(1.9160218322291385), R(-1.8394978367699477), R(-0.2647053132919645), R(0.7593684790396088), R(1.4716154507350645), R(-2.2628752474211673), R(1.6263315851179498)),
+STAGE_ROW(R(1.0226566339562775), R(-1.389357286363583), R(-3.2609377993275226), R(1.1122435823687542), R(1.3619886402585946), R(-0.7808889719189787), R(-0.6880560686875248), R(2.651854212356952), R(-1.225935352312818), R(1.172524852023873), R(-1.008514444353384), R(0.12603452725064357), R(3.5089818408409412), R(-1.2887526696011005), R(2.6376685091452945), R(0.18437514001629457), R(-0.30673393055139236), R(1.8500561519686611), R(-4.343469468537589), R(0.20631228053605027)),
+STAGE_ROW(R(-2.272714022023621), R(-0.7533330903095637), R(-0.9898447029550812), R(1.8461712661470893), R(0.3946789559394556), R(3.2340966681350594), R(-0.15292102752925116), R(-4.510821915278446), R(-0.5214968202161979), R(1.3625872128046304), R(1.7335928199909914), R(-1.2808495215804336), R(2.2709024532608026), R(4.7389986571001765), R(-3.3864637536044775), R(-0.6681741205810611), R(-0.5011254156725854), R(-1.0805631621121203), R(-5.57676721011705), R(1.8760477935014366)),
+STAGE_ROW(R(-0.8670786717578056), R(-1.3778668715877953), R(-0.1628658456820545), R(1.1474866248585138), R(0.4670053828434578), R(-13.628709149080386), R(-0.5951725012943039), R(-1.1482568418484287), R(-0.23428828970104973), R(0.5570628538733075), R(-1.2637967163114256), R(0.49946125101776606), R(-4.121324598760271), R(-1.1863868844971106), R(-0.5699659522561608), R(0.5382695123102339), R(0.013317754686594921), R(1.2371812599225926), R(-2.9029560447853973), R(0.6840154519280941)),
+STAGE_ROW(R(2.8821299682341786), R(2.287121880841976), R(-1.440866128650157), R(-0.5916872247824767), R(1.7554844201829924), R(2.0518240511436314), R(1.0185123046323308), R(-0.35812525587562183), R(-0.3363618114359906), R(-0.8976774674810752), R(3.08733349086829), R(-1.5742201092432315), R(0.5452057062122051), R(0.02991795306822922), R(0.6328444128980273), R(-1.3651884527588811), R(2.1675503732098145), R(-0.4482098739319695), R(-3.8738421801578307), R(-0.7419095790837821)),
+STAGE_ROW(R(-1.2141212850741703), R(-1.150178380660484), R(1.3054185539743373), R(-1.978447622397655), R(-2.63511330263068), R(-4.441144688894912), R(-0.06120348836988301), R(-1.9596258587295705), R(2.966281944666615), R(-1.2967992049757897), R(-1.1128509434370197), R(0.8563233250673058), R(-3.9279928410912763), R(2.092128489708896), R(-1.7022654922963638), R(1.1027264922879954), R(-3.0828337918975213), R(1.5488544398670425), R(10.300077045544686), R(1.9659319608246535)),
+STAGE_ROW(R(-0.8868370458570817), R(1.8512723306921184), R(-0.7362917931845475), R(-3.315952145636431), R(0.25405751217847977), R(5.064615345761901), R(4.673907352915816), R(-1.243791465936575), R(0.556680098422916), R(-2.388052319743939), R(0.5789170870543731), R(-2.397885896849984), R(2.7473878909096165), R(-2.438901353251433), R(3.524336129945204), R(-3.393896517077378), R(0.37141158977852057), R(-1.8518573543305423), R(-1.115019110590051), R(0.5847317791122304)),
+STAGE_ROW(R(0.2979447328639511), R(-0.5440067816758652), R(0.4181946984915374), R(-0.004509616766286926), R(-0.6155231996463888), R(2.118843170074015), R(-0.3469397331363746), R(0.7544402034813558), R(-0.4592132737690427), R(0.6566549463331188), R(1.234115680968307), R(2.1767193560192095), R(-3.785499632770739), R(0.10314702005187441), R(1.3453412700611742), R(1.6046314117657756), R(2.83358831797505), R(-2.415614694182513), R(4.453893439533276), R(1.2716451085613465)),
+STAGE_ROW(R(-1.9605256901130654), R(1.0309949382620711), R(0.36393113596729126), R(-0.859980558719894), R(2.0098062804659302), R(3.2993730943262576), R(2.7434103016344302), R(-2.2241594093600825), R(-1.7338420669608066), R(-2.2761767758939566), R(-0.5892791855822516), R(1.57833975049793), R(3.653116053280668), R(0.2647301269653829), R(2.48578151688622), R(-0.5789377945730497), R(2.395560102126899), R(-0.018228366693726218), R(-1.3276304029381312), R(0.21698771307255837)),
+STAGE_ROW(R(-7.009906015888248), R(4.33444532799203), R(-18.298718191742008), R(6.434524951725385), R(-15.77135990672669), R(-25.002490224241722), R(-7.08670399057569), R(10.064358692978466), R(-5.661862908579249), R(-5.593413410437352), R(2.602555380145383), R(2.6570910437882933), R(-22.164970241945365), R(15.769908446836062), R(-26.30157843899309), R(11.067582271764877), R(-5.402437747874659), R(10.220205337281481), R(50.20176625976407), R(5.01900599239571)),
+STAGE_ROW(R(2.120501482732247), R(0.6634245150012615), R(3.7735758068343013), R(-5.292258659107457), R(-0.4757214148089048), R(13.782811884420257), R(7.149562555573773), R(8.361862385623676), R(-0.30650717478398715), R(-0.06844605695582748), R(1.4998918417188538), R(-3.554913730718545), R(11.759540013984001), R(-4.504512019378158), R(6.029518359927826), R(-6.077741220147202), R(-0.8088629467016807), R(-0.9192248690142998), R(-11.663428228206753), R(-0.6087858832026283)),
+STAGE_ROW(R(0.5098616279565078), R(0.29407304629337694), R(-4.282474820865172), R(-2.498985032972849), R(-1.3515538297415965), R(-10.514845698166894), R(0.0758424045356232), R(4.139576410242098), R(1.4826974932179047), R(-3.130106871211849), R(-0.4553672464918242), R(-1.1174387829660994), R(-5.601248381919341), R(6.728353376149655), R(-7.0200326938316335), R(-0.8834406090347648), R(-2.2130352002610207), R(0.17163819159592647), R(10.215991459022852), R(0.6724004021556764)),
+STAGE_ROW(R(-1.1993131536836799), R(1.6500015499191152), R(-2.5742462167636897), R(0.013265716263266064), R(1.1372126848486908), R(-1.4343156458545865), R(0.20819509557179675), R(-0.509462591826019), R(0.9959894762023749), R(-0.048391423807854404), R(0.9724427634351706), R(-0.16364086972344438), R(-1.5013452738666202), R(0.43153938555257315), R(-0.34551666540343207), R(0.22749017677780303), R(1.1725142314930599), R(-1.9232458284456027), R(7.019080438669891), R(0.5175319283718507)),
+STAGE_ROW(R(1.2311955282057558), R(1.1503303257915067), R(-1.6758471041069094), R(-2.4754373863275982), R(10.217288865327278), R(10.068210623922562), R(15.34372196890198), R(-9.9229393745331), R(-3.460377872190626), R(2.33355950258637), R(3.3576642098091143), R(-2.1879621125839415), R(15.197968927440542), R(-16.520803556070682), R(20.11337082410985), R(-2.5739254583289517), R(9.063699170883888), R(3.104702713362898), R(-44.34872968015273), R(-1.5753719409506475)),
+STAGE_ROW(R(-1.0190885701734673), R(1.8827924990590141), R(18.891948970397152), R(0.034507637828482804), R(0.9988120888784022), R(31.51820974171066), R(-1.379612432783054), R(1.40850565683252), R(2.060271850506151), R(1.484162958214531), R(1.6447508387775538), R(-0.11306659025078936), R(-2.594985978186522), R(-5.302723139177273), R(5.22919404619356), R(-0.7065802987040452), R(1.7429498992065118), R(5.691899626961616), R(-7.882104284622009), R(0.9507445661989459)),
+STAGE_ROW(R(-0.09415996227890282), R(-3.7711729158003737), R(-2.3079542125826125), R(4.206264797781869), R(0.8906293596393343), R(-1.796104135764985), R(-5.963557898107174), R(-5.7870254377385875), R(-3.816697438855097), R(0.9355425766071683), R(-2.2641686074999243), R(-0.11619597429890731), R(6.211462237336036), R(1.6870118559501965), R(-1.9744510905799446), R(1.2876754204821392), R(1.068173827774433), R(1.49897031267127), R(5.222901283417653), R(2.185438314418034)),
+STAGE_ROW(R(4.358498198368644), R(-1.309671236233977), R(0.5529203363787123), R(-3.2339245339077287), R(-3.663556398792499), R(4.174231659577), R(3.5036311197133276), R(-2.570704162853374), R(-0.6814582895858273), R(2.8827235829725226), R(2.9569067348417177), R(0.4622470875953444), R(6.563095085370002), R(-2.3340744770144477), R(1.7749788437329517), R(-2.662004905311385), R(-0.8003481215766524), R(-0.29848892372589153), R(-6.964389155263585), R(1.030941678014058)),
+STAGE_ROW(R(0.3660274011111355), R(0.5899814185473921), R(8.610286984846022), R(3.865825143448463), R(-4.700255389561184), R(9.155259399528008), R(-2.9572893522945995), R(5.928386691068018), R(-0.2669380854543266), R(-1.8855295316936613), R(-0.5365161358936105), R(0.39850232586178497), R(-1.521349414541564), R(-1.450886385086654), R(0.9876649088930115), R(-1.4850815559212451), R(-3.9256776794129387), R(1.213145325722663), R(-5.745055349465928), R(1.5796216423638538))
+}
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_output[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(0.27324981073973487), R(0.7368566665093507), R(-0.2232775287195398), R(-0.5300174191267799), R(0.034417675607668244), R(-0.1363273153271104), R(0.16661189112399527), R(0.2923876939976924), R(-0.7848523622907482), R(0.7807811028706709), R(-0.7895212141848075), R(0.33788261554550586), R(-0.26024665080511405), R(0.6992737709097043), R(0.4874063748131705), R(-0.24530491287294962), R(-0.22882440425102615), R(0.4639899860175863), R(0.23283231691937592), R(0.039554013605644874));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_output_bias[STAGE_NETWORKS] =
+{R(-0.21494804410921545)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_second[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(-0.26829905002935084), R(0.022362350422282472), R(0.05540424837213473), R(-0.7390928093645712), R(0.4085427537014576), R(0.28630121453788593), R(-0.29515817640232334), R(0.2795691365850153), R(-0.07952229972494365), R(0.2340971794431242), R(0.0792189939109623), R(-0.667326043277671), R(0.16991030776892718), R(0.22334977724421207), R(0.07880068489952799), R(0.8073455363653897), R(-0.424236373782259), R(0.67158751871557), R(-0.018057981459940108), R(0.04918684355347508));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_w_second_bias[STAGE_NETWORKS] =
+{R(0.35981463024897736)};
+#define STAGE_DEPTHS {3}
+
+
+/*
+ * A stage: networks evaluated in step. Its tables, which come before this, define its sizes, STAGE_..., and the names
+ * of its tables and functions: STAGE(networks) computes it.
+ */
+#if STAGE_SIDE_BY_SIDE
+/*
+ * A stage on vectors of 16 numbers: its networks side by side. Lane l of part m is neuron STAGE_SHARE m +
+ * l / STAGE_NETWORKS of network l % STAGE_NETWORKS, and lanes left over are zeros. Sums are added up in the order of
+ * the other form of a stage, to the same bits.
+ */
+
+/* In each lane what its network has of neuron q of a part. */
+SAILNET_INLINE sailnet_lanes STAGE(neuron)(sailnet_lanes part, int32_t q)
+{
+    const sailnet_mask network = {
+        0 % STAGE_NETWORKS,  1 % STAGE_NETWORKS,  2 % STAGE_NETWORKS,  3 % STAGE_NETWORKS,
+        4 % STAGE_NETWORKS,  5 % STAGE_NETWORKS,  6 % STAGE_NETWORKS,  7 % STAGE_NETWORKS,
+        8 % STAGE_NETWORKS,  9 % STAGE_NETWORKS,  10 % STAGE_NETWORKS, 11 % STAGE_NETWORKS,
+        12 % STAGE_NETWORKS, 13 % STAGE_NETWORKS, 14 % STAGE_NETWORKS, 15 % STAGE_NETWORKS,
+    };
+    return _mm512_maskz_permutexvar_ps(0xFFFF, (__m512i)(network + q * STAGE_NETWORKS), part);
+}
+
+SAILNET_INLINE void STAGE(begin)(int32_t layer, sailnet_lanes sums[2][STAGE_PARTS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[0][m] = sailnet_at(STAGE(biases)[layer][m]);
+        sums[1][m] = nothing;
+    }
+}
+
+/* Two sums for each neuron: in one, an addition would wait for the one before it. */
+SAILNET_INLINE void STAGE(add)(sailnet_lanes a, const sailnet_real weights[STAGE_PARTS][STAGE_PART],
+                                      sailnet_lanes sums[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[m] += a * sailnet_at(weights[m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(activate)(sailnet_lanes sums[2][STAGE_PARTS], sailnet_lanes neurons[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        neurons[m] = sailnet_sigmoid(sums[0][m] + sums[1][m]);
+    }
+}
+
+/* The second output of the last network is the last. */
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS + 1])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    sailnet_lanes sums[2][STAGE_PARTS];
+    sailnet_lanes neurons[STAGE_PARTS];
+    STAGE(begin)(0, sums);
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_lanes clamped =
+            sailnet_lanes_clamped(nothing + input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        STAGE(add)(clamped - STAGE(lower)[i], STAGE(first)[i], sums[i % 2]);
+    }
+    STAGE(activate)(sums, neurons);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(begin)(layer, sums);
+        SAILNET_UNROLLED
+        for (int32_t i = 0; i < STAGE_ROWS; i++) {
+            STAGE(add)(STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE),
+                              STAGE(hidden)[layer - 1][i], sums[i % 2]);
+        }
+        STAGE(activate)(sums, neurons);
+    }
+    sailnet_16_bytes products[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    sailnet_16_bytes seconds[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_ROWS; i++) {
+        const sailnet_lanes neuron = STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE);
+        const void *const weights = STAGE(output)[i];
+        sailnet_16_bytes first;
+        (void)memcpy(&first, &neuron, sizeof first);
+        products[i % 4] += first * *(const sailnet_16_bytes *)weights;
+        const void *const others = STAGE(second)[i];
+        seconds[i % 4] += first * *(const sailnet_16_bytes *)others;
+    }
+    const sailnet_16_bytes sum = (products[0] + products[2]) + (products[1] + products[3]);
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = sum[k] + STAGE(output_bias)[k];
+    }
+    const sailnet_16_bytes second = (seconds[0] + seconds[2]) + (seconds[1] + seconds[3]);
+    output[STAGE_NETWORKS] = second[STAGE_NETWORKS - 1] + STAGE(second_bias)[STAGE_NETWORKS - 1];
+}
+#else
+/*
+ * A stage: STAGE_NETWORKS network(s) with the same STAGE_INPUTS inputs, layer by layer. STAGE_DEPTH
+ * hidden layers of at most STAGE_ROWS neurons; a shallower network uses the first ones.
+ */
+
+/* Physical input, clamped to the widened range it had in training, less the lower end of that range. */
+SAILNET_INLINE void STAGE(shifted)(const sailnet_real input[STAGE_INPUTS],
+                                          sailnet_real shifted[STAGE_EVEN_INPUTS])
+{
+    shifted[STAGE_EVEN_INPUTS - 1] = R(0.0);
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_real clamped =
+            sailnet_clamped(input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        shifted[i] = clamped - STAGE(lower)[i];
+    }
+}
+
+#define STAGE_VECTORS (STAGE_WIDTH / SAILNET_LANES)
+/* Sums of one network that registers hold, twice; and of how many networks they hold as many. */
+#if STAGE_VECTORS % 6 == 0
+#define STAGE_BLOCK 6
+#elif STAGE_VECTORS % 5 == 0
+#define STAGE_BLOCK 5
+#elif STAGE_VECTORS % 4 == 0
+#define STAGE_BLOCK 4
+#elif STAGE_VECTORS % 3 == 0
+#define STAGE_BLOCK 3
+#elif STAGE_VECTORS % 2 == 0
+#define STAGE_BLOCK 2
+#else
+#define STAGE_BLOCK 1
+#endif
+#if 2 * STAGE_BLOCK * STAGE_NETWORKS < SAILNET_REGISTERS
+#define STAGE_TOGETHER STAGE_NETWORKS
+#else
+#define STAGE_TOGETHER 1
+#endif
+
+/*
+ * activations becomes the sigmoids of biases + weights a, for each network: a[k] are the inputs of network k, an even
+ * number, and a[0] of all if `each` is 0.
+ */
+SAILNET_INLINE void STAGE(layer)(const sailnet_real *a, int32_t each, int32_t inputs,
+                                        const sailnet_real biases[STAGE_NETWORKS][STAGE_WIDTH],
+                                        const sailnet_real weights[][STAGE_NETWORKS][STAGE_WIDTH],
+                                        sailnet_real activations[STAGE_NETWORKS][STAGE_WIDTH])
+{
+    SAILNET_ROLLED
+    for (int32_t network = 0; network < STAGE_NETWORKS; network += STAGE_TOGETHER) {
+        SAILNET_ROLLED
+        for (int32_t block = 0; block < STAGE_WIDTH; block += STAGE_BLOCK * SAILNET_LANES) {
+            /* Two sums for each neuron: in one, an addition would wait for the one before it. */
+            sailnet_lanes even[STAGE_TOGETHER][STAGE_BLOCK];
+            sailnet_lanes odd[STAGE_TOGETHER][STAGE_BLOCK];
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const int32_t k = network + n;
+                    const int32_t j = block + m * SAILNET_LANES;
+                    even[n][m] = sailnet_at(&biases[k][j]) + a[k * each] * sailnet_at(&weights[0][k][j]);
+                    odd[n][m] = a[k * each + 1] * sailnet_at(&weights[1][k][j]);
+                }
+            }
+            SAILNET_ROLLED
+            for (int32_t i = 2; i < inputs; i += 2) {
+                SAILNET_UNROLLED
+                for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                    SAILNET_UNROLLED
+                    for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                        const int32_t k = network + n;
+                        const int32_t j = block + m * SAILNET_LANES;
+                        even[n][m] += a[k * each + i] * sailnet_at(&weights[i][k][j]);
+                        odd[n][m] += a[k * each + i + 1] * sailnet_at(&weights[i + 1][k][j]);
+                    }
+                }
+            }
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const sailnet_lanes sigmoids = sailnet_sigmoid(even[n][m] + odd[n][m]);
+                    (void)memcpy(&activations[network + n][block + m * SAILNET_LANES], &sigmoids, sizeof sigmoids);
+                }
+            }
+        }
+    }
+}
+
+/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
+SAILNET_INLINE sailnet_real STAGE(product)(const sailnet_real *a, const sailnet_real *b, int32_t count)
+{
+#ifdef SAILNET_VECTORS
+    sailnet_16_bytes sums = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
+    }
+#else
+    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
+            sums[lane] += a[j + lane] * b[j + lane];
+        }
+    }
+#endif
+#ifdef SAILNET_FLOAT64
+    return sums[0] + sums[1];
+#else
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+#endif
+}
+
+/* The second output of the last network is the last. */
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS + 1])
+{
+    static const int32_t depth[STAGE_NETWORKS] = STAGE_DEPTHS;
+    SAILNET_ALIGNED sailnet_real layers[STAGE_DEPTH][STAGE_NETWORKS][STAGE_WIDTH];
+    sailnet_real shifted[STAGE_EVEN_INPUTS];
+    STAGE(shifted)(input, shifted);
+    STAGE(layer)(shifted, 0, STAGE_EVEN_INPUTS, STAGE(biases)[0], STAGE(first), layers[0]);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(layer)(layers[layer - 1][0], STAGE_WIDTH, STAGE_ROWS, STAGE(biases)[layer],
+                            STAGE(hidden)[layer - 1], layers[layer]);
+    }
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = STAGE(product)(layers[depth[k] - 1][k], STAGE(output)[k], STAGE_ROWS) +
+                    STAGE(output_bias)[k];
+    }
+    const int32_t last = STAGE_NETWORKS - 1;
+    output[STAGE_NETWORKS] = STAGE(product)(layers[depth[last] - 1][last], STAGE(second)[last], STAGE_ROWS) +
+                             STAGE(second_bias)[last];
+}
+#endif
+#undef STAGE
+#undef STAGE_NETWORKS
+#undef STAGE_INPUTS
+#undef STAGE_EVEN_INPUTS
+#undef STAGE_DEPTH
+#undef STAGE_DEPTHS
+#undef STAGE_ROWS
+#undef STAGE_WIDTH
+#undef STAGE_SIDE_BY_SIDE
+#undef STAGE_SHARE
+#undef STAGE_PARTS
+#undef STAGE_PART
+#undef STAGE_OUTPUTS
+#undef STAGE_OUTPUT
+#undef STAGE_ROW
+#undef STAGE_OUTPUT_ROW
+#undef STAGE_VECTORS
+#undef STAGE_BLOCK
+#undef STAGE_TOGETHER
+
+SAILNET_PART void sailnet_direction(const sailnet_state *state, sailnet_real beta, double direction[SAILNET_STATES])
+{
+    const sailnet_real known = sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    /* Of r, u, v and the latitude, whose second output comes last; and the two of w. */
+    const sailnet_real now[5] = {state->r, state->u, state->v, state->latitude, state->w};
+    sailnet_real output[5];
+    sailnet_real northward[2];
+    const sailnet_real s = sailnet_approach(now, known, input, factors);
+    sailnet_plan_networks(input, output);
+    sailnet_plan_w_networks(input, northward);
+    direction[0] = (double)output[0];
+    direction[1] = (double)(output[3] * factors[0] + output[4] * factors[1]);
+    direction[2] = (double)output[1];
+    direction[3] = (double)output[2];
+    direction[4] = (double)(northward[0] * factors[0] + northward[1] * factors[1]);
+    /* The networks give the costates of position by the scale of the approach; nothing is divided by it. */
+    const sailnet_real scale = s / (s + SAILNET_ARRIVAL_SCALE);
+    for (int32_t i = SAILNET_STATES / 2; i < SAILNET_STATES; i++) {
+        direction[i] *= (double)scale;
+    }
 }
 
 /* ================================ Steering ================================ */
@@ -1280,27 +3350,27 @@ typedef struct {
 } sailnet_change;
 
 /* One such step of Eq. (1) in three dimensions, under a constant force. */
-SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
+SAILNET_PART void sailnet_predict(const sailnet_estimate *estimate, sailnet_change *change)
 {
-    const sailnet_state *const before = &memory->state;
-    const sailnet_real cosine = memory->normal[0];
-    const sailnet_real along = memory->normal[1];
-    const sailnet_real northward = memory->normal[2];
+    const sailnet_state *const before = &estimate->state;
+    const sailnet_real cosine = estimate->normal[0];
+    const sailnet_real along = estimate->normal[1];
+    const sailnet_real northward = estimate->normal[2];
     const sailnet_real sine2 = along * along + northward * northward;
     const sailnet_real per_sine = sailnet_per_root(&sine2);
     change->cosine = cosine;
     change->sine = sine2 * per_sine;
     change->along = along * per_sine;
     change->northward = northward * per_sine;
-    const sailnet_real push = memory->beta * cosine;
-    const sailnet_real across = SAILNET_FORCE_ACROSS + memory->tangential;
+    const sailnet_real push = estimate->beta * cosine;
+    const sailnet_real across = SAILNET_FORCE_ACROSS + estimate->tangential;
     change->normal = (SAILNET_FORCE_SQUARE * cosine + SAILNET_FORCE_LINEAR) * cosine;
     const sailnet_real radial = push * (change->normal + across * sine2) - R(1.0);
     const sailnet_real lateral = push * (SAILNET_FORCE_SQUARE - across) * cosine + push * SAILNET_FORCE_LINEAR;
     sailnet_state rate = {R(0.0), R(0.0), R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
-        const sailnet_real step = sailnet_stages[i][0] * memory->held;
+        const sailnet_real step = sailnet_stages[i][0] * estimate->held;
         const sailnet_real per_r = R(1.0) / (before->r + step * rate.r);
         const sailnet_real u = before->u + step * rate.u;
         const sailnet_real v = before->v + step * rate.v;
@@ -1314,7 +3384,7 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
         rate.u = (radial * per_r + (v * v + w * w)) * per_r;
         rate.v = (lateral * along * per_r + (turn * w - u * v)) * per_r;
         rate.w = (lateral * northward * per_r - (turn * v + u * w)) * per_r;
-        const sailnet_real share = sailnet_stages[i][1] * memory->held;
+        const sailnet_real share = sailnet_stages[i][1] * estimate->held;
         change->by.r += share * rate.r;
         change->by.latitude += share * rate.latitude;
         change->by.u += share * rate.u;
@@ -1324,779 +3394,258 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
 }
 
 /* The weight of a period in the mean of all at first, later of those not forgotten after a time. */
-SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_estimate *estimate, sailnet_real time)
 {
-    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-    const sailnet_real recent = memory->held * (R(1.0) / time);
+    const sailnet_real all = R(1.0) / ((sailnet_real)estimate->samples + R(1.0));
+    const sailnet_real recent = estimate->held * (R(1.0) / time);
     return recent > all ? recent : all;
 }
 
 /*
  * What one more period tells, by how much further the velocity changed than predicted: beta along the normal, the
- * tangential force across it, and how far such surprises differ. Changes are rounded finer than states. What is not
+ * tangential force across it, and how far such innovations differ. Changes are rounded finer than states. What is not
  * finite counts for nothing, what is large for the bound.
  */
-SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
+SAILNET_PART void sailnet_learn(sailnet_estimate *estimate, const sailnet_state *now, const sailnet_change *change)
 {
-    const sailnet_real held = memory->held;
-    const sailnet_state *const before = &memory->state;
+    const sailnet_real held = estimate->held;
+    const sailnet_state *const before = &estimate->state;
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
+    const sailnet_real turned = estimate->slewing * estimate->slewing * SAILNET_SLEW_RATE;
     /* Not held, or turned, or not seen before: that says nothing. */
-    int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
+    int32_t telling = ((held > R(0.0)) && (estimate->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
     telling &= (change->normal >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
-    const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
-    const sailnet_real surprise_east = (now->v - before->v) - change->by.v;
-    const sailnet_real surprise_north = (now->w - before->w) - change->by.w;
+    const sailnet_real innovation_u = (now->u - before->u) - change->by.u;
+    const sailnet_real innovation_east = (now->v - before->v) - change->by.v;
+    const sailnet_real innovation_north = (now->w - before->w) - change->by.w;
     /* That across the Sun line in the direction of the thrust, which has a normal and a surface as in the plane. */
-    const sailnet_real surprise_v = surprise_east * change->along + surprise_north * change->northward;
+    const sailnet_real innovation_v = innovation_east * change->along + innovation_north * change->northward;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
     const sailnet_real per = distance * distance / (held * change->normal);
-    const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
-    const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
+    const sailnet_real along = (innovation_u * cosine + innovation_v * sine) * per;
+    const sailnet_real across = (innovation_v * cosine - innovation_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
-        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+        const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
-        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
+        estimate->beta += sailnet_weight(estimate, SAILNET_MEMORY) * counted;
         /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
-        memory->tangential -= R(2.0) * weight * sine * cosine * aside;
-        memory->variance += weight * (relative * relative - memory->variance);
-        memory->slow += weight * (relative * memory->surprise - memory->slow);
-        memory->surprise = relative;
+        estimate->tangential -= R(2.0) * weight * sine * cosine * aside;
+        if (estimate->samples > 0u) {
+            estimate->variance += weight * (relative * relative - estimate->variance);
+            estimate->autocovariance += weight * (relative * estimate->innovation - estimate->autocovariance);
+            estimate->innovation = relative;
+        }
+        /* The first says by how much the vehicle differs from the mission's, not how it varies. */
+        if (estimate->samples < UINT32_MAX) {
+            estimate->samples++;
+        }
     }
 }
 
 /* The share of beta that is not planned with. */
-SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
+SAILNET_PART sailnet_real sailnet_reserve(const sailnet_estimate *estimate, const sailnet_real *time_of_flight,
+                                          sailnet_real hold)
 {
-    const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
+    const sailnet_real tau = sailnet_limited(time_of_flight, SAILNET_OF_TIME_TO_GO);
     /* What white noise leaves in a mean of few products. */
-    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
-    const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
-    const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
-    const sailnet_real rest = memory->variance - slow;
+    const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
+    const sailnet_real chance = estimate->variance * weight * sailnet_per_root(&weight);
+    const sailnet_real slow = sailnet_clamped(estimate->autocovariance - chance, R(0.0), R(1.0));
+    const sailnet_real rest = estimate->variance - slow;
     /* Of its variance the mean of the periods left keeps so much. */
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
     const sailnet_real reserve =
         SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
-    const sailnet_real bounded = sailnet_clamped(reserve, SAILNET_LEAST_RESERVE, SAILNET_LARGEST_RESERVE);
+    const sailnet_real bounded = sailnet_clamped(reserve, R(0.0), SAILNET_LARGEST_RESERVE);
     return bounded * sailnet_clamped(tau * (R(1.0) / SAILNET_LET_GO), R(0.0), R(1.0));
 }
 
-/*
- * How late the sail is: by how much its time to go did not fall as time passed, less what of that is forgotten. And how
- * long it still waits.
- */
-SAILNET_INLINE void sailnet_time_passes(sailnet_memory *memory, const sailnet_command *command)
+/* The direction of a clock angle, along and northward: from its half, as beyond a right angle the series are not exact. */
+SAILNET_PART void sailnet_across(sailnet_real clock_angle, sailnet_real *along, sailnet_real *northward)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    memory->wait = sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT);
-    /* What came of something else says nothing. */
-    const sailnet_real behind =
-        held > R(0.0) ? (command->time_of_flight - memory->time_of_flight) + held : R(0.0);
-    const sailnet_real late = (memory->late - held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late) + behind;
-    memory->late = sailnet_limited(&late, SAILNET_OF_PERIOD);
+    sailnet_real cosine;
+    sailnet_real sine;
+    sailnet_cosine_sine(R(0.5) * clock_angle, &cosine, &sine);
+    *along = (cosine - sine) * (cosine + sine);
+    *northward = R(2.0) * sine * cosine;
 }
 
 /*
  * The angle between a normal and the one that is remembered: twice that of their difference to their sum, so that it is
  * exact for small ones too.
  */
-SAILNET_PART sailnet_real sailnet_turn(const sailnet_memory *memory, const sailnet_real normal[3])
+SAILNET_PART sailnet_real sailnet_turn(const sailnet_estimate *estimate, const sailnet_real normal[3])
 {
     sailnet_real apart2 = R(0.0);
     sailnet_real together2 = R(0.0);
     for (int32_t i = 0; i < 3; i++) {
-        const sailnet_real before = memory->normal[i];
+        const sailnet_real before = estimate->normal[i];
         apart2 += (normal[i] - before) * (normal[i] - before);
         together2 += (normal[i] + before) * (normal[i] + before);
     }
     const sailnet_real apart = apart2 * sailnet_per_root(&apart2);
     const sailnet_real together = together2 * sailnet_per_root(&together2);
-    return R(2.0) * sailnet_clock_angle(&together, &apart);
+    return R(2.0) * sailnet_angle(&together, &apart);
 }
 
-/* The normal of a command, and its direction across the Sun line; returned is the sine of the cone angle. */
-SAILNET_PART sailnet_real sailnet_normal_to(const sailnet_command *command, sailnet_real across[2], sailnet_real normal[3])
+/* The normal of a command. */
+SAILNET_PART void sailnet_normal_to(const sailnet_command *command, sailnet_real normal[3])
 {
+    sailnet_real across[2];
     sailnet_real sine;
     sailnet_across(command->clock_angle, &across[0], &across[1]);
     sailnet_cosine_sine(command->cone_angle, &normal[0], &sine);
     normal[1] = sine * across[0];
     normal[2] = sine * across[1];
-    return sine;
 }
 
 /*
- * The clock angle of the command, and its normal. Where several are almost equally fast the sail keeps its own until that
- * has cost more than a reversal is worth. To keep it loses time at the rate (1 - cos D) f_t |(lambda_v, lambda_w)|, with D
- * the angle between both: the difference of the Hamiltonian. A sail that is late has turned over in vain: after every other
- * reversal it waits, for on both sides alike it would circle. Returned is by how much the sail turns to its new normal.
+ * The tracker, see sailnet_tracker.h: what it is of this mission, a plan by the networks, and the command.
  */
-SAILNET_PART sailnet_real sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change,
-                                            sailnet_command *command, sailnet_real normal[3])
+static const sailnet_problem sailnet_transfer = {
+    0.16892, /* beta */
+    0.723, /* target radius */
+    1.0, /* square */
+    0.0, /* linear */
+    0.0, /* across */
+    0.5000000000000001, /* bound cosine */
+    0.8660254037844386, /* bound sine */
+    -0.6495190528383292, /* edge radial */
+    -0.625, /* edge lateral */
+};
+
+/* Extremals that are computed in a guidance period at most. What has not converged then goes on in the next one. */
+#define SAILNET_EXTREMALS_PER_PERIOD 8
+
+/* The transfer of a vehicle of `beta`, as it was learnt: light pushes it along its surface by more than the mission's, or
+   less. */
+SAILNET_INLINE sailnet_problem sailnet_own_problem(const sailnet_memory *memory, double beta)
 {
-    const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
-    const sailnet_real facing = ratio * change->cosine;
-    const sailnet_real share = (SAILNET_FORCE_SQUARE - SAILNET_FORCE_ACROSS) * change->cosine + SAILNET_FORCE_LINEAR;
-    const sailnet_real regret =
-        memory->regret + R(2.0) * memory->held * memory->stake * facing * (ratio * share) * change->sine;
-    memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
-    const sailnet_real size2 = command->lambda_v * command->lambda_v + command->lambda_w * command->lambda_w;
-    const sailnet_real size = size2 * sailnet_per_root(&size2);
-    memory->stake = -size;
-    sailnet_time_passes(memory, command);
-    sailnet_real across[2];
-    const sailnet_real sine = sailnet_normal_to(command, across, normal);
-    sailnet_real turn = sailnet_turn(memory, normal);
-    const sailnet_real alike = across[0] * change->along + across[1] * change->northward;
-    if ((alike * sine * change->sine < R(0.0)) && (turn > SAILNET_REVERSAL)) {
-        if ((memory->regret < SAILNET_PATIENCE) || (memory->wait > R(0.0))) {
-            command->clock_angle = sailnet_clock_angle(&change->along, &change->northward);
-            memory->stake = R(0.5) * size * (R(1.0) - alike);
-            normal[1] = sine * change->along;
-            normal[2] = sine * change->northward;
-            turn = sailnet_turn(memory, normal);
-        } else {
-            memory->wait = R(0.0);
-            if ((memory->late > SAILNET_LATE_TOLERATED) && (memory->waited <= R(0.0))) {
-                memory->wait = sailnet_clamped(SAILNET_WAIT * memory->late, R(0.0), SAILNET_LARGEST_WAIT);
-            }
-            memory->waited = memory->wait;
-            memory->regret = R(0.0);
+    sailnet_problem own = sailnet_transfer;
+    own.beta = beta;
+    sailnet_push_aside(&own, (double)sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL));
+    return own;
+}
+
+/* The networks know the mission's optics alone: beta of such a sail that is as fast. */
+SAILNET_INLINE sailnet_real sailnet_for_networks(const sailnet_memory *memory, sailnet_real beta)
+{
+    const sailnet_real tangential = sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL);
+    const sailnet_real lost = tangential > R(0.0) ? SAILNET_TANGENTIAL_LOSS * tangential : R(0.0);
+    const sailnet_real asked = beta * (R(1.0) - lost);
+    return sailnet_limited(&asked, SAILNET_OF_BETA);
+}
+
+/* Whether the state is within the arrival tolerance of the target: 0, or SAILNET_THERE. */
+SAILNET_INLINE uint32_t sailnet_there(const sailnet_state *state)
+{
+    const sailnet_real known[5] = {state->r, state->u, state->v, state->latitude, state->w};
+    const int32_t components = 5;
+    uint32_t there = SAILNET_THERE;
+    for (int32_t i = 0; i < components; i++) {
+        const sailnet_real *const limit = sailnet_limits[SAILNET_OF_STATE + 3 * i + 2];
+        if (!((known[i] >= limit[0]) && (known[i] <= limit[1]))) {
+            there = 0u;
         }
     }
-    return turn;
+    return there;
 }
 
-/*
- * Plans of homing: a few arcs of constant tilt from the Sun line, and one step of Newton's method towards one that ends
- * at the target.
- * A tilt is the cone angle along the direction across the Sun line that the clock angle gives: along and northward.
- */
-
-/* What is corrected: the tilts of all arcs in each of the ways, and then their times. */
-#define SAILNET_TILTS (SAILNET_WAYS * SAILNET_ARCS)
-#define SAILNET_CORRECTIONS (SAILNET_TILTS + SAILNET_ARCS)
-
-/* States as numbers, in order; on the target; and what turns deviations from there into lengths and speeds. */
-#define SAILNET_COMPONENTS 5
-static const sailnet_real sailnet_home[SAILNET_COMPONENTS] = {SAILNET_TARGET_R, R(0.0), SAILNET_TARGET_U, SAILNET_TARGET_V,
-                                                                R(0.0)};
-static const sailnet_real sailnet_lengths[SAILNET_COMPONENTS] = {R(1.0), SAILNET_TARGET_R, R(1.0), R(1.0), R(1.0)};
-
-SAILNET_INLINE void sailnet_to_numbers(const sailnet_state *state, sailnet_real numbers[SAILNET_COMPONENTS])
+/* A state as the tracker has it. */
+SAILNET_PART void sailnet_to_tracker(const sailnet_state *state, double numbers[SAILNET_STATES])
 {
-    numbers[0] = state->r;
-    numbers[1] = state->latitude;
-    numbers[2] = state->u;
-    numbers[3] = state->v;
-    numbers[4] = state->w;
-}
-
-SAILNET_INLINE void sailnet_of_numbers(const sailnet_real numbers[SAILNET_COMPONENTS], sailnet_state *state)
-{
-    state->r = numbers[0];
-    state->latitude = numbers[1];
-    state->u = numbers[2];
-    state->v = numbers[3];
-    state->w = numbers[4];
-}
-
-/* The normal of a tilt. */
-SAILNET_PART void sailnet_normal_of(const sailnet_real tilt[SAILNET_WAYS], sailnet_real normal[3])
-{
-    const sailnet_real size2 = tilt[0] * tilt[0] + tilt[1] * tilt[1];
-    const sailnet_real per_size = sailnet_per_root(&size2);
-    const sailnet_real size = size2 * per_size;
+    numbers[0] = (double)state->r;
+    sailnet_real cosine;
     sailnet_real sine;
-    sailnet_cosine_sine(size, &normal[0], &sine);
-    normal[1] = sine * (tilt[0] * per_size);
-    normal[2] = sine * (tilt[1] * per_size);
+    const sailnet_real latitude = sailnet_limited(&state->latitude, SAILNET_OF_STATE + 10);
+    sailnet_cosine_sine(latitude, &cosine, &sine);
+    numbers[1] = (double)sine / (double)cosine;
+    numbers[2] = (double)state->u;
+    numbers[3] = (double)state->v;
+    numbers[4] = (double)state->w;
 }
 
-/* A state after so long [TU] under a tilt, in so many steps. */
-SAILNET_PART void sailnet_arc(const sailnet_memory *memory, const sailnet_real from[SAILNET_COMPONENTS],
-                              const sailnet_real tilt[SAILNET_WAYS], sailnet_real time, int32_t steps,
-                              sailnet_real to[SAILNET_COMPONENTS])
+sailnet_status sailnet_propose_plan(const sailnet_state *state, sailnet_real beta, sailnet_arrival *arrival)
 {
-    sailnet_memory sail;
-    sailnet_of_numbers(from, &sail.state);
-    sailnet_normal_of(tilt, sail.normal);
-    sail.held = time / (sailnet_real)steps;
-    sail.beta = memory->beta;
-    sail.tangential = memory->tangential;
-    for (int32_t i = 0; i < steps; i++) {
-        sailnet_change change;
-        sailnet_predict(&sail, &change);
-        sail.state.r += change.by.r;
-        sail.state.u += change.by.u;
-        sail.state.v += change.by.v;
-        sail.state.latitude += change.by.latitude;
-        sail.state.w += change.by.w;
-    }
-    sailnet_to_numbers(&sail.state, to);
-}
-
-/*
- * In which ways the tilt of an arc is corrected: along itself, and at right angles to that; of these only the first comes
- * to a bound. And how far it goes in each.
- */
-SAILNET_PART void sailnet_ways(const sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
-                               sailnet_real size[SAILNET_WAYS])
-{
-    const sailnet_real size2 = tilt[0] * tilt[0] + tilt[1] * tilt[1];
-    if (size2 > SAILNET_LEAST_TILT * SAILNET_LEAST_TILT) {
-        const sailnet_real per_size = sailnet_per_root(&size2);
-        way[0][0] = tilt[0] * per_size;
-        way[0][1] = tilt[1] * per_size;
-        size[0] = size2 * per_size;
-        size[1] = R(0.0);
-    } else {
-        way[0][0] = R(1.0);
-        way[0][1] = R(0.0);
-        size[0] = tilt[0];
-        size[1] = tilt[1];
-    }
-    way[1][0] = -way[0][1];
-    way[1][1] = way[0][0];
-}
-
-/*
- * How the plan ends, in arrival tolerances off the target: returned is what of it changes by each correction. All
- * differences are of small steps.
- */
-SAILNET_PART void sailnet_ends_off(const sailnet_memory *memory, const sailnet_state *known,
-                                   sailnet_real missed[SAILNET_COMPONENTS],
-                                   sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
-{
-    sailnet_real changes[SAILNET_ARCS][SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-    sailnet_real onward[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-    sailnet_real state[SAILNET_COMPONENTS];
-    sailnet_real end[SAILNET_COMPONENTS];
-    sailnet_real other[SAILNET_COMPONENTS];
-    sailnet_to_numbers(known, state);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const sailnet_real *const tilt = memory->arc_tilt[k];
-        const sailnet_real time = memory->arc_time[k];
-        sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, end);
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            const sailnet_real kept = state[i];
-            state[i] = kept + SAILNET_SMALL;
-            sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, other);
-            state[i] = kept;
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                changes[k][j][i] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            }
-        }
-        sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
-        sailnet_real size[SAILNET_WAYS];
-        sailnet_ways(tilt, way, size);
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            sailnet_real beside[SAILNET_WAYS];
-            for (int32_t l = 0; l < SAILNET_WAYS; l++) {
-                beside[l] = tilt[l] + SAILNET_SMALL * way[i][l];
-            }
-            sailnet_arc(memory, state, beside, time, SAILNET_SUBSTEPS, other);
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                by[j][i * SAILNET_ARCS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            }
-        }
-        sailnet_arc(memory, end, tilt, SAILNET_SMALL, 1, other);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            by[j][SAILNET_TILTS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            state[j] = end[j];
-        }
-    }
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        missed[j] = (state[j] - sailnet_home[j]) * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            onward[j][i] = i == j ? R(1.0) : R(0.0);
-        }
-    }
-    for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
-        for (int32_t i = k; i < SAILNET_CORRECTIONS; i += SAILNET_ARCS) {
-            sailnet_real own[SAILNET_COMPONENTS];
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                own[j] = by[j][i];
-            }
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                sailnet_real sum = R(0.0);
-                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
-                    sum += onward[j][l] * own[l];
-                }
-                by[j][i] = sum * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
-            }
-        }
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            sailnet_real row[SAILNET_COMPONENTS];
-            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-                row[i] = R(0.0);
-                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
-                    row[i] += onward[j][l] * changes[k][l][i];
-                }
-            }
-            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-                onward[j][i] = row[i];
-            }
-        }
-    }
-}
-
-/* The largest of several sizes; a NaN if one is. */
-SAILNET_INLINE sailnet_real sailnet_largest(const sailnet_real of[SAILNET_COMPONENTS])
-{
-    sailnet_real largest = R(0.0);
-    for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-        const sailnet_real size = of[i] < R(0.0) ? -of[i] : of[i];
-        largest = ((size > largest) || (size != size)) ? size : largest;
-    }
-    return largest;
-}
-
-/* The solution of equations that are symmetric and positive: L D L^T by Cholesky, in place; of them the lower half counts. */
-SAILNET_PART void sailnet_solved(sailnet_real of[SAILNET_COMPONENTS][SAILNET_COMPONENTS],
-                                 sailnet_real right[SAILNET_COMPONENTS])
-{
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        const sailnet_real per = R(1.0) / of[j][j];
-        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
-            const sailnet_real share = of[i][j] * per;
-            for (int32_t l = i; l < SAILNET_COMPONENTS; l++) {
-                of[l][i] -= share * of[l][j];
-            }
-            right[i] -= share * right[j];
-        }
-        right[j] *= per;
-        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
-            of[i][j] *= per;
-        }
-    }
-    for (int32_t j = SAILNET_COMPONENTS - 1; j > 0; j--) {
-        for (int32_t i = 0; i < j; i++) {
-            right[i] -= of[j][i] * right[j];
-        }
-    }
-}
-
-/* What a step leaves of what was missed. */
-SAILNET_PART void sailnet_leaves(const sailnet_real missed[SAILNET_COMPONENTS],
-                                 sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS],
-                                 const sailnet_real step[SAILNET_CORRECTIONS], sailnet_real left[SAILNET_COMPONENTS])
-{
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        left[j] = missed[j];
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            left[j] += by[j][i] * step[i];
-        }
-    }
-}
-
-/* What is corrected, within its bounds. */
-SAILNET_INLINE sailnet_real sailnet_bounded(sailnet_real value, int32_t of)
-{
-    sailnet_real bounded = sailnet_clamped(value, -SAILNET_PHI_MAX, SAILNET_PHI_MAX);
-    if (of >= SAILNET_TILTS) {
-        bounded = sailnet_clamped(value, SAILNET_LEAST_ARC, SAILNET_HOMING_HORIZON);
-    }
-    return bounded;
-}
-
-/* The tilt of an arc that goes so far in each of its ways, within the bound. */
-SAILNET_PART void sailnet_tilted(sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
-                                 const sailnet_real size[SAILNET_WAYS])
-{
-    const sailnet_real along = size[0] * way[0][0] + size[1] * way[1][0];
-    const sailnet_real northward = size[0] * way[0][1] + size[1] * way[1][1];
-    const sailnet_real size2 = along * along + northward * northward;
-    sailnet_real share = R(1.0);
-    if (size2 > SAILNET_PHI_MAX * SAILNET_PHI_MAX) {
-        share = SAILNET_PHI_MAX * sailnet_per_root(&size2);
-    }
-    tilt[0] = share * along;
-    tilt[1] = share * northward;
-}
-
-/*
- * One step of Newton's method, of least size where angles weigh as much as times; returned is what it leaves of what was
- * missed. What comes to a bound stays there. A plan that arrives is made shorter in all of its times, as far as the rest
- * can make up for that.
- */
-SAILNET_PART sailnet_real sailnet_improve(sailnet_memory *memory, const sailnet_real missed[SAILNET_COMPONENTS],
-                                          sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
-{
-    sailnet_real value[SAILNET_CORRECTIONS];
-    sailnet_real unit[SAILNET_CORRECTIONS];
-    sailnet_real weight[SAILNET_CORRECTIONS];
-    sailnet_real step[SAILNET_CORRECTIONS];
-    sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
-    sailnet_real size[SAILNET_WAYS];
-    const sailnet_real worst = sailnet_largest(missed);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const int32_t later = SAILNET_TILTS + k;
-        const sailnet_real there = memory->arc_time[k] > R(0.0) ? R(1.0) : R(0.0);
-        sailnet_ways(memory->arc_tilt[k], way, size);
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            const int32_t tilt = i * SAILNET_ARCS + k;
-            value[tilt] = size[i];
-            unit[tilt] = SAILNET_ANGLE_WEIGHT;
-            weight[tilt] = there * SAILNET_ANGLE_WEIGHT * SAILNET_ANGLE_WEIGHT;
-            step[tilt] = R(0.0);
-        }
-        value[later] = memory->arc_time[k];
-        unit[later] = SAILNET_HOMING_STEP;
-        weight[later] = there * SAILNET_HOMING_STEP * SAILNET_HOMING_STEP;
-        step[later] = R(0.0);
-        if ((there > R(0.0)) && (worst < R(0.3))) {
-            step[later] = sailnet_bounded(value[later] - R(0.05) * SAILNET_HOMING_STEP, later) - value[later];
-        }
-    }
-    sailnet_real left[SAILNET_COMPONENTS];
-    for (int32_t round = 0; round < 3; round++) {
-        sailnet_real square[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-        sailnet_real trace = R(0.0);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            for (int32_t l = 0; l <= j; l++) {
-                square[j][l] = R(0.0);
-                for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-                    square[j][l] += by[j][i] * weight[i] * by[l][i];
-                }
-            }
-            trace += square[j][j];
-        }
-        sailnet_leaves(missed, by, step, left);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            square[j][j] += R(0.02) + R(1.52587890625e-05) * trace;
-        }
-        sailnet_solved(square, left);
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            if (weight[i] > R(0.0)) {
-                sailnet_real wanted = R(0.0);
-                for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                    wanted -= by[j][i] * left[j];
-                }
-                wanted *= weight[i];
-                const sailnet_real taken = sailnet_clamped(wanted, -unit[i], unit[i]);
-                const sailnet_real free = value[i] + step[i] + taken;
-                const sailnet_real bounded = sailnet_bounded(free, i);
-                step[i] = bounded - value[i];
-                if ((bounded < free) || (bounded > free) || (taken < wanted) || (taken > wanted)) {
-                    weight[i] = R(0.0);
-                }
-            }
-        }
-    }
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        if (memory->arc_time[k] > R(0.0)) {
-            const int32_t later = SAILNET_TILTS + k;
-            /* For what rounding adds. */
-            memory->arc_time[k] = sailnet_bounded(value[later] + step[later], later);
-            sailnet_ways(memory->arc_tilt[k], way, size);
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                const int32_t tilt = i * SAILNET_ARCS + k;
-                size[i] = sailnet_bounded(value[tilt] + step[tilt], tilt);
-            }
-            sailnet_tilted(memory->arc_tilt[k], way, size);
-        }
-    }
-    sailnet_leaves(missed, by, step, left);
-    return sailnet_largest(left);
-}
-
-/*
- * The plan corrected: by how much it missed before that [arrival tolerances], and what is left of it. One that would miss
- * by too much for that to be told, or by what is no number, stays.
- */
-SAILNET_PART sailnet_real sailnet_correct(sailnet_memory *memory, const sailnet_state *known, sailnet_real *left)
-{
-    sailnet_real missed[SAILNET_COMPONENTS];
-    sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS];
-    sailnet_ends_off(memory, known, missed, by);
-    sailnet_real worst = sailnet_largest(missed);
-    sailnet_real steepest = worst;
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            const sailnet_real steep = by[j][i] < R(0.0) ? -by[j][i] : by[j][i];
-            steepest = ((steep > steepest) || (steep != steep)) ? steep : steepest;
-        }
-    }
-    if (steepest <= R(1000000.0)) {
-        *left = sailnet_improve(memory, missed, by);
-    } else {
-        *left = R(1000000.0);
-        worst = R(1000000.0);
-    }
-    return worst;
-}
-
-/*
- * Homing: the model flown ahead, so that what the networks would miss is not missed. A plan is a few arcs of constant
- * tilt, first as the networks would fly, then corrected each period by a step of Newton's method until it ends at
- * the target. While it does the networks steer; where it soon could no longer, or is sooner there, it is flown.
- */
-#define SAILNET_NO_PLAN 0u
-#define SAILNET_LOOKING 1u   /* the networks are flown ahead */
-#define SAILNET_CORRECTED 2u /* it does not end at the target yet */
-#define SAILNET_READY 3u     /* it does */
-#define SAILNET_FLOWN 4u
-
-/* How long the plan takes [TU]. */
-SAILNET_PART sailnet_real sailnet_planned(const sailnet_memory *memory)
-{
-    sailnet_real time = R(0.0);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        time += memory->arc_time[k];
-    }
-    return time;
-}
-
-/* So much of the plan is over [TU]. Arcs that are few are halved: there is the more to correct. */
-SAILNET_PART void sailnet_pass(sailnet_memory *memory, sailnet_real time)
-{
-    sailnet_real rest = time;
-    for (int32_t arc = 0; arc < SAILNET_ARCS; arc++) {
-        const sailnet_real first = memory->arc_time[0];
-        const sailnet_real over = first < rest ? first : rest;
-        rest -= over;
-        memory->arc_time[0] = first - over;
-        if (memory->arc_time[0] <= R(0.0)) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                const sailnet_real tilt = memory->arc_tilt[0][i];
-                for (int32_t k = 1; k < SAILNET_ARCS; k++) {
-                    memory->arc_tilt[k - 1][i] = memory->arc_tilt[k][i];
-                }
-                memory->arc_tilt[SAILNET_ARCS - 1][i] = tilt;
-            }
-            for (int32_t k = 1; k < SAILNET_ARCS; k++) {
-                memory->arc_time[k - 1] = memory->arc_time[k];
-            }
-            memory->arc_time[SAILNET_ARCS - 1] = R(0.0);
-        }
-    }
-    sailnet_real far = R(0.0);
-    for (int32_t k = SAILNET_ARCS / 2; k < SAILNET_ARCS; k++) {
-        far += memory->arc_time[k];
-    }
-    if (far <= R(0.0)) {
-        for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                memory->arc_tilt[k][i] = memory->arc_tilt[k / 2][i];
-            }
-            memory->arc_time[k] = R(0.5) * memory->arc_time[k / 2];
-        }
-    }
-    if (sailnet_planned(memory) <= R(0.0)) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
-}
-
-/* The plan ends where it came nearest the target, and what was flown meanwhile is over. */
-SAILNET_PART void sailnet_end_nearest(sailnet_memory *memory)
-{
-    sailnet_real left = memory->nearest_time;
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const sailnet_real time = memory->arc_time[k];
-        memory->arc_time[k] = sailnet_clamped(left, R(0.0), time);
-        left -= time;
-    }
-    memory->homing = SAILNET_CORRECTED;
-    sailnet_pass(memory, memory->looked);
-}
-
-/* The tilt of a command. */
-SAILNET_PART void sailnet_tilt_of(const sailnet_command *command, sailnet_real tilt[SAILNET_WAYS])
-{
-    sailnet_across(command->clock_angle, &tilt[0], &tilt[1]);
-    tilt[0] *= command->cone_angle;
-    tilt[1] *= command->cone_angle;
-}
-
-/* The command of a tilt. */
-SAILNET_PART void sailnet_command_of(const sailnet_real tilt[SAILNET_WAYS], sailnet_command *command)
-{
-    const sailnet_real size2 = tilt[0] * tilt[0] + tilt[1] * tilt[1];
-    const sailnet_real size = size2 * sailnet_per_root(&size2);
-    command->cone_angle = sailnet_size(sailnet_limited(&size, SAILNET_OF_CONE_ANGLE));
-    command->clock_angle = sailnet_clock_angle(&tilt[0], &tilt[1]);
-}
-
-/* Fly the networks one step ahead, and remember it in the arc they are in: another where they turn over. */
-SAILNET_PART void sailnet_look(sailnet_memory *memory, sailnet_real plan)
-{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+#if SAILNET_PLANS
     sailnet_command command;
-    const sailnet_state state = memory->ahead;
-    const uint32_t seen = sailnet_law(&state, plan, &command);
-    const sailnet_real promised = command.time_of_flight;
-    const sailnet_real time = sailnet_clamped(promised, SAILNET_LEAST_ARC, SAILNET_HOMING_STEP);
-    const sailnet_real elapsed = sailnet_planned(memory);
-    uint32_t arc = memory->arc;
-    sailnet_real before = memory->arc_time[arc];
-    sailnet_real tilt[SAILNET_WAYS];
-    sailnet_tilt_of(&command, tilt);
-    sailnet_real alike = R(0.0);
-    for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-        alike += memory->arc_tilt[arc][i] * tilt[i];
+    if ((arrival != NULL) && ((sailnet_law(state, beta, &command) & ~SAILNET_THERE) != (uint32_t)SAILNET_INVALID_INPUT)) {
+        sailnet_direction(state, command.beta, arrival->direction);
+        arrival->time_to_go = (double)command.time_of_flight;
+        arrival->beta = (double)command.beta;
+        status = SAILNET_OK;
     }
-    if ((before > R(0.0)) && ((alike < R(0.0)) || (before >= SAILNET_LONGEST_ARC))) {
-        arc++;
-        before = R(0.0);
-    }
-    int32_t ends = 0;
-    if (promised <= SAILNET_HOMING_STEP) {
-        ends = 1;
-    }
-    if ((arc < (uint32_t)SAILNET_ARCS) && ((seen & ~SAILNET_THERE) < (uint32_t)SAILNET_OUTSIDE_DOMAIN) &&
-        (elapsed <= R(1.6) * memory->promised)) {
-        sailnet_real numbers[SAILNET_COMPONENTS];
-        const sailnet_real whole = before + time;
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            const sailnet_real mean = before > R(0.0) ? memory->arc_tilt[arc][i] : R(0.0);
-            memory->arc_tilt[arc][i] = (mean * before + tilt[i] * time) / whole;
-        }
-        memory->arc_time[arc] = whole;
-        memory->arc = arc;
-        sailnet_to_numbers(&state, numbers);
-        sailnet_arc(memory, numbers, tilt, time, 1, numbers);
-        sailnet_of_numbers(numbers, &memory->ahead);
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            numbers[i] = (numbers[i] - sailnet_home[i]) * sailnet_lengths[i];
-        }
-        const sailnet_real off = sailnet_largest(numbers);
-        if (off < memory->nearest) {
-            memory->nearest = off;
-            memory->nearest_time = elapsed + time;
-        }
-    } else {
-        ends = 1;
-    }
-    if (ends != 0) {
-        sailnet_end_nearest(memory);
-    }
+#else
+    (void)state;
+    (void)beta;
+    (void)arrival;
+#endif
+    return status;
 }
 
-/*
- * What becomes of a plan that is corrected. `fair` is the time to go without the reserve that the networks keep, which
- * costs time about in proportion.
- */
-SAILNET_PART void sailnet_judge(sailnet_memory *memory, const sailnet_state *known, sailnet_real promised,
-                                sailnet_real fair)
+/* Whether all numbers of what a plan commands are numbers, and no larger than SAILNET_OF_PLAN has it. */
+SAILNET_PART int32_t sailnet_are_numbers(const sailnet_planned *planned)
 {
-    sailnet_real left;
-    const sailnet_real missed = sailnet_correct(memory, known, &left);
-    const sailnet_real time = sailnet_planned(memory);
-    int32_t soon = 0;
-    int32_t given_up = 0;
-    if (time <= R(1.6) * promised + R(2.0) * SAILNET_HOMING_STEP) {
-        soon = 1;
-    }
-    if (memory->corrections <= 15u) {
-        memory->corrections++;
-    }
-    if ((memory->homing == SAILNET_CORRECTED) && (missed < R(0.3)) && (soon != 0)) {
-        memory->homing = SAILNET_READY;
-    }
-    if ((memory->homing == SAILNET_READY) && (soon != 0) && (time > R(0.6) * SAILNET_HOMING_STEP) &&
-        ((left > R(0.5)) || (time < fair - R(0.3) * SAILNET_HOMING_STEP))) {
-        memory->homing = SAILNET_FLOWN;
-    }
-    if (memory->homing == SAILNET_CORRECTED) {
-        if (memory->corrections > 15u) {
-            given_up = 1;
+    double numbers[sizeof(sailnet_planned) / sizeof(double)];
+    const double largest = (double)sailnet_limits[SAILNET_OF_PLAN][1];
+    int32_t are = 1;
+    (void)memcpy(numbers, planned, sizeof numbers);
+    for (uint32_t i = 0u; i < (sizeof numbers / sizeof numbers[0]); i++) {
+        if (!((numbers[i] >= -largest) && (numbers[i] <= largest))) {
+            are = 0;
         }
-    } else if (memory->homing == SAILNET_READY) {
-        given_up = 1 - soon;
-    } else if (left > R(1.0)) {
-        given_up = 1;
-    } else {
-        /* It is flown. */
     }
-    if (given_up != 0) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
+    return are;
 }
 
-/* The memory may have held any bits. */
-SAILNET_PART void sailnet_limit_plan(sailnet_memory *memory)
+/* The same as a number of the command: the clamp tells an analyser that it is one. */
+SAILNET_PART sailnet_real sailnet_of_plan(double number)
 {
-    if (memory->homing > SAILNET_FLOWN) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
-    if (memory->arc >= (uint32_t)SAILNET_ARCS) {
-        memory->arc = 0u;
-    }
-    if (memory->corrections > 15u) {
-        memory->corrections = 15u + 1u;
-    }
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            memory->arc_tilt[k][i] = sailnet_limited(&memory->arc_tilt[k][i], SAILNET_OF_CONE_ANGLE);
-        }
-        memory->arc_time[k] = sailnet_clamped(memory->arc_time[k], R(0.0), SAILNET_HOMING_HORIZON);
-    }
-    memory->looked = sailnet_clamped(memory->looked, R(0.0), SAILNET_HOMING_HORIZON);
-    memory->nearest_time = sailnet_clamped(memory->nearest_time, R(0.0), R(2.0) * SAILNET_HOMING_HORIZON);
+    const sailnet_real value = (sailnet_real)number;
+    return sailnet_limited(&value, SAILNET_OF_PLAN);
 }
 
-/*
- * Whether the plan is flown: then it is the command, and nobody is late, or waits. `plan` is the beta that the networks
- * read.
- */
-SAILNET_PART int32_t sailnet_homes(sailnet_memory *memory, const sailnet_state *known, sailnet_real plan,
-                                   sailnet_command *command)
+/* The command by the plan; 0 if there is none that passes through the state: then the networks' is to be flown. */
+SAILNET_PART int32_t sailnet_tracks(sailnet_memory *memory, const sailnet_state *known, sailnet_real beta,
+                                    sailnet_real estimated, sailnet_real hold, sailnet_command *command)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    const sailnet_real promised = command->time_of_flight;
-    sailnet_limit_plan(memory);
-    if (memory->homing >= SAILNET_CORRECTED) {
-        sailnet_pass(memory, held);
-    } else if (memory->homing == SAILNET_LOOKING) {
-        memory->looked += held;
-    } else {
-        /* There is none. */
+    sailnet_tracker *const tracker = &memory->tracker;
+    sailnet_planned planned;
+    double state[SAILNET_STATES];
+    sailnet_to_tracker(known, state);
+    sailnet_time_passes(tracker, (double)memory->estimate.held);
+    const sailnet_problem own = sailnet_own_problem(memory, (double)beta);
+    sailnet_arrival arrival;
+    if ((sailnet_needs_proposal(tracker) != 0) &&
+        (sailnet_propose_plan(known, sailnet_for_networks(memory, beta), &arrival) == SAILNET_OK)) {
+        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go);
     }
-    if ((memory->homing == SAILNET_NO_PLAN) && (promised <= SAILNET_HOMING_HORIZON) && (promised > SAILNET_HOMING_STEP)) {
-        for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                memory->arc_tilt[k][i] = R(0.0);
-            }
-            memory->arc_time[k] = R(0.0);
-        }
-        memory->homing = SAILNET_LOOKING;
-        memory->ahead = *known;
-        memory->promised = promised;
-        memory->nearest = R(1000000000.0);
-        memory->nearest_time = R(0.0);
-        memory->looked = R(0.0);
-        memory->arc = 0u;
-        memory->corrections = 0u;
+    int32_t flown = sailnet_follow(&own, tracker, state, (double)estimated, (double)hold,
+                                   SAILNET_EXTREMALS_PER_PERIOD, &planned);
+    /* The memory may have held any bits. */
+    if ((flown != 0) && (sailnet_are_numbers(&planned) == 0)) {
+        flown = 0;
     }
-    for (int32_t i = 0; i < 2; i++) {
-        if (memory->homing == SAILNET_LOOKING) {
-            sailnet_look(memory, plan);
-        }
-    }
-    if ((memory->homing >= SAILNET_CORRECTED) &&
-        ((memory->homing != SAILNET_READY) || ((memory->periods % 2u) == 0u))) {
-        sailnet_judge(memory, known, promised, promised * plan / memory->beta);
-    }
-    int32_t flown = 0;
-    if (memory->homing == SAILNET_FLOWN) {
-        flown = 1;
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            memory->arc_tilt[0][i] = sailnet_limited(&memory->arc_tilt[0][i], SAILNET_OF_CONE_ANGLE);
-        }
-        sailnet_command_of(memory->arc_tilt[0], command);
-        command->time_of_flight = sailnet_planned(memory);
-        memory->stake = R(0.0);
-        memory->regret = R(0.0);
-        memory->late = R(0.0);
-        memory->wait = R(0.0);
-        memory->waited = R(0.0);
+    if (flown != 0) {
+        const double unit = (double)beta / (sailnet_transfer.target_radius * sailnet_transfer.target_radius);
+        const sailnet_real along = sailnet_of_plan(planned.attitude.cosine);
+        const sailnet_real beside = sailnet_of_plan(planned.attitude.sine);
+        const sailnet_real size = sailnet_angle(&along, &beside);
+        command->hold = R(0.0);
+        command->beta = beta;
+        command->time_of_flight = sailnet_of_plan(planned.time_to_go);
+        command->lambda_v = sailnet_of_plan(unit * planned.costates[SAILNET_STATES - SAILNET_ACROSS]);
+        const sailnet_real transverse = sailnet_of_plan(planned.attitude.across[0]);
+        const sailnet_real northward = sailnet_of_plan(planned.attitude.across[1]);
+        command->cone_angle = sailnet_size(sailnet_limited(&size, SAILNET_OF_CONE_ANGLE));
+        command->clock_angle = sailnet_angle(&transverse, &northward);
+        command->lambda_w = sailnet_of_plan(unit * planned.costates[SAILNET_STATES - 1]);
     }
     return flown;
 }
@@ -2112,11 +3661,11 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
     if ((inside != 0) && (tau <= longest)) {
         *hold = sailnet_limited(&longest, SAILNET_OF_PERIOD);
         status = SAILNET_ARRIVED;
-    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) &&
+    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->estimate.periods > 0u) &&
                (tau >= memory->time_of_flight)) {
         *hold = R(0.0);
         status = SAILNET_ARRIVED;
-    } else if (memory->unseen > R(0.0)) {
+    } else if (memory->estimate.unseen > R(0.0)) {
         status = SAILNET_RECKONED;
     } else if ((SAILNET_READS_BETA != 0) && (inside != 0) && (plan < SAILNET_BETA_MIN)) {
         status = SAILNET_AT_LIMIT;
@@ -2130,11 +3679,11 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
  * For how long to hold the last command: on the straight line of one predicted step, until the target is nearest. By
  * then the time of flight is below what the networks know it to.
  */
-SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
+SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_estimate *estimate)
 {
     sailnet_change change;
-    sailnet_predict(memory, &change);
-    const sailnet_state *const from = &memory->state;
+    sailnet_predict(estimate, &change);
+    const sailnet_state *const from = &estimate->state;
     const sailnet_state *const by = &change.by;
     const sailnet_real r_f2 = SAILNET_TARGET_R * SAILNET_TARGET_R;
     const sailnet_real forward =
@@ -2143,7 +3692,7 @@ SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
     const sailnet_real length2 = by->r * by->r + by->u * by->u + by->v * by->v +
                                  r_f2 * by->latitude * by->latitude + by->w * by->w;
     const sailnet_real share = forward / length2;
-    return memory->held * sailnet_clamped(share, R(0.0), R(1.0));
+    return estimate->held * sailnet_clamped(share, R(0.0), R(1.0));
 }
 
 void sailnet_start(sailnet_memory *memory)
@@ -2151,28 +3700,28 @@ void sailnet_start(sailnet_memory *memory)
     if (memory != NULL) {
         /* Of a real, too, bits that are all 0 are 0. */
         (void)memset(memory, 0, sizeof *memory);
-        memory->beta = SAILNET_BETA;
-        memory->normal[0] = R(1.0);
+        memory->estimate.beta = SAILNET_BETA;
+        memory->estimate.normal[0] = R(1.0);
     }
 }
 
 /* The state to steer by: the one shown, or where the sail must be; null if neither is known. */
-SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
+SAILNET_PART const sailnet_state *sailnet_known(sailnet_estimate *estimate, const sailnet_state *shown,
                                                 sailnet_change *change)
 {
     const sailnet_state *known = NULL;
     if ((shown != NULL) && (sailnet_is_state(shown) != 0)) {
-        sailnet_learn(memory, shown, change);
-        memory->unseen = R(0.0);
+        sailnet_learn(estimate, shown, change);
+        estimate->unseen = R(0.0);
         known = shown;
     } else {
-        memory->unseen += memory->held;
-        change->by.r += memory->state.r;
-        change->by.u += memory->state.u;
-        change->by.v += memory->state.v;
-        change->by.latitude += memory->state.latitude;
-        change->by.w += memory->state.w;
-        if ((memory->held > R(0.0)) && (memory->unseen <= SAILNET_LONGEST_RECKONING) &&
+        estimate->unseen += estimate->held;
+        change->by.r += estimate->state.r;
+        change->by.u += estimate->state.u;
+        change->by.v += estimate->state.v;
+        change->by.latitude += estimate->state.latitude;
+        change->by.w += estimate->state.w;
+        if ((estimate->held > R(0.0)) && (estimate->unseen <= SAILNET_LONGEST_RECKONING) &&
             (sailnet_is_state(&change->by) != 0)) {
             known = &change->by;
         }
@@ -2187,70 +3736,152 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         (void)sailnet_law(NULL, SAILNET_BETA, command);
         return SAILNET_INVALID_INPUT;
     }
+    sailnet_estimate *const estimate = &memory->estimate;
     sailnet_change change;
     const sailnet_state *known = NULL;
     sailnet_real hold = R(0.0);
     /* The memory may have held any bits. */
     for (int32_t i = 0; i < 3; i++) {
-        memory->normal[i] = sailnet_limited(&memory->normal[i], SAILNET_OF_SHARE);
+        estimate->normal[i] = sailnet_limited(&estimate->normal[i], SAILNET_OF_SHARE);
     }
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
-        sailnet_predict(memory, &change);
-        known = sailnet_known(memory, state, &change);
+        sailnet_predict(estimate, &change);
+        known = sailnet_known(estimate, state, &change);
     }
-    memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
-    memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
-    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
-    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
-    const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
-    sailnet_real share = R(1.0) - lost;
+    estimate->beta = sailnet_limited(&estimate->beta, SAILNET_OF_BETA);
+    estimate->tangential = sailnet_limited(&estimate->tangential, SAILNET_OF_TANGENTIAL);
+    estimate->variance = sailnet_limited(&estimate->variance, SAILNET_OF_SHARE);
+    estimate->autocovariance = sailnet_limited(&estimate->autocovariance, SAILNET_OF_SHARE);
+    sailnet_real own = estimate->beta;
 #if SAILNET_AGES
     if (known != NULL) {
-        share *= sailnet_aged(memory, known);
+        own *= sailnet_aged(estimate, memory->time_of_flight, known);
     }
 #endif
-    const sailnet_real plan = memory->beta * share * (R(1.0) - sailnet_reserve(memory, hold));
-    uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
-    command->beta = memory->beta;
+    const sailnet_real plan = own * (R(1.0) - sailnet_reserve(estimate, &memory->time_of_flight, hold));
+    const sailnet_real beta = sailnet_limited(&plan, SAILNET_OF_BETA);
+    const sailnet_real estimated = sailnet_limited(&own, SAILNET_OF_BETA);
+    uint32_t seen = 0u;
+    if ((known == NULL) || (sailnet_tracks(memory, known, beta, estimated, hold, command) == 0)) {
+        seen = sailnet_law(known, sailnet_for_networks(memory, beta), command);
+        memory->source = (uint32_t)SAILNET_FROM_NETWORKS;
+    } else {
+        seen = sailnet_there(known);
+        memory->source = (uint32_t)SAILNET_FROM_PLAN;
+    }
+    command->beta = estimate->beta;
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (known == NULL) {
         /* What was learnt stays, but the next state is not what came of the last command. */
-        memory->held = R(0.0);
-        memory->homing = SAILNET_NO_PLAN;
+        estimate->held = R(0.0);
+        memory->source = (uint32_t)SAILNET_FROM_NOTHING;
     } else {
-        sailnet_real normal[3];
-        sailnet_real turn;
-        if (sailnet_homes(memory, known, sailnet_limited(&plan, SAILNET_OF_BETA), command) != 0) {
-            /* Where the model knows the way it is not for the networks to say whether they know it. */
-            seen &= SAILNET_THERE;
-            sailnet_real across[2];
-            (void)sailnet_normal_to(command, across, normal);
-            turn = sailnet_turn(memory, normal);
-        } else {
-            turn = sailnet_keep_side(memory, &change, command, normal);
-        }
         status = sailnet_ends(memory, seen, plan, command, &hold);
-        if (memory->periods > 0u) {
-            const sailnet_real left = memory->slewing - memory->held;
-            memory->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
+        sailnet_real normal[3];
+        sailnet_normal_to(command, normal);
+        const sailnet_real turn = sailnet_turn(estimate, normal);
+        if (estimate->periods > 0u) {
+            const sailnet_real left = estimate->slewing - estimate->held;
+            estimate->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
         }
-        memory->state = *known;
+        estimate->state = *known;
         for (int32_t i = 0; i < 3; i++) {
-            memory->normal[i] = sailnet_limited(&normal[i], SAILNET_OF_SHARE);
+            estimate->normal[i] = sailnet_limited(&normal[i], SAILNET_OF_SHARE);
         }
-        memory->held = hold;
+        estimate->held = hold;
         if ((status == SAILNET_ARRIVED) && (hold > R(0.0))) {
-            hold = sailnet_until_nearest(memory);
-            memory->held = hold;
+            hold = sailnet_until_nearest(estimate);
+            estimate->held = hold;
         }
         memory->time_of_flight = command->time_of_flight;
-        if (memory->periods < UINT32_MAX) {
-            memory->periods++;
+        if (estimate->periods < UINT32_MAX) {
+            estimate->periods++;
         }
     }
     command->hold = hold;
     return status;
+}
+
+/* What is saved over a reboot, and the report of the plan. */
+
+/* A checksum of all that is before it: CRC-32 of IEEE 802.3, bit by bit. */
+SAILNET_PART uint32_t sailnet_checksum(const sailnet_memory *memory)
+{
+    const unsigned char *const bytes = (const unsigned char *)memory;
+    uint32_t remainder = UINT32_MAX;
+    for (uint32_t i = 0u; i < (uint32_t)offsetof(sailnet_memory, checksum); i++) {
+        remainder ^= bytes[i];
+        for (int32_t bit = 0; bit < 8; bit++) {
+            remainder = (remainder >> 1) ^ (((remainder & 1u) != 0u) ? 0xEDB88320u : 0u);
+        }
+    }
+    return ~remainder;
+}
+
+void sailnet_seal(sailnet_memory *memory)
+{
+    if (memory != NULL) {
+        memory->version = (uint32_t)SAILNET_API_VERSION;
+        memory->checksum = sailnet_checksum(memory);
+    }
+}
+
+sailnet_status sailnet_restore(sailnet_memory *memory)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if (memory != NULL) {
+        if ((memory->version == (uint32_t)SAILNET_API_VERSION) && (memory->checksum == sailnet_checksum(memory))) {
+            status = SAILNET_OK;
+        } else {
+            sailnet_start(memory);
+        }
+    }
+    return status;
+}
+
+/* Whether a text is the digest of this mission. */
+SAILNET_PART int32_t sailnet_is_mission(const char *digest)
+{
+    static const char own[] = SAILNET_MISSION_DIGEST;
+    int32_t same = 1;
+    for (uint32_t i = 0u; (same != 0) && (i < sizeof own); i++) {
+        same = digest[i] == own[i] ? 1 : 0;
+    }
+    return same;
+}
+
+sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_digest, const sailnet_state *state,
+                                   const sailnet_arrival *plan)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if ((memory != NULL) && (mission_digest != NULL) && (state != NULL) && (plan != NULL) &&
+        (sailnet_is_mission(mission_digest) != 0) && (sailnet_is_state(state) != 0) &&
+        (plan->beta >= (double)SAILNET_BETA_MIN) && (plan->beta <= (double)SAILNET_BETA_MAX)) {
+        double numbers[SAILNET_STATES];
+        const sailnet_problem own = sailnet_own_problem(memory, plan->beta);
+        sailnet_to_tracker(state, numbers);
+        if (sailnet_take_plan(&own, &memory->tracker, numbers, plan->direction, plan->time_to_go) !=
+            0) {
+            status = SAILNET_OK;
+        }
+    }
+    return status;
+}
+
+void sailnet_report_plan(const sailnet_memory *memory, sailnet_plan_report *report)
+{
+    if ((memory != NULL) && (report != NULL)) {
+        const sailnet_tracker *const tracker = &memory->tracker;
+        (void)memset(report, 0, sizeof *report);
+        (void)memcpy(report->direction, tracker->plan.direction, sizeof report->direction);
+        report->time_to_go = tracker->plan.time_to_go;
+        report->beta = tracker->plan.beta;
+        report->residual = tracker->plan.residual;
+        report->extremals = tracker->computed;
+        report->planned = tracker->planned;
+        report->source = memory->source;
+    }
 }

@@ -4,10 +4,13 @@
  *
  * Exported by sailnet 0.2.0 for mission mars_earth: do not edit.
  * mission   5232813af93d8db286f4382d4c2ad3b6b1cc74171db0422a53402fa8cdf97584
- * networks  91b709f5977288bf14ce42cbf0352772cc68c64ab3a53b0e6d79e311b7fe4935
+ * networks  47de848422bbc54842cdbe3dbaa2d5df94783e0da695bc739559560f178cf45f
  * data set  a96ce3433f3c42f7942f80974f999c203b33bb5437d5a857e970893491f40612 (tau)
  * data set  a96ce3433f3c42f7942f80974f999c203b33bb5437d5a857e970893491f40612 (alpha_pre)
  * data set  a96ce3433f3c42f7942f80974f999c203b33bb5437d5a857e970893491f40612 (lambda_v)
+ * data set  93da5ba44acf0116b44f971319887ee3cc8c7c1a0a8392572e5f1f60cb1ba529 (arrival_lambda_r)
+ * data set  93da5ba44acf0116b44f971319887ee3cc8c7c1a0a8392572e5f1f60cb1ba529 (arrival_lambda_u)
+ * data set  93da5ba44acf0116b44f971319887ee3cc8c7c1a0a8392572e5f1f60cb1ba529 (arrival_lambda_v)
  *
  * Vectors are those of gcc and clang (vector_size), as wide as the processor's registers. With other compilers, or
  * with -DSAILNET_PLAIN, the same text computes on single numbers, to the same bits but for contraction: that is what
@@ -15,6 +18,7 @@
  */
 #include "sailnet_guidance.h"
 
+#include <stddef.h>
 #include <string.h>
 #if defined(__SSE2__) && !defined(SAILNET_PLAIN)
 #include <immintrin.h>
@@ -97,6 +101,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
     return (value - value) == R(0.0);
 }
 
+/* pi, rounded down: an angle is in (-pi, pi] in either precision, and its mirror image too. */
+#ifdef SAILNET_FLOAT64
+#define SAILNET_LARGEST_ANGLE 3.1415926535897927
+#else
+#define SAILNET_LARGEST_ANGLE 3.1415925f
+#endif
+
 /*
  * Pairs of a lower and an upper bound, by what they are of: to name a row takes less code than two constants do.
  */
@@ -109,11 +120,13 @@ SAILNET_INLINE int32_t sailnet_is_finite(sailnet_real value)
 #define SAILNET_OF_TIME_TO_GO 6
 #define SAILNET_OF_SHARE 7
 #define SAILNET_OF_TANGENTIAL 8
-#define SAILNET_OF_ATTITUDE 9
-#define SAILNET_OF_OFFSET 10
+#define SAILNET_OF_ANGLE 9
+#define SAILNET_OF_PLAN 10
+#define SAILNET_OF_ATTITUDE 11
+#define SAILNET_OF_OFFSET 12
 /* Three of each of r, u, v, and then one of each input. */
-#define SAILNET_OF_STATE 11
-#define SAILNET_OF_INPUTS 20
+#define SAILNET_OF_STATE 13
+#define SAILNET_OF_INPUTS 22
 static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_BETA_MIN, SAILNET_BETA_MAX},
     {-SAILNET_PHI_MAX, SAILNET_PHI_MAX},
@@ -124,6 +137,8 @@ static const sailnet_real sailnet_limits[][2] = {
     {SAILNET_ARRIVAL_THRESHOLD, R(1e9)},
     {R(-1.0), R(1.0)},
     {-SAILNET_LARGEST_TANGENTIAL, SAILNET_LARGEST_TANGENTIAL},
+    {-SAILNET_LARGEST_ANGLE, SAILNET_LARGEST_ANGLE},
+    {R(-1e18), R(1e18)},
     {-SAILNET_LARGEST_ATTITUDE, SAILNET_LARGEST_ATTITUDE},
     {-SAILNET_LARGEST_OFFSET, SAILNET_LARGEST_OFFSET},
     SAILNET_STATE_LIMITS,
@@ -416,6 +431,47 @@ SAILNET_INLINE void sailnet_cosine_sine(sailnet_real angle, sailnet_real *cosine
     }
     *cosine = c;
     *sine = s;
+}
+
+/*
+ * (arctan(t) / t - 1) / t^2, of z = t^2 for t in [-tan(pi/8), tan(pi/8)], by its best polynomial: the error in arctan is
+ * below 2e-8 (float) and 4e-17 (double) of it.
+ */
+SAILNET_INLINE sailnet_real sailnet_arctan_rest(sailnet_real z)
+{
+#ifdef SAILNET_FLOAT64
+    const sailnet_real z2 = z * z;
+    const sailnet_real z4 = z2 * z2;
+    const sailnet_real lowest = (-0.33333333333330218 + 0.19999999999104691 * z) +
+                                (-0.14285714196529525 + 0.11111106703673881 * z) * z2;
+    const sailnet_real middle = (-0.090907835311274021 + 0.076900833866845471 * z) +
+                                (-0.066412464978030210 + 0.056931659858806027 * z) * z2;
+    const sailnet_real highest = -0.043608284811392481 + 0.021280176437232786 * z;
+    return lowest + z4 * (middle + z4 * highest);
+#else
+    return -0.33332955f + z * (0.19977926f + z * (-0.13879846f + z * 0.080602985f));
+#endif
+}
+
+/*
+ * The angle of a direction, from the first axis to the second: of the smaller by the larger component, turned back by
+ * pi/4 where that is steep, and then in each octant. Of two zeros it is 0. They come by their addresses, as what is
+ * clamped does.
+ */
+SAILNET_PART sailnet_real sailnet_angle(const sailnet_real *first, const sailnet_real *second)
+{
+    const sailnet_real x = sailnet_size(*first);
+    const sailnet_real y = sailnet_size(*second);
+    const sailnet_real larger = x > y ? x : y;
+    const sailnet_real smaller = x > y ? y : x;
+    const sailnet_real steep = smaller > R(0.41421356237309505) * larger ? R(1.0) : R(0.0);
+    const sailnet_real whole = larger + steep * smaller;
+    const sailnet_real t = whole > R(0.0) ? (smaller - steep * larger) / whole : R(0.0);
+    sailnet_real angle = steep * R(0.7853981633974483) + (t + t * (t * t) * sailnet_arctan_rest(t * t));
+    angle = y > x ? R(1.5707963267948966) - angle : angle;
+    angle = *first < R(0.0) ? R(3.141592653589793) - angle : angle;
+    angle = *second < R(0.0) ? -angle : angle;
+    return sailnet_limited(&angle, SAILNET_OF_ANGLE);
 }
 
 /* ================================ The networks ================================ */
@@ -850,8 +906,13 @@ SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
 #undef STAGE_BLOCK
 #undef STAGE_TOGETHER
 
-/* Each network reads all five, those first that are known first; the first gives log2(tau / s). beta must be in its range. */
-SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+/* Inputs of a network, those first that are known first; and in space what its outputs are multiplied by. */
+#define SAILNET_APPROACH_INPUTS 5
+#define SAILNET_APPROACH_STATES 3
+
+/* The inputs, and in space the two factors, which change their signs in a mirror; beta must be in its range. Returns s. */
+SAILNET_INLINE sailnet_real sailnet_approach(const sailnet_real state[SAILNET_APPROACH_STATES], sailnet_real beta,
+                                             sailnet_real input[SAILNET_APPROACH_INPUTS], sailnet_real factors[2])
 {
     /* Deviations in units of the sail's acceleration at the target, beta / r_f^2: they are times. */
     const sailnet_real per_acceleration = SAILNET_TARGET_R2 / beta;
@@ -870,8 +931,22 @@ SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real b
     const sailnet_real per_s2 = per_s * per_s;
     /* s4 tells the bound; the clamp tells it to an analyser of intervals. */
     const sailnet_real s = sailnet_clamped((s4 * per_s) * per_s2, R(0.0), R(2e6));
-    const sailnet_real input[5] = {beta, s, missing[2] * per_s, missing[1] * per_s,
-                                                 missing[0] * per_s2};
+    input[0] = beta;
+    input[1] = s;
+    factors[0] = R(1.0);
+    factors[1] = R(0.0);
+    input[SAILNET_APPROACH_INPUTS - 3] = missing[2] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 2] = missing[1] * per_s;
+    input[SAILNET_APPROACH_INPUTS - 1] = missing[0] * per_s2;
+    return s;
+}
+
+/* The first network gives log2(tau / s). */
+SAILNET_INLINE void sailnet_networks(const sailnet_real state[3], sailnet_real beta, sailnet_real output[3])
+{
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real s = sailnet_approach(state, beta, input, factors);
     sailnet_approach_networks(input, output);
     /* Bounded, so that no weights make the product overflow. */
     const sailnet_real octaves = sailnet_clamped(output[0], R(-60.0), R(60.0));
@@ -1132,6 +1207,1655 @@ SAILNET_INLINE uint32_t sailnet_law(const sailnet_state *state, sailnet_real bet
     return seen;
 }
 
+/* ================================ The tracker ================================ */
+
+#define SAILNET_TRACKER_API static
+
+/*
+ * Extremals of minimum time, backward from the target orbit: Eqs. (14)-(19), with delta = 0.
+ *
+ * An extremal that arrives is a direction of the arrival costates, constant along the whole flight, and the time to go.
+ * Freestanding C99 without libm; it compiles where it lies, with -DSAILNET_IN_SPACE=1 in three dimensions.
+ */
+#ifndef SAILNET_EXTREMAL_H
+#define SAILNET_EXTREMAL_H
+
+
+
+/* The flight file holds all of this in one translation unit, where functions are static. */
+#ifndef SAILNET_TRACKER_API
+#define SAILNET_TRACKER_API
+#endif
+
+/*
+ * The state and costates `tau` before arrival, of the extremal that arrives with costates along `direction`.
+ *
+ * tolerance: local error of a step, in AU and AU/TU, of costates relative to their size.
+ * Returns the steps it took; 0 if it did not get there: too many steps, or numbers that are not finite.
+ */
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end);
+
+/* An end of an extremal `lapse` [TU] later; the rest is as for sailnet_extremal. */
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end);
+
+/* The optimal attitude of costates. */
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude);
+
+/* The product of costates and the force of an attitude, per beta / r^2: of the optimal one it is least. */
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude);
+
+/* The same for a sail that light pushes along its surface by so much more, per beta / r^2: as is learnt of a vehicle. */
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential);
+
+/* value^(-1/2) of a positive number, to a few units of rounding. */
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value);
+
+/* A square root; of 0 or less 0. */
+SAILNET_TRACKER_API double sailnet_root(double value);
+
+static inline double sailnet_absolute(double value)
+{
+    return value < 0.0 ? -value : value;
+}
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+#define UNKNOWNS (2 * SAILNET_STATES)
+/* Where lambda_u and lambda_v are among the unknowns. */
+#define LAMBDA_U (STATES + STATES - (SAILNET_IN_SPACE ? 3 : 2))
+#define LAMBDA_V (LAMBDA_U + 1)
+
+/* Stages of Dormand and Prince's method of fifth order; the seventh is the first of the next step. */
+#define STAGES 7
+static const double stage_weights[STAGES - 1][STAGES - 1] = {
+    {0.2, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.075, 0.225, 0.0, 0.0, 0.0, 0.0},
+    {0.9777777777777777, -3.7333333333333334, 3.5555555555555554, 0.0, 0.0, 0.0},
+    {2.9525986892242035, -11.595793324188385, 9.822892851699436, -0.2908093278463649, 0.0, 0.0},
+    {2.8462752525252526, -10.757575757575758, 8.906422717743473, 0.2784090909090909, -0.2735313036020583, 0.0},
+    {0.09114583333333333, 0.0, 0.44923629829290207, 0.6510416666666666, -0.322376179245283, 0.13095238095238096}};
+static const double error_weights[STAGES] = {0.0012326388888888888,  0.0, -0.0042527702905061394, 0.03697916666666667,
+                                             -0.05086379716981132, 0.0419047619047619, -0.025};
+
+/* First and shortest step [TU]; a step is at most so much of the time in which the primer, the costates that the
+   attitude depends on, would vanish: where it nearly does the attitude turns fast. */
+#define FIRST_STEP 0.05
+#define SHORTEST_STEP 1e-7
+#define OF_PRIMER 0.3
+/* By how much steps change at most. */
+#define SHRINK 0.1
+#define GROW 4.0
+/* Halvings of the interval in which an event lies. */
+#define HALVINGS 20
+
+/* An extremal on its way: between two events the law is smooth. */
+typedef struct {
+    const sailnet_problem *problem;
+    double at_bound[2]; /* the force at the bound on the cone angle, radial and lateral */
+    int32_t bound;      /* whether the cone angle is there */
+    double side;        /* in the plane the sign that it has there */
+} sailnet_arc;
+
+SAILNET_TRACKER_API double sailnet_reciprocal_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x5FE6EB50C7B537A9) - (bits >> 1);
+    (void)memcpy(&root, &bits, sizeof root);
+    /* The bits err by 3.5 %: a step of fourth order and one of third leave rounding. */
+    const double off = 1.0 - value * (root * root);
+    root += root * off * ((0.5 + 0.375 * off) + 0.3125 * (off * off));
+    const double rest = 1.0 - value * (root * root);
+    return root + root * (rest * (0.5 + 0.375 * rest));
+}
+
+SAILNET_TRACKER_API double sailnet_root(double value)
+{
+    return value > 0.0 ? value * sailnet_reciprocal_root(value) : 0.0;
+}
+
+/* The force of a cone angle across the Sun line: radial, lateral. */
+static void force_at(const sailnet_problem *problem, double cosine, double sine, double force[2])
+{
+    const double normal = problem->square * cosine + problem->linear;
+    force[0] = cosine * (normal * cosine + problem->across * sine * sine);
+    force[1] = cosine * sine * (normal - problem->across * cosine);
+}
+
+SAILNET_TRACKER_API double sailnet_work(const sailnet_problem *problem, const double costate[SAILNET_STATES],
+                                        const sailnet_attitude *attitude)
+{
+    double force[2];
+    double along = 0.0;
+    force_at(problem, attitude->cosine, attitude->sine, force);
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        along += costate[STATES - SAILNET_ACROSS + i] * attitude->across[i];
+    }
+    return costate[STATES - SAILNET_ACROSS - 1] * force[0] + along * force[1];
+}
+
+SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tangential)
+{
+    const double c = problem->bound_cosine;
+    const double s = sailnet_absolute(problem->bound_sine);
+    problem->across += tangential;
+    problem->edge_radial += tangential * s * (2.0 * c * c - s * s);
+    problem->edge_lateral += tangential * c * (2.0 * s * s - c * c);
+}
+
+/*
+ * The cone angle inside the bound that makes lambda_u f_r - lateral f_t least: of an ideal sail in closed form, and from
+ * there by Newton's steps, which of an ideal sail are none.
+ */
+static void inside_the_bound(const sailnet_problem *problem, double lambda_u, double lateral, double *cosine,
+                             double *sine)
+{
+    const double x = -3.0 * lambda_u;
+    const double y = 2.8284271247461903 * lateral;
+    const double size = sailnet_root(x * x + y * y);
+    /* The tangent is (size - x) / (sqrt(2) y), or y / (sqrt(2) (size + x)): the larger of both numbers is exact. */
+    const double above = x > 0.0 ? y : size - x;
+    const double below = 1.4142135623730951 * (x > 0.0 ? size + x : y);
+    const double square2 = above * above + below * below;
+    const double whole = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
+    double c = whole > 0.0 ? below * whole : 1.0;
+    double s = above * whole;
+    const double linear = problem->linear;
+    const double across = problem->across;
+    if ((linear != 0.0) || (across != 0.0)) {
+        const double square = problem->square;
+        for (int32_t i = 0; i < 5; i++) {
+            const double c2 = c * c - s * s;
+            const double s2 = 2.0 * c * s;
+            /* Derivatives of the force by the cone angle, the first and the second. */
+            const double normal = square * c + linear;
+            const double f_r1 = -s * (3.0 * square * c * c + 2.0 * linear * c) + across * s * (2.0 * c * c - s * s);
+            const double f_t1 = c2 * (normal - across * c) - c * s * s * (square - across);
+            const double f_r2 = square * (6.0 * c * s * s - 3.0 * c * c * c) - 2.0 * linear * c2 +
+                                across * c * (2.0 * c * c - 7.0 * s * s);
+            const double f_t2 = -2.0 * s2 * (normal - across * c) - (square - across) * s * (c2 + 2.0 * c * c - s * s);
+            const double slope = lambda_u * f_r1 - lateral * f_t1;
+            const double bend = lambda_u * f_r2 - lateral * f_t2;
+            const double step = bend > 0.0 ? -slope / bend : 0.0;
+            /* A turn by arctan(step). */
+            const double turned = c - s * step;
+            const double rest = s + c * step;
+            const double per = sailnet_reciprocal_root(turned * turned + rest * rest);
+            c = turned * per;
+            s = rest * per;
+            /* What is left is its square. */
+            if (!(sailnet_absolute(step) > 1e-6)) {
+                break;
+            }
+        }
+    }
+    *cosine = c;
+    *sine = s;
+}
+
+/* Size of the costate across the Sun line. */
+static double lateral_of(const double *unknown)
+{
+    return sailnet_absolute(unknown[LAMBDA_V]);
+}
+
+/* Positive where the optimum is inside the bound. */
+static double inner(const sailnet_problem *problem, const double *unknown)
+{
+    return unknown[LAMBDA_U] * problem->edge_radial - lateral_of(unknown) * problem->edge_lateral;
+}
+
+/* The force by the law of the present arc: radial, along, and in space northward. */
+static void force_of(const sailnet_arc *arc, const double *unknown, double *force)
+{
+    const sailnet_problem *const problem = arc->problem;
+    double in_plane[2] = {arc->at_bound[0], arc->at_bound[1]};
+    const double lateral = lateral_of(unknown);
+    if (arc->bound == 0) {
+        double cosine;
+        double sine;
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &cosine, &sine);
+        force_at(problem, cosine, sine, in_plane);
+    }
+    force[0] = in_plane[0];
+    const double side = arc->bound != 0 ? arc->side : (unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0);
+    force[1] = side * in_plane[1];
+}
+
+/* Eq. (15): rates of the unknowns by the time to go, which are those by time with another sign. */
+static void rates(const sailnet_arc *arc, const double *unknown, double *rate)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double per_r = 1.0 / unknown[0];
+    const double push = problem->beta * per_r * per_r;
+    double force[3] = {0.0, 0.0, 0.0};
+    force_of(arc, unknown, force);
+    const double u = unknown[1];
+    const double v = unknown[2];
+    const double l_r = unknown[3];
+    const double l_u = unknown[4];
+    const double l_v = unknown[5];
+    const double work = push * (l_u * force[0] + l_v * force[1]);
+    rate[0] = -u;
+    rate[1] = -(v * v * per_r - per_r * per_r + push * force[0]);
+    rate[2] = u * v * per_r - push * force[1];
+    rate[3] = -per_r * (per_r * (l_u * v * v - l_v * u * v - 2.0 * l_u * per_r) + 2.0 * work);
+    rate[4] = l_r - l_v * v * per_r;
+    rate[5] = per_r * (2.0 * l_u * v - l_v * u);
+}
+
+/* One step from `unknown`, whose rates are the first of the stages; returned is the estimate of its error. */
+static double step_by(const sailnet_arc *arc, const double *unknown, double step, double stage[STAGES][UNKNOWNS],
+                      double *reached)
+{
+    for (int32_t i = 0; i < (STAGES - 1); i++) {
+        (void)memcpy(reached, unknown, UNKNOWNS * sizeof reached[0]);
+        for (int32_t j = 0; j <= i; j++) {
+            const double share = step * stage_weights[i][j];
+            for (int32_t n = 0; n < UNKNOWNS; n++) {
+                reached[n] += share * stage[j][n];
+            }
+        }
+        rates(arc, reached, stage[i + 1]);
+    }
+    double size = 0.0;
+    for (int32_t n = STATES; n < UNKNOWNS; n++) {
+        size += sailnet_absolute(unknown[n]);
+    }
+    double error = 0.0;
+    for (int32_t n = 0; n < UNKNOWNS; n++) {
+        double sum = 0.0;
+        for (int32_t j = 0; j < STAGES; j++) {
+            sum += error_weights[j] * stage[j][n];
+        }
+        const double own = sailnet_absolute(step * sum);
+        /* Relative to the size of all costates; what is not a number stays none. */
+        const double counted = n < STATES ? own : own / size;
+        error = counted <= error ? error : counted;
+    }
+    return error;
+}
+
+/*
+ * The two functions that end an arc where they become negative: of the bound, and in the plane of the side there. In
+ * space the thrust turns about the Sun line without a jump.
+ */
+static double guard(const sailnet_arc *arc, const double *unknown, int32_t which)
+{
+    const double inside = inner(arc->problem, unknown);
+    double value = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        value = arc->bound != 0 ? -arc->side * unknown[LAMBDA_V] : 1.0;
+    }
+    return value;
+}
+
+/* Its slope: every guard is linear in the costates, but for the size of what is across the Sun line. */
+static double guard_slope(const sailnet_arc *arc, const double *unknown, const double *rate, int32_t which)
+{
+    const sailnet_problem *const problem = arc->problem;
+    const double change = unknown[LAMBDA_V] < 0.0 ? -rate[LAMBDA_V] : rate[LAMBDA_V];
+    const double inside = rate[LAMBDA_U] * problem->edge_radial - change * problem->edge_lateral;
+    double slope = arc->bound != 0 ? -inside : inside;
+    if (which != 0) {
+        slope = arc->bound != 0 ? -arc->side * rate[LAMBDA_V] : 0.0;
+    }
+    return slope;
+}
+
+/* The share of a step after which a guard is negative: by the cubic of its values and slopes at both ends. */
+static double share_until(double g0, double slope0, double g1, double slope1)
+{
+    double low = 0.0;
+    double high = 1.0;
+    for (int32_t i = 0; i < HALVINGS; i++) {
+        const double x = 0.5 * (low + high);
+        const double q = 1.0 - x;
+        const double value =
+            q * q * ((1.0 + 2.0 * x) * g0 + x * slope0) + x * x * ((3.0 - 2.0 * x) * g1 - q * slope1);
+        if (value < 0.0) {
+            high = x;
+        } else {
+            low = x;
+        }
+    }
+    return high;
+}
+
+/* Which arc begins at `unknown`. */
+static void begin_arc(sailnet_arc *arc, const double *unknown)
+{
+    arc->bound = inner(arc->problem, unknown) > 0.0 ? 0 : 1;
+    arc->side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/* Which guard a step ends with, and when; -1 if it ends none. */
+static int32_t event_in(const sailnet_arc *arc, const double *before, const double *after,
+                        double stage[STAGES][UNKNOWNS], double *step)
+{
+    int32_t which = -1;
+    const double whole = *step;
+    for (int32_t i = 0; i < (SAILNET_IN_SPACE ? 1 : 2); i++) {
+        const double g1 = guard(arc, after, i);
+        if (g1 < 0.0) {
+            /* Where the arc has just begun rounding may have left it a little below 0. */
+            const double g0 = guard(arc, before, i);
+            const double slope0 = guard_slope(arc, before, stage[0], i) * whole;
+            const double slope1 = guard_slope(arc, after, stage[STAGES - 1], i) * whole;
+            const double at = whole * share_until(g0 > 0.0 ? g0 : 0.0, slope0, g1, slope1);
+            if ((which < 0) || (sailnet_absolute(at) < sailnet_absolute(*step))) {
+                *step = at;
+                which = i;
+            }
+        }
+    }
+    return which;
+}
+
+/* The fifth root of a positive number, to 3.4 %: of its bits, which are nearly its logarithm, and of which the upper half
+   is divided by 5. */
+static double about_fifth_root(double value)
+{
+    uint64_t bits;
+    double root;
+    (void)memcpy(&bits, &value, sizeof bits);
+    bits = UINT64_C(0x3325CFAACD9E8600) + (bits >> 32) * UINT64_C(0x33333333);
+    (void)memcpy(&root, &bits, sizeof root);
+    return root;
+}
+
+/* What the next step is multiplied by. */
+static double factor_of(double tolerance, double error)
+{
+    double factor = SHRINK;
+    if (error <= 1e-6 * tolerance) {
+        factor = GROW;
+    } else if (error == error) {
+        factor = 0.9 * about_fifth_root(tolerance / error);
+    } else {
+        /* It is not a number: much shorter. */
+    }
+    factor = factor > SHRINK ? factor : SHRINK;
+    return factor < GROW ? factor : GROW;
+}
+
+/* A step, or the longest that the primer leaves. */
+static double limited_step(const double *unknown, const double *rate, double step)
+{
+    double primer = 0.0;
+    double change = 0.0;
+    double limited = step;
+    const int32_t first = LAMBDA_U;
+    for (int32_t n = first; n < UNKNOWNS; n++) {
+        primer += unknown[n] * unknown[n];
+        change += rate[n] * rate[n];
+    }
+    if (!(step * step * change <= OF_PRIMER * OF_PRIMER * primer)) {
+        const double longest = OF_PRIMER * sailnet_root(primer / change);
+        limited = longest > SHORTEST_STEP ? longest : SHORTEST_STEP;
+    }
+    return limited < step ? limited : step;
+}
+
+/* The first trial of `step` from `unknown` that ends an arc, or none: as in event_in; and to the event itself. */
+static int32_t end_at_event(const sailnet_arc *arc, const double *unknown, double stage[STAGES][UNKNOWNS],
+                            double *reached, double left, double *step)
+{
+    const int32_t which = event_in(arc, unknown, reached, stage, step);
+    if (which >= 0) {
+        (void)step_by(arc, unknown, *step, stage, reached);
+        /* By one step of Newton's method. */
+        const double slope = guard_slope(arc, reached, stage[STAGES - 1], which);
+        const double more = slope != 0.0 ? -guard(arc, reached, which) / slope : 0.0;
+        if ((sailnet_absolute(more) < 0.1 * sailnet_absolute(*step)) && (sailnet_absolute(*step + more) < left)) {
+            *step += more;
+            (void)step_by(arc, unknown, *step, stage, reached);
+        }
+    }
+    return which;
+}
+
+/*
+ * An end of an extremal, `span` [TU] farther from arrival; nearer, if that is negative. Its rates are computed.
+ * Returns the steps it took; 0 if it did not get there.
+ */
+static int32_t fly(const sailnet_problem *problem, double span, double tolerance, sailnet_end *end)
+{
+    sailnet_arc arc = {problem, {0.0, 0.0}, 0, 1.0};
+    double *const unknown = end->value;
+    double stage[STAGES][UNKNOWNS];
+    double reached[UNKNOWNS];
+    const double sign = span < 0.0 ? -1.0 : 1.0;
+    double left = sailnet_absolute(span);
+    double wanted = FIRST_STEP;
+    int32_t steps = 0;
+    force_at(problem, problem->bound_cosine, problem->bound_sine, arc.at_bound);
+    begin_arc(&arc, unknown);
+    rates(&arc, unknown, stage[0]);
+    while ((left > 0.0) && (steps < SAILNET_MOST_STEPS)) {
+        const double longest = limited_step(unknown, stage[0], wanted);
+        double step = sign * (longest < left ? longest : left);
+        const double error = step_by(&arc, unknown, step, stage, reached);
+        steps++;
+        wanted = sign * step * factor_of(tolerance, error);
+        if (error <= tolerance) {
+            const int32_t which = end_at_event(&arc, unknown, stage, reached, left, &step);
+            (void)memcpy(unknown, reached, sizeof reached);
+            left = sign * step < left ? left - sign * step : 0.0;
+            if (which == 0) {
+                arc.bound = 1 - arc.bound;
+                arc.side = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+            } else if (which > 0) {
+                arc.side = -arc.side;
+            } else {
+                /* The same arc goes on. */
+            }
+            if (which >= 0) {
+                wanted = FIRST_STEP;
+                rates(&arc, unknown, stage[0]);
+            } else {
+                (void)memcpy(stage[0], stage[STAGES - 1], sizeof stage[0]);
+            }
+        }
+    }
+    (void)memcpy(end->rate, stage[0], sizeof end->rate);
+    return left > 0.0 ? 0 : steps;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_extremal(const sailnet_problem *problem, const double direction[SAILNET_STATES],
+                                             double tau, double tolerance, sailnet_end *end)
+{
+    (void)memset(end->value, 0, sizeof end->value);
+    end->value[0] = problem->target_radius;
+    end->value[STATES - 1 - SAILNET_IN_SPACE] = sailnet_reciprocal_root(problem->target_radius);
+    (void)memcpy(&end->value[STATES], direction, (size_t)STATES * sizeof direction[0]);
+    return fly(problem, tau > 0.0 ? tau : 0.0, tolerance, end);
+}
+
+SAILNET_TRACKER_API int32_t sailnet_move_end(const sailnet_problem *problem, double lapse, double tolerance,
+                                             sailnet_end *end)
+{
+    return fly(problem, -lapse, tolerance, end);
+}
+
+SAILNET_TRACKER_API void sailnet_optimal_attitude(const sailnet_problem *problem,
+                                                  const double costate[SAILNET_STATES], sailnet_attitude *attitude)
+{
+    double unknown[UNKNOWNS] = {0.0};
+    (void)memcpy(&unknown[STATES], costate, (size_t)STATES * sizeof costate[0]);
+    const double lateral = lateral_of(unknown);
+    if (inner(problem, unknown) > 0.0) {
+        inside_the_bound(problem, unknown[LAMBDA_U], lateral, &attitude->cosine, &attitude->sine);
+    } else {
+        attitude->cosine = problem->bound_cosine;
+        attitude->sine = problem->bound_sine;
+    }
+    attitude->across[0] = unknown[LAMBDA_V] > 0.0 ? -1.0 : 1.0;
+}
+
+/*
+ * Newton's method that keeps a plan at the state of the sail.
+ */
+#ifndef SAILNET_PLAN_H
+#define SAILNET_PLAN_H
+
+
+
+/* The largest residual of a plan that counts as solved [AU, AU/TU], by the time to go [TU]: towards arrival an error of
+   the state takes a time that grows as its root. */
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go);
+
+/* Whether a plan passes through the state that it was last corrected for. */
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan);
+
+/* A budget is never larger, whatever is asked for. */
+#define SAILNET_MOST_EXTREMALS 64
+
+/* The problem of the vehicle that a plan is for; of `problem` the rest is used. */
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan);
+
+/*
+ * Correct a plan by damped Newton steps until its extremal of `problem` passes through `state`. The plan is replaced by a
+ * trial only if that has a smaller residual. What is not converged goes on in the next call.
+ *
+ * most: extremals that may be computed, at least 1; so many more than the components of a state are one step with new
+ *     derivatives.
+ * Returns how many extremals were computed: from 1 to `most`.
+ */
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan);
+
+/*
+ * Correct a plan, with its vehicle moved towards that of `problem`: beta by at most the share `largest` of it, and the
+ * force along the surface by at most as much. Where no extremal is found for that, the plan is corrected for its vehicle as
+ * it was: beyond the edge of what the sail can reach the last plan that exists is better than another revolution.
+ *
+ * The rest is as for sailnet_correct_plan.
+ */
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan);
+
+/* Whether a plan is for the vehicle of `problem`. */
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem);
+
+/* Bring the end of a plan to the present, and with it its residual: by how much it misses the state. */
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan);
+
+/* The attitude of a plan, `ahead` [TU] later than the state that `end` is of, and its costates there, scaled to H = 0. */
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude);
+
+#endif
+
+#include <string.h>
+
+#define STATES SAILNET_STATES
+/* What is unknown of a plan: all components of the direction but one, and the time to go. */
+#define TIME (STATES - 1)
+
+/* Longest step of Newton's method: of the direction, per its largest component, and of the time to go [TU]. */
+#define LARGEST_TURN 0.2
+#define LARGEST_SHIFT 0.1
+/* By how much the direction is changed to differentiate by it. */
+#define DIFFERENCE 1e-5
+/* A shorter step is given up: derivatives are renewed, or there is no way. */
+#define SHORTEST_SHARE 1e-3
+/* Of the residual: derivatives that leave more of it are renewed. */
+#define STALE 0.5
+/* Of the goal: a residual in which integration errors are a part. */
+#define FLOOR 0.1
+/* A component that was the largest is replaced when it is less than so much of the one that is. */
+#define STILL_LARGE 0.4
+#define LEAST_TIME 1e-4
+/* The goal far from arrival [AU, AU/TU], and its smallest share. */
+#define LARGEST_GOAL 4e-6
+#define SMALLEST_SHARE 1e-4
+/* Of the goal: the local error of extremals. */
+#define TOLERANCE 0.03
+/* A residual of what cannot be flown. */
+#define NOWHERE 1e9
+
+SAILNET_TRACKER_API double sailnet_plan_goal(double time_to_go)
+{
+    const double square = time_to_go * time_to_go;
+    const double share = square < 1.0 ? square : 1.0;
+    return LARGEST_GOAL * (share > SMALLEST_SHARE ? share : SMALLEST_SHARE);
+}
+
+/* A plan that is tried. */
+typedef struct {
+    double direction[STATES];
+    double time_to_go;
+    double error[STATES];
+    double residual;
+    sailnet_end end;
+} trial;
+
+static void compare(const double state[STATES], trial *tried)
+{
+    double worst = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        tried->error[n] = state[n] - tried->end.value[n];
+        /* What is not a number leads nowhere. */
+        const double size = sailnet_absolute(tried->error[n]);
+        const double counted = size < NOWHERE ? size : NOWHERE;
+        worst = counted > worst ? counted : worst;
+    }
+    tried->residual = worst;
+}
+
+static void fly_back(const sailnet_problem *problem, const double state[STATES], trial *tried)
+{
+    const double tolerance = TOLERANCE * sailnet_plan_goal(tried->time_to_go);
+    const int32_t steps = sailnet_extremal(problem, tried->direction, tried->time_to_go, tolerance, &tried->end);
+    compare(state, tried);
+    tried->residual = steps > 0 ? tried->residual : NOWHERE;
+}
+
+/* Another direction: its components, per the largest, plus a share of a step. */
+static void turn_direction(const double from[STATES], int32_t largest, const double step[STATES], double share,
+                           double to[STATES])
+{
+    const double per = 1.0 / sailnet_absolute(from[largest]);
+    double square = 0.0;
+    int32_t k = 0;
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] = from[n] * per;
+        if (n != largest) {
+            to[n] += share * step[k];
+            k++;
+        }
+        square += to[n] * to[n];
+    }
+    const double scale = sailnet_reciprocal_root(square);
+    for (int32_t n = 0; n < STATES; n++) {
+        to[n] *= scale;
+    }
+}
+
+/* By which component the others are divided: the largest, or still the one that was. */
+static void choose_largest(sailnet_plan *plan)
+{
+    int32_t largest = 0;
+    for (int32_t n = 1; n < STATES; n++) {
+        if (sailnet_absolute(plan->direction[n]) > sailnet_absolute(plan->direction[largest])) {
+            largest = n;
+        }
+    }
+    const int32_t known = ((plan->largest >= 0) && (plan->largest < STATES)) ? plan->largest : largest;
+    const double size = sailnet_absolute(plan->direction[known]);
+    if ((known != plan->largest) || !(size >= STILL_LARGE * sailnet_absolute(plan->direction[largest]))) {
+        plan->largest = largest;
+        plan->differentiated = 0;
+    }
+}
+
+/* The derivatives by differences. */
+static void differentiate(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, const trial *at)
+{
+    trial near = *at;
+    plan->differentiated = 1;
+    for (int32_t k = 0; k < TIME; k++) {
+        double step[STATES] = {0.0};
+        step[k] = DIFFERENCE;
+        turn_direction(at->direction, plan->largest, step, 1.0, near.direction);
+        fly_back(problem, state, &near);
+        if (near.residual >= NOWHERE) {
+            plan->differentiated = 0;
+        }
+        for (int32_t n = 0; n < STATES; n++) {
+            plan->jacobian[n][k] = (near.end.value[n] - at->end.value[n]) / DIFFERENCE;
+        }
+    }
+}
+
+SAILNET_TRACKER_API sailnet_problem sailnet_problem_of(const sailnet_problem *problem, const sailnet_plan *plan)
+{
+    sailnet_problem own = *problem;
+    own.beta = plan->beta;
+    sailnet_push_aside(&own, plan->across - problem->across);
+    return own;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_is_for(const sailnet_plan *plan, const sailnet_problem *problem)
+{
+    return ((plan->beta == problem->beta) && (plan->across == problem->across)) ? 1 : 0;
+}
+
+/* The derivative by what differs of another vehicle, `change`; of a plan that cannot be flown by that it is none. */
+static void differentiate_by_one(const sailnet_problem *other, const double state[STATES], double change,
+                                 sailnet_plan *plan, double derivative[STATES])
+{
+    trial near;
+    (void)memset(&near, 0, sizeof near);
+    (void)memcpy(near.direction, plan->direction, sizeof near.direction);
+    near.time_to_go = plan->time_to_go;
+    fly_back(other, state, &near);
+    if (near.residual >= NOWHERE) {
+        plan->differentiated = 1;
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        derivative[n] = (near.end.value[n] - plan->end.value[n]) / change;
+    }
+}
+
+/* Both derivatives by the vehicle: two extremals. */
+static void differentiate_by_vehicle(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    sailnet_problem stronger = own;
+    sailnet_problem aside = own;
+    const double change = DIFFERENCE * plan->beta;
+    stronger.beta += change;
+    sailnet_push_aside(&aside, DIFFERENCE);
+    plan->differentiated = 2;
+    differentiate_by_one(&stronger, state, change, plan, plan->per_beta);
+    differentiate_by_one(&aside, state, DIFFERENCE, plan, plan->per_across);
+}
+
+/* Newton's step: solve jacobian step = error by elimination with pivots; 0 if there is no solution. */
+static int32_t solve(const sailnet_plan *plan, const double error[STATES], double step[STATES])
+{
+    double m[STATES][STATES + 1];
+    int32_t solved = 1;
+    for (int32_t i = 0; i < STATES; i++) {
+        (void)memcpy(m[i], plan->jacobian[i], sizeof plan->jacobian[i]);
+        m[i][STATES] = error[i];
+    }
+    for (int32_t c = 0; c < STATES; c++) {
+        int32_t pivot = c;
+        for (int32_t i = c + 1; i < STATES; i++) {
+            pivot = sailnet_absolute(m[i][c]) > sailnet_absolute(m[pivot][c]) ? i : pivot;
+        }
+        solved = sailnet_absolute(m[pivot][c]) > 0.0 ? solved : 0;
+        for (int32_t j = 0; j <= STATES; j++) {
+            const double other = m[c][j];
+            m[c][j] = m[pivot][j];
+            m[pivot][j] = other;
+        }
+        for (int32_t i = 0; i < STATES; i++) {
+            const double factor = i != c ? m[i][c] / m[c][c] : 0.0;
+            for (int32_t j = c; j <= STATES; j++) {
+                m[i][j] -= factor * m[c][j];
+            }
+        }
+    }
+    for (int32_t i = 0; i < STATES; i++) {
+        step[i] = m[i][STATES] / m[i][i];
+        solved = step[i] == step[i] ? solved : 0;
+    }
+    return solved;
+}
+
+/* The share of a step of Newton's method that is within bounds. */
+static double share_within(const double step[STATES])
+{
+    double square = 0.0;
+    for (int32_t k = 0; k < TIME; k++) {
+        square += step[k] * step[k];
+    }
+    const double turned = square > 0.0 ? square * sailnet_reciprocal_root(square) : 0.0;
+    const double by_turn = turned > LARGEST_TURN ? LARGEST_TURN / turned : 1.0;
+    const double shift = sailnet_absolute(step[TIME]);
+    const double by_shift = shift > LARGEST_SHIFT ? LARGEST_SHIFT / shift : 1.0;
+    return by_turn < by_shift ? by_turn : by_shift;
+}
+
+/* Broyden's update: derivatives that say of the last step what it did, and of the change of the vehicle, by beta and by
+   the force along the surface, which what was before has in it as predicted. */
+static void mend(sailnet_plan *plan, const trial *before, const trial *after, const double step[STATES], double share,
+                 const double change[2])
+{
+    double moved[STATES];
+    double square = change[0] * change[0] + change[1] * change[1];
+    for (int32_t k = 0; k < STATES; k++) {
+        moved[k] = k < TIME ? share * step[k] : after->time_to_go - before->time_to_go;
+        square += moved[k] * moved[k];
+    }
+    for (int32_t n = 0; n < STATES; n++) {
+        double innovation = after->end.value[n] - before->end.value[n];
+        for (int32_t k = 0; k < STATES; k++) {
+            innovation -= plan->jacobian[n][k] * moved[k];
+        }
+        for (int32_t k = 0; k < STATES; k++) {
+            plan->jacobian[n][k] += innovation * moved[k] / square;
+        }
+        plan->per_beta[n] += innovation * change[0] / square;
+        plan->per_across[n] += innovation * change[1] / square;
+    }
+}
+
+/* The next trial, and what comes of it. */
+static void try_step(const sailnet_problem *problem, const double state[STATES], const sailnet_plan *plan,
+                     const trial *from, const double step[STATES], double share, trial *tried)
+{
+    const double later = from->time_to_go + share * step[TIME];
+    tried->time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
+    turn_direction(from->direction, plan->largest, step, share, tried->direction);
+    fly_back(problem, state, tried);
+}
+
+/* Take one damped step; 0 if it came no nearer. */
+static int32_t advance(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, trial *best,
+                       const double step[STATES], double share)
+{
+    static const double unchanged[2] = {0.0, 0.0};
+    trial tried;
+    try_step(problem, state, plan, best, step, share, &tried);
+    const int32_t nearer = tried.residual < best->residual ? 1 : 0;
+    if (nearer != 0) {
+        mend(plan, best, &tried, step, share, unchanged);
+        *best = tried;
+    }
+    return nearer;
+}
+
+static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
+{
+    for (int32_t n = 0; n < STATES; n++) {
+        plan->jacobian[n][TIME] = end->rate[n];
+    }
+}
+
+/* The first trial: a whole step from where the plan is predicted to be now, or the plan as it is. Returned are the
+   extremals that were computed. */
+static int32_t begin(const sailnet_problem *problem, const double state[STATES], int32_t most, sailnet_plan *plan,
+                     trial *best)
+{
+    const double change[2] = {problem->beta - plan->beta, problem->across - plan->across};
+    const double floor = FLOOR * sailnet_plan_goal(plan->time_to_go);
+    int32_t count = 0;
+    (void)memcpy(best->direction, plan->direction, sizeof best->direction);
+    best->time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
+    choose_largest(plan);
+    if ((plan->differentiated != 0) && (most > 1)) {
+        trial tried;
+        double step[STATES];
+        sailnet_bring_up(problem, state, plan);
+        best->end = plan->end;
+        for (int32_t n = 0; n < STATES; n++) {
+            best->end.value[n] += plan->per_beta[n] * change[0] + plan->per_across[n] * change[1];
+        }
+        compare(state, best);
+        differentiate_by_time(plan, &best->end);
+        if (solve(plan, best->error, step) != 0) {
+            const double share = share_within(step);
+            try_step(problem, state, plan, best, step, share, &tried);
+            count = 1;
+            if (tried.residual <= floor) {
+                *best = tried;
+            } else if (tried.residual < best->residual) {
+                const int32_t stale = tried.residual > STALE * best->residual ? 1 : 0;
+                mend(plan, best, &tried, step, share, change);
+                plan->differentiated = stale != 0 ? 0 : plan->differentiated;
+                *best = tried;
+            } else {
+                plan->differentiated = 0;
+                fly_back(problem, state, best);
+                count = 2;
+            }
+        }
+    }
+    if (count == 0) {
+        fly_back(problem, state, best);
+        count = 1;
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          sailnet_plan *plan)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, plan);
+    trial now;
+    int32_t steps = 1;
+    if (plan->age > 0.0) {
+        const double tolerance = TOLERANCE * sailnet_plan_goal(plan->time_to_go);
+        steps = sailnet_move_end(&own, plan->age, tolerance, &plan->end);
+        plan->age = 0.0;
+    }
+    now.end = plan->end;
+    compare(state, &now);
+    plan->residual = steps > 0 ? now.residual : NOWHERE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                                 int32_t most, sailnet_plan *plan)
+{
+    trial best;
+    double step[STATES] = {0.0};
+    const double goal = sailnet_plan_goal(plan->time_to_go);
+    double damped = 1.0;
+    int32_t fresh = 0;
+    int32_t going = 1;
+    const int32_t limit = most < SAILNET_MOST_EXTREMALS ? most : SAILNET_MOST_EXTREMALS;
+    int32_t count = begin(problem, state, limit, plan, &best);
+    while ((going != 0) && (count < limit) && ((best.residual > goal) || (plan->differentiated == 0)) &&
+           (best.residual < NOWHERE)) {
+        choose_largest(plan);
+        const int32_t renewed = plan->differentiated == 0 ? TIME : 0;
+        going = count < (limit - renewed) ? 1 : 0;
+        if ((going != 0) && (renewed != 0)) {
+            differentiate(problem, state, plan, &best);
+            count += TIME;
+            fresh = 1;
+        }
+        differentiate_by_time(plan, &best.end);
+        if ((going != 0) && (plan->differentiated != 0)) {
+            going = solve(plan, best.error, step);
+            plan->differentiated = going != 0 ? plan->differentiated : 0;
+        }
+        going = plan->differentiated != 0 ? going : 0;
+        if (going != 0) {
+            const double before = best.residual;
+            const double share = damped * share_within(step);
+            count++;
+            if (advance(problem, state, plan, &best, step, share) != 0) {
+                plan->differentiated = ((best.residual > STALE * before) && (fresh == 0)) ? 0 : plan->differentiated;
+                fresh = 0;
+                damped = damped < 0.5 ? 2.0 * damped : 1.0;
+            } else if (fresh == 0) {
+                plan->differentiated = 0;
+            } else {
+                damped *= 0.25;
+                going = damped > SHORTEST_SHARE ? 1 : 0;
+            }
+        }
+    }
+    (void)memcpy(plan->direction, best.direction, sizeof best.direction);
+    plan->time_to_go = best.time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = best.residual;
+    plan->end = best.end;
+    plan->age = 0.0;
+    plan->differentiated = best.residual < NOWHERE ? plan->differentiated : 0;
+    /* It is no more than the limit: the comparison shows that to an analyser. */
+    return count < limit ? count : limit;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_plan_is_solved(const sailnet_plan *plan)
+{
+    return plan->residual <= sailnet_plan_goal(plan->time_to_go) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_track(const sailnet_problem *problem, const double state[SAILNET_STATES],
+                                          double largest, int32_t most, sailnet_plan *plan)
+{
+    const double stronger = problem->beta - plan->beta;
+    const double aside = problem->across - plan->across;
+    const double by_beta = sailnet_absolute(stronger) / plan->beta;
+    const double by_aside = sailnet_absolute(aside);
+    const double by = by_beta > by_aside ? by_beta : by_aside;
+    int32_t count = 0;
+    int32_t moves = by > 0.0 ? most - 2 : 0;
+    if (moves > 0) {
+        sailnet_problem next = *problem;
+        if (by > largest) {
+            const double share = largest / by;
+            next.beta = plan->beta + share * stronger;
+            sailnet_push_aside(&next, (share - 1.0) * aside);
+        }
+        if ((plan->differentiated == 1) && (moves > 3)) {
+            sailnet_bring_up(problem, state, plan);
+            differentiate_by_vehicle(problem, state, plan);
+            count = 2;
+        }
+        sailnet_plan moved = *plan;
+        count += sailnet_correct_plan(&next, state, moves - count, &moved);
+        if (sailnet_plan_is_solved(&moved) != 0) {
+            *plan = moved;
+        } else {
+            moves = 0;
+        }
+    }
+    if (moves <= 0) {
+        const sailnet_problem own = sailnet_problem_of(problem, plan);
+        count += sailnet_correct_plan(&own, state, most - count, plan);
+    }
+    return count;
+}
+
+SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem, const sailnet_end *end,
+                                                  double ahead, double costates[SAILNET_STATES],
+                                                  sailnet_attitude *attitude)
+{
+    double product = 0.0;
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = end->value[STATES + n] - ahead * end->rate[STATES + n];
+        /* Rates are by the time to go. */
+        product += end->value[STATES + n] * end->rate[n];
+    }
+    sailnet_optimal_attitude(problem, costates, attitude);
+    for (int32_t n = 0; n < STATES; n++) {
+        costates[n] = product != 0.0 ? costates[n] / product : 0.0;
+    }
+}
+
+/*
+ * The tracker: the plan that is flown, when it is corrected, and when a plan of the networks replaces it.
+ */
+#ifndef SAILNET_TRACKER_H
+#define SAILNET_TRACKER_H
+
+
+
+/* The guidance period of `held` [TU] is over. */
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
+
+/* Whether the networks are to be evaluated, for sailnet_propose. */
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker);
+
+/*
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time to go
+ * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ */
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[SAILNET_STATES], double time_to_go);
+
+/* Fly by a plan from elsewhere, of the same numbers, if it converges to pass through the state; 0 if it does not. */
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[SAILNET_STATES],
+                                              const double direction[SAILNET_STATES], double time_to_go);
+
+/*
+ * Correct the plan, and the candidate, with at most `most` extremals in all; the command is the attitude in the middle
+ * of the next `hold` [TU].
+ *
+ * problem: of the vehicle to plan for.
+ * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
+ *     flown only while its beta moves.
+ * Returns 1; 0 if there is no plan that passes through the state.
+ */
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[SAILNET_STATES], double estimated, double hold,
+                                           int32_t most, sailnet_planned *planned);
+
+#endif
+
+#include <string.h>
+
+/* A plan is corrected after so much of its time to go, and at the latest after so long [TU]; in every guidance period while
+   it is not solved for the vehicle. While another attitude than its own is flown it stays, since it measures the time lost
+   by that. */
+#define CORRECT_AFTER 0.007
+#define CORRECT_AT_LATEST 0.1
+/* By how much a plan's vehicle moves in a correction, as a share of its force: at most, and at least. A step that fails
+   makes the next one shorter. */
+#define LARGEST_STRIDE 0.01
+#define SMALLEST_STRIDE 1e-4
+#define SHORTER 0.25
+#define LONGER 2.0
+/* The networks are evaluated for a plan once in so long [TU]. */
+#define SEARCH_EVERY 0.1
+/* A faster plan saves at least so much of the time to go: what networks err by. */
+#define FASTER 0.01
+/* A plan that was not solved for the vehicle for so long [TU] has failed: its family of extremals has ended, and any other
+   is better. */
+#define FAILED_AFTER 0.2
+/* Extremals that a candidate may take until it is given up. */
+#define CANDIDATE_EXTREMALS 80
+/* A plan that misses the state by more [AU, AU/TU] is not flown. */
+#define USABLE 1e-3
+#define UNSOLVED 1e9
+/* Hysteresis: an attitude is kept until that has lost so much of the time to go, and not while the plan misses the state by
+   more [AU, AU/TU]. A plan that misses by more and is not solved spends the thrust margin. */
+#define OF_TIME_TO_GO 1.6e-2
+#define STILL_NEAR 4e-4
+/* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
+   the side of the thrust. */
+#define TURN_COSINE 0.939
+#define LATE 1.0
+
+#define STATES SAILNET_STATES
+
+/* A time that has passed [TU]; of what is none, as long as counts. */
+static double passed(double before, double held)
+{
+    const double now = before + held;
+    return ((now >= 0.0) && (now < 1.0)) ? now : 1.0;
+}
+
+static void grow_older(sailnet_plan *plan, double held)
+{
+    plan->time_to_go -= held;
+    plan->age = passed(plan->age, held);
+}
+
+SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held)
+{
+    grow_older(&tracker->plan, held);
+    grow_older(&tracker->candidate, held);
+    tracker->since = passed(tracker->since, held);
+    tracker->searched = passed(tracker->searched, held);
+}
+
+/* Whether there is no plan, or none that will be flown on. */
+static int32_t has_failed(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER)) ? 1 : 0;
+}
+
+/* Whether a plan of so long a time to go is better than the one that is flown. */
+static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
+{
+    return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker)
+{
+    const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
+    return tracker->searching <= 0 ? due : 0;
+}
+
+/* A plan that is not corrected yet. */
+static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
+                       sailnet_plan *plan)
+{
+    (void)memset(plan, 0, sizeof *plan);
+    (void)memcpy(plan->direction, direction, sizeof plan->direction);
+    plan->largest = -1;
+    plan->time_to_go = time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = UNSOLVED;
+}
+
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[STATES], double time_to_go)
+{
+    tracker->searched = 0.0;
+    if (is_better(tracker, time_to_go) != 0) {
+        begin_plan(problem, direction, time_to_go, &tracker->candidate);
+        tracker->searching = CANDIDATE_EXTREMALS;
+    }
+}
+
+/* Fly by a plan that is solved. */
+static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
+{
+    tracker->plan = *plan;
+    tracker->since = 0.0;
+    tracker->stride = LARGEST_STRIDE;
+    tracker->planned = 1;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[STATES], const double direction[STATES],
+                                              double time_to_go)
+{
+    sailnet_plan plan;
+    begin_plan(problem, direction, time_to_go, &plan);
+    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
+    const int32_t solved = sailnet_plan_is_solved(&plan);
+    if (solved != 0) {
+        adopt(tracker, &plan);
+        tracker->searching = 0;
+    }
+    return solved;
+}
+
+/* Correct the candidate, and fly it if it is better. */
+static void advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                              int32_t most)
+{
+    const sailnet_problem own = sailnet_problem_of(problem, &tracker->candidate);
+    const int32_t computed = sailnet_correct_plan(&own, state, most, &tracker->candidate);
+    tracker->computed += computed;
+    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
+    tracker->searching = left - computed;
+    if (sailnet_plan_is_solved(&tracker->candidate) != 0) {
+        tracker->searching = 0;
+        if (is_better(tracker, tracker->candidate.time_to_go) != 0) {
+            adopt(tracker, &tracker->candidate);
+        }
+    } else if (!(tracker->candidate.residual < UNSOLVED)) {
+        /* It leads nowhere. */
+        tracker->searching = 0;
+    } else {
+        /* It goes on in the next period. */
+    }
+}
+
+/* Keep the attitude while another hardly gains: noise would else turn the sail far again and again. */
+static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
+                          double hold, sailnet_planned *planned)
+{
+    const sailnet_attitude *const before = &tracker->flown;
+    sailnet_attitude *const attitude = &planned->attitude;
+    double alike = 0.0;
+    double size2 = 0.0;
+    for (int32_t i = 0; i < SAILNET_ACROSS; i++) {
+        alike += attitude->across[i] * before->across[i];
+        size2 += before->across[i] * before->across[i];
+    }
+    const double turn_cosine = attitude->cosine * before->cosine + attitude->sine * before->sine * alike;
+    /* Nothing else than unit vectors are directions. */
+    const double square = before->cosine * before->cosine + before->sine * before->sine;
+    const int32_t known = ((sailnet_absolute(size2 - 1.0) < 1e-6) && (sailnet_absolute(square - 1.0) < 1e-6)) ? 1 : 0;
+    double regret = 0.0;
+    if ((known != 0) && (turn_cosine < TURN_COSINE) && ((alike < 0.0) || (planned->time_to_go < LATE))) {
+        const double per_r = 1.0 / state[0];
+        const double loss = sailnet_work(problem, planned->costates, before) -
+                            sailnet_work(problem, planned->costates, attitude);
+        regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
+    }
+    const double share = OF_TIME_TO_GO * planned->time_to_go;
+    const int32_t near = tracker->plan.residual < STILL_NEAR ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (near != 0)) ? 1 : 0;
+    tracker->regret = keep != 0 ? regret : 0.0;
+    if (keep != 0) {
+        *attitude = *before;
+    }
+    tracker->flown = *attitude;
+}
+
+/* The next step of the plan's beta, by whether the last one found a plan. */
+static void keep_stride(sailnet_tracker *tracker, int32_t moved)
+{
+    const double next = (moved != 0 ? LONGER : SHORTER) * tracker->stride;
+    tracker->stride = next > SMALLEST_STRIDE ? next : SMALLEST_STRIDE;
+    tracker->stride = tracker->stride < LARGEST_STRIDE ? tracker->stride : LARGEST_STRIDE;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                           const double state[STATES], double estimated, double hold, int32_t most,
+                                           sailnet_planned *planned)
+{
+    sailnet_plan *const plan = &tracker->plan;
+    tracker->computed = 0;
+    if (tracker->planned != 0) {
+        sailnet_bring_up(problem, state, plan);
+    }
+    /* A plan that is not solved, or has failed, leaves the budget to the candidate. */
+    const int32_t first = ((tracker->planned == 1) && (has_failed(tracker) == 0)) ? 1 : 0;
+    if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
+        const sailnet_problem before = sailnet_problem_of(problem, plan);
+        int32_t corrected = 1;
+        if ((tracker->planned > 1) && (plan->residual > STILL_NEAR)) {
+            /* What no plan for less leads through, one for all that the vehicle has may. */
+            sailnet_problem all = *problem;
+            all.beta = estimated;
+            tracker->computed = sailnet_track(&all, state, LARGEST_STRIDE, most, plan);
+        } else if (tracker->planned > 1) {
+            tracker->computed = sailnet_correct_plan(&before, state, most, plan);
+        } else if (!(tracker->regret > 0.0) &&
+                   (!(tracker->since < CORRECT_AFTER * plan->time_to_go) || !(tracker->since < CORRECT_AT_LATEST))) {
+            const int32_t there = sailnet_is_for(plan, problem);
+            tracker->computed = sailnet_track(problem, state, tracker->stride, most, plan);
+            keep_stride(tracker, ((there != 0) || (sailnet_is_for(plan, &before) == 0)) ? 1 : 0);
+        } else {
+            corrected = 0;
+        }
+        if (corrected != 0) {
+            tracker->planned = 2 - sailnet_plan_is_solved(plan);
+            if ((tracker->planned == 1) && (plan->beta <= estimated)) {
+                /* On its way to another vehicle it goes on at once. */
+                const int32_t under_way = sailnet_is_for(plan, &before) + sailnet_is_for(plan, problem);
+                tracker->since = under_way == 0 ? CORRECT_AT_LATEST : 0.0;
+            }
+        }
+    }
+    if ((tracker->searching > 0) && (tracker->computed < (most - 1))) {
+        advance_candidate(problem, tracker, state, most - tracker->computed);
+    }
+    /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
+    const double stronger = (1.0 + LARGEST_STRIDE) * estimated;
+    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= LARGEST_STRIDE)) ? 1 : 0;
+    const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
+    if (flown != 0) {
+        const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
+        planned->time_to_go = plan->time_to_go;
+        sailnet_planned_attitude(problem, &plan->end, 0.5 * (hold < left ? hold : left), planned->costates,
+                                 &planned->attitude);
+        keep_attitude(problem, tracker, state, hold, planned);
+    } else {
+        (void)memset(&tracker->flown, 0, sizeof tracker->flown);
+        tracker->regret = 0.0;
+    }
+    return flown;
+}
+
+/* The direction of the arrival costates by the networks, of any size, from a state that is finite. */
+
+/* The time scale of the approach below which costates of position are scaled down [TU]. */
+#define SAILNET_ARRIVAL_SCALE R(1.0)
+/* Stage "plan": arrival_lambda_r [20, 20, 20], arrival_lambda_u [20, 20, 20], arrival_lambda_v [20, 20, 20]. */
+#define STAGE(name) sailnet_plan_##name
+#define STAGE_NETWORKS 3
+#define STAGE_INPUTS 5
+#define STAGE_EVEN_INPUTS 6
+#define STAGE_DEPTH 3
+#define STAGE_ROWS 20
+#define STAGE_WIDTH SAILNET_PADDED(STAGE_ROWS)
+#if defined(SAILNET_VECTORS) && defined(__AVX512F__) && SAILNET_LANES == 16
+#define STAGE_SIDE_BY_SIDE 1
+#define STAGE_SHARE 5
+#define STAGE_PARTS 4
+#define STAGE_PART SAILNET_LANES
+#define STAGE_OUTPUTS STAGE_ROWS
+#define STAGE_OUTPUT SAILNET_PER_16_BYTES
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0), (n0_1), (n1_1), (n2_1), (n0_2), (n1_2), (n2_2), (n0_3), (n1_3), (n2_3), (n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5), (n0_6), (n1_6), (n2_6), (n0_7), (n1_7), (n2_7), (n0_8), (n1_8), (n2_8), (n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10), (n0_11), (n1_11), (n2_11), (n0_12), (n1_12), (n2_12), (n0_13), (n1_13), (n2_13), (n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15), (n0_16), (n1_16), (n2_16), (n0_17), (n1_17), (n2_17), (n0_18), (n1_18), (n2_18), (n0_19), (n1_19), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n1_0), (n2_0)}, {(n0_1), (n1_1), (n2_1)}, {(n0_2), (n1_2), (n2_2)}, {(n0_3), (n1_3), (n2_3)}, {(n0_4), (n1_4), (n2_4)}, {(n0_5), (n1_5), (n2_5)}, {(n0_6), (n1_6), (n2_6)}, {(n0_7), (n1_7), (n2_7)}, {(n0_8), (n1_8), (n2_8)}, {(n0_9), (n1_9), (n2_9)}, {(n0_10), (n1_10), (n2_10)}, {(n0_11), (n1_11), (n2_11)}, {(n0_12), (n1_12), (n2_12)}, {(n0_13), (n1_13), (n2_13)}, {(n0_14), (n1_14), (n2_14)}, {(n0_15), (n1_15), (n2_15)}, {(n0_16), (n1_16), (n2_16)}, {(n0_17), (n1_17), (n2_17)}, {(n0_18), (n1_18), (n2_18)}, {(n0_19), (n1_19), (n2_19)}}
+#else
+#define STAGE_SIDE_BY_SIDE 0
+#define STAGE_PARTS STAGE_NETWORKS
+#define STAGE_PART STAGE_WIDTH
+#define STAGE_OUTPUTS STAGE_NETWORKS
+#define STAGE_OUTPUT STAGE_WIDTH
+#define STAGE_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#define STAGE_OUTPUT_ROW(n0_0, n0_1, n0_2, n0_3, n0_4, n0_5, n0_6, n0_7, n0_8, n0_9, n0_10, n0_11, n0_12, n0_13, n0_14, n0_15, n0_16, n0_17, n0_18, n0_19, n1_0, n1_1, n1_2, n1_3, n1_4, n1_5, n1_6, n1_7, n1_8, n1_9, n1_10, n1_11, n1_12, n1_13, n1_14, n1_15, n1_16, n1_17, n1_18, n1_19, n2_0, n2_1, n2_2, n2_3, n2_4, n2_5, n2_6, n2_7, n2_8, n2_9, n2_10, n2_11, n2_12, n2_13, n2_14, n2_15, n2_16, n2_17, n2_18, n2_19) {{(n0_0), (n0_1), (n0_2), (n0_3), (n0_4), (n0_5), (n0_6), (n0_7), (n0_8), (n0_9), (n0_10), (n0_11), (n0_12), (n0_13), (n0_14), (n0_15), (n0_16), (n0_17), (n0_18), (n0_19)}, {(n1_0), (n1_1), (n1_2), (n1_3), (n1_4), (n1_5), (n1_6), (n1_7), (n1_8), (n1_9), (n1_10), (n1_11), (n1_12), (n1_13), (n1_14), (n1_15), (n1_16), (n1_17), (n1_18), (n1_19)}, {(n2_0), (n2_1), (n2_2), (n2_3), (n2_4), (n2_5), (n2_6), (n2_7), (n2_8), (n2_9), (n2_10), (n2_11), (n2_12), (n2_13), (n2_14), (n2_15), (n2_16), (n2_17), (n2_18), (n2_19)}}
+#endif
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_lower[STAGE_INPUTS] =
+{R(0.135136), R(0.0007132365106686198), R(-0.998901542869392), R(-0.999999539674342), R(-0.4999999997881187)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_min[STAGE_INPUTS] =
+{R(8.326672684688674e-17), R(-14.649604994365749), R(-4.98407674163522), R(-4.9994016368221725), R(-2.4999999993146202)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_clamp_max[STAGE_INPUTS] =
+{R(0.3378399999999999), R(21.976190582825296), R(4.97886125527935), R(4.999103606047405), R(2.4999999995016333)};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_first[STAGE_EVEN_INPUTS][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(-20.70825684187217), R(-24.143867229867972), R(-21.806505868817833), R(-6.6567655631896905), R(-45.465345324483565), R(-1.8101473691112162), R(27.029074522837117), R(2.357625564701547), R(-1.3094551474765281), R(-30.77678054167267), R(-26.124600671545), R(-4.087345120648276), R(7.318819183031289), R(-5.478732718926561), R(15.925545889770232), R(-16.92909817300786), R(16.77330421205666), R(-13.81083697385018), R(-4.120259775856336), R(5.614291238889727), R(-10.986434282361396), R(0.3754856965035808), R(29.890940125316426), R(-6.218994707282373), R(-0.8486274086676653), R(411.8111349465527), R(8.341216095932392), R(-0.7219834810662118), R(-5.446764732708262), R(-28.05727753870283), R(-3.582425783320945), R(4.392223094593508), R(33.428546930833164), R(9.993110984969146), R(4.868643425673707), R(49.64197338963539), R(-2.500187065717722), R(9.183428440318156), R(-1.6002914431258117), R(7.754032660046039), R(-12.139178628905638), R(-2.324881124435174), R(-5.093455280857066), R(-34.64653160085181), R(8.518882273710686), R(-95.64482429230539), R(2.8356381372585218), R(8.699261406593592), R(113.58042834092292), R(-25.051859759367126), R(-0.5079991096586057), R(15.629800866943468), R(-559.6035260342284), R(147.99205716069565), R(16.98141104395372), R(-98.8628935772247), R(75.01259010297342), R(23.230101045927604), R(-6.407592660450631), R(6.52339156104528)),
+STAGE_ROW(R(-1.2041383898642959), R(-0.19447387208544908), R(1.427326367502466), R(1.0054256242725057), R(-1.2381144131697048), R(6.730079200610621), R(-0.5739217792783415), R(1.2256646202810282), R(5.62946667344947), R(-0.07685780390006704), R(-1.0773043698666034), R(-0.967274735206969), R(-0.21555366476072557), R(-1.4723811790289572), R(2.1390169303270756), R(-0.3002695486810827), R(0.12342608255053854), R(0.3683894099918754), R(0.37875664020987554), R(-1.0772423523427792), R(-2.2806142640791514), R(-2.3810703513492406), R(-1.856165619159317), R(-0.604810286623085), R(0.677977837834807), R(3.1917835427937375), R(2.5953179634563437), R(1.2417405301760878), R(0.3527411861007749), R(2.2007456075379275), R(0.10691615352644777), R(-2.2836532685580107), R(0.7746035801581379), R(1.887464169247506), R(-1.1524282128555097), R(3.073375955770535), R(-2.0834805844804656), R(2.081958033545195), R(-0.41706950702138595), R(-0.6052291334775391), R(-3.840200488335905), R(-1.2351491462205892), R(0.17803301041188382), R(0.15692440802904564), R(0.8723303811239421), R(0.6703874170134527), R(-1.684394836270563), R(0.5758280223381405), R(0.7581060809450052), R(-0.0925761432032927), R(-1.1282497229301218), R(-2.565037767437897), R(-2.000337434932273), R(0.6236845190059285), R(-0.40277909923588867), R(-4.113521099771352), R(-0.7459027379750631), R(-1.1532089197586446), R(0.6787223890417844), R(-0.062486811496997065)),
+STAGE_ROW(R(-3.8728795856203764), R(-0.58347304499612), R(10.581691447867227), R(-0.6939088032326336), R(2.8171326205356912), R(2.231217512297719), R(-1.2650920731297557), R(4.36673450436264), R(3.5041836785976797), R(-0.5752558663166186), R(7.201029430834503), R(-3.7000935863375126), R(1.1479230157902967), R(3.8891909370948543), R(4.58817383161427), R(-4.1418890691132395), R(-4.205567772960985), R(4.519191894951296), R(3.274433666607106), R(-3.7625048575021207), R(-2.2517361597590377), R(-2.522309385923808), R(6.334211098572325), R(-1.671837704826287), R(-1.8421834932007957), R(42.208947862923964), R(-2.2307116613580145), R(2.0140261644172464), R(1.082465623722566), R(4.18659122875406), R(1.2531266901239577), R(-0.09750882377316605), R(1.437773376320677), R(1.7895385677243782), R(4.707844490171678), R(-2.051187377139046), R(2.6769825235849622), R(-26.505328564650515), R(4.3013480322573345), R(-3.760348970561754), R(0.8614838694358824), R(-1.4558554909305665), R(-1.031242352901056), R(0.18544070306629207), R(-4.997082942630236), R(-3.1599668437626347), R(-0.6372479627980361), R(5.6561962321266135), R(3.557350008538606), R(2.608465253676473), R(0.34217891486063007), R(-3.5778268619020546), R(-15.204055000910934), R(2.909108157995712), R(-1.4738403320374573), R(5.73251739144692), R(-3.1771665505820614), R(-7.004648928947068), R(2.435912814390854), R(-3.2489664231958644)),
+STAGE_ROW(R(1.9377449027932343), R(1.918674629726102), R(3.130375672908099), R(-1.1835526482297127), R(1.4110241186236974), R(-1.2498026003051588), R(0.14754635776729327), R(2.9031908657309438), R(-9.30054806495453), R(-0.720215868076293), R(2.737079467830595), R(-10.488474021117371), R(3.805338737590213), R(6.194542035226523), R(-12.402912620316634), R(-2.3572089962688385), R(1.190872424533319), R(5.173713149702287), R(3.181006370926145), R(0.4956389472958415), R(-0.3916229868732964), R(-0.9592830566655789), R(1.8362793486300903), R(8.311601120330913), R(-6.4053927888361), R(1.2060115705979961), R(5.168966762319353), R(8.484392581554348), R(-9.460892950906489), R(-0.15941043959156342), R(2.3528328665679563), R(-4.597877486415298), R(7.910235602248958), R(7.366101213121686), R(-0.02233130920783089), R(0.6538340520785628), R(-2.2636597708762283), R(12.177321154209226), R(2.18228409535501), R(-0.48034603752251986), R(-2.312666087223394), R(2.8067177667767913), R(-1.5833256386404544), R(1.6544860408588202), R(1.6729391524626964), R(-0.20336308797974675), R(3.929212321344485), R(-4.440394360701374), R(0.4594546487958417), R(-2.976180727297354), R(1.3616401235183107), R(-2.8481621950236016), R(-9.894913751072993), R(-0.7595633830112926), R(-4.0335674163526845), R(-5.692668060743389), R(-4.64909246635566), R(5.379455865247026), R(2.3703147632679777), R(-5.193317789664959)),
+STAGE_ROW(R(1.8877562717463938), R(-6.712763759671794), R(1.8007801137495065), R(-4.586619604452643), R(-3.5858963891342484), R(-1.9620635908873958), R(-1.3870199238729988), R(6.031855016677123), R(-0.6710373029439793), R(3.931711600336725), R(5.493733957141392), R(0.3046361850992577), R(-8.28645819280099), R(0.4762459824941678), R(1.7972463893160548), R(-8.513325904210832), R(-2.4315373420264526), R(-8.55620969953927), R(3.7410318309346127), R(3.9485332996533935), R(6.871525165297038), R(-4.041152352795544), R(20.452591966381792), R(-2.5982774653151623), R(-4.419778687716193), R(14.348518922611309), R(0.526937567707384), R(-8.30091217024468), R(4.922812471012613), R(-3.4796421968000324), R(4.495080927646943), R(5.637902513198843), R(-7.020516467217841), R(-0.6961982538971122), R(2.178185324960351), R(-21.576433353683495), R(-3.728854169794327), R(5.910188306772649), R(5.29544643258588), R(2.142440792048074), R(3.3833574429667452), R(-6.865922205022321), R(0.9031848084391482), R(-6.039352631050552), R(-4.850968082701646), R(-0.5588237712278689), R(-2.009545517153473), R(2.848031795149276), R(7.315963188217259), R(1.4582461033815768), R(6.067453844020679), R(-3.370786353414024), R(-12.881575184336011), R(-1.716435633075281), R(-0.03687340442280384), R(-16.554474357269864), R(-3.3680361500615303), R(-6.4195494685575945), R(1.3927710530016306), R(3.215278846742429))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_biases[STAGE_DEPTH][STAGE_PARTS][STAGE_PART] =
+{
+STAGE_ROW(R(1.014660281943866), R(7.677522846092417), R(-16.279513303449068), R(2.3997300910761012), R(10.85593762771883), R(2.569712264944307), R(0.3044209462568933), R(-10.026616379794039), R(0.2100660025728906), R(-0.2470208659130809), R(-2.11846378927515), R(9.46788702248683), R(6.033561444869784), R(-4.0912118004957065), R(-6.213223993748743), R(-6.873997233679448), R(4.046477937229771), R(-4.1780174862518376), R(-6.823371866874083), R(3.7262144339777974), R(1.0523453923384691), R(9.852944794728508), R(-12.089762259753606), R(4.2313898580513865), R(9.955566100185473), R(21.078944878943954), R(0.9838399202044296), R(-11.496503690833482), R(-0.06451633711144715), R(-9.384729175439466), R(-3.6598209011545246), R(10.919172637587874), R(3.5324149071964617), R(-6.019287097512996), R(-3.9648264152807946), R(1.2442432998552477), R(3.251297452659321), R(-20.04216105931897), R(-4.344521007547282), R(3.398675778739857), R(2.7163838979630897), R(7.694694681395638), R(-12.899687087943036), R(4.161456297891463), R(7.704375990046767), R(6.819748532747606), R(2.308609413390505), R(-8.26548836317536), R(4.523709337837528), R(0.5281676259475222), R(-2.3300208530155895), R(12.123332536118781), R(-1.1136741409836755), R(-3.6863365110241166), R(-7.731701200443737), R(5.0513362063673), R(0.536219613881563), R(7.279390341950765), R(-6.256330428297106), R(6.526130966481094)),
+STAGE_ROW(R(25.943311406585046), R(2.5794873404131686), R(7.590593273194477), R(1.190426708743914), R(83.42492989347076), R(-8.493732781788355), R(0.7524757310159711), R(4.250332576739584), R(-19.8641380529597), R(-8.036055002331846), R(11.470674203838396), R(45.16120083125088), R(9.348647277910487), R(23.230599009146427), R(-80.39501990483429), R(-4.180708226118889), R(3.4102001828267805), R(40.026623955524585), R(-5.059849594087864), R(12.774454573775294), R(27.032479000894515), R(41.19474636339129), R(-11.34606062135231), R(19.223032367660426), R(72.83343032955102), R(55.4053495842775), R(32.71260491212827), R(1.2699545668961987), R(-13.936238990222135), R(-28.3051228022706), R(20.9593232438508), R(-15.928907211388), R(20.479524985003703), R(-3.647492409041834), R(182.2332196437715), R(-62.96294870742206), R(25.547095065007607), R(12.52973986645369), R(-13.615063721046637), R(15.17837300795452), R(45.062221923493546), R(69.94200880529102), R(25.423744977476616), R(9.683834874561231), R(92.29015134273622), R(19.284467034321242), R(73.83091684816642), R(1.7838293587807277), R(-15.835215642687816), R(-12.751030732883818), R(3.0404954031562665), R(20.369436232826363), R(0.5943581712530105), R(0.8614262195630469), R(-204.31910993644019), R(-9.338204916793837), R(22.167208595209395), R(16.00186644230362), R(88.694151428774), R(2.0358821574316295)),
+STAGE_ROW(R(2.72415010061708), R(7.1324956730247955), R(2.6869461984103142), R(16.810626911083588), R(17.322107525865547), R(58.81326088971409), R(45.02529618729931), R(14.703587200140134), R(64.77687664052695), R(-17.995734175701976), R(-6.521423475562731), R(114.54304129003245), R(-2.2119598742705473), R(12.79968579470946), R(28.807220758310173), R(-0.07253501963576156), R(103.27135110440109), R(0.25790280467423093), R(52.9573822795085), R(-5.332613860343947), R(6.121574983264984), R(-6.608599461287953), R(5.793774014203141), R(-40.95972764578033), R(14.253398532459384), R(27.646162490914524), R(12.90600591423476), R(-6.868116675397234), R(-21.601973631870628), R(6.195149141015483), R(-1.1754567033307817), R(-9.718574846585135), R(-1.7151354307465354), R(7.697889654518203), R(29.910377018882166), R(-6.213365926971335), R(104.7829391166801), R(7.079873157541373), R(-14.89050443999441), R(3.721740398608553), R(9.189405311306652), R(18.082368247700035), R(-12.408009586153927), R(-55.32677504214311), R(2.0154705334676293), R(-11.589497663076573), R(3.017798709192394), R(-12.523918908926165), R(14.928561597305553), R(41.43633758657557), R(-3.8280119759360884), R(24.190751419732077), R(-35.22140014452685), R(2.8949639383065544), R(-8.704993836562817), R(-6.9079802049309835), R(159.09755315186732), R(10.09204138615961), R(-1.464854471272572), R(-12.348896618682726))
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_hidden[2][STAGE_ROWS][STAGE_PARTS][STAGE_PART] =
+{
+{
+STAGE_ROW(R(-1.2341330098253984), R(-1.875770879211662), R(0.18641398033727682), R(-0.496956242882341), R(2.8348846704191333), R(1.2523268516685846), R(1.2803276926091045), R(0.08767865044925734), R(0.07734194911078736), R(0.5016394293550933), R(-0.3701746479322225), R(2.236742983380185), R(0.511701083696315), R(-0.5524787791058838), R(-4.349910430800399), R(0.3475642881289833), R(0.5942406535494797), R(1.1614281180511914), R(2.136698313435901), R(-0.09788899464800552), R(-0.03505744375892293), R(0.5949049574056993), R(-0.881028249442253), R(0.2256720165774238), R(-0.06094419736146463), R(6.980803862457118), R(-9.854829035568994), R(-0.3446067872148153), R(0.11371347689361792), R(-4.430356056370221), R(2.4489932782033272), R(-4.090996347378109), R(1.2436894126111069), R(2.6690988533522932), R(3.5239650319782596), R(-3.926775741131368), R(-3.257151975340156), R(-1.243742613016246), R(4.491017290484269), R(2.543638124273313), R(0.3584253065288788), R(-1.3375067482840992), R(-0.41712704572759085), R(-3.4176785357760786), R(2.9750357206733073), R(2.205050103463772), R(3.701596393733299), R(0.4159841417238428), R(-1.1701432290532507), R(3.5519689453124292), R(0.867378904110894), R(1.3098032071624646), R(1.1005061899565811), R(-0.7903930521249628), R(-6.312001188398379), R(-0.9606714339165925), R(-2.416373409560552), R(-2.766341254859906), R(0.8667260334841708), R(-1.2178583478872844)),
+STAGE_ROW(R(9.91120608334371), R(2.136212987541006), R(-1.0088660284006812), R(-0.6149444447680772), R(8.977929990550782), R(-5.276320377287866), R(-10.196533644044104), R(-0.6325162533646842), R(-0.08043191909184617), R(-6.760925592194546), R(-3.0439149743829708), R(5.575630880931104), R(-1.0144926846370093), R(-4.955539695264567), R(-4.157443257367482), R(0.7304213012958306), R(-8.113990259256845), R(-3.6218559698040758), R(-1.977521338159052), R(-0.23042226097869986), R(2.443181199174468), R(2.620486738816739), R(-0.14584554912955722), R(2.9751347445032126), R(-5.009140874231785), R(-19.3387922240576), R(9.145627258454233), R(1.2335602289650078), R(-9.916741924175009), R(-1.5353221881872146), R(-2.9464708806102977), R(-7.063575400982954), R(-2.2623776786644405), R(-3.424985158717057), R(-4.973194850139796), R(2.9080172964133606), R(-4.144461679544396), R(10.041378632371345), R(-10.7054551760923), R(8.218767026616229), R(1.0928405089621716), R(-5.650878997208935), R(-1.7482573579775216), R(1.948655064488673), R(13.776571063793588), R(1.131438171094224), R(1.5255002037406733), R(-8.054210101519594), R(-3.2406273005671062), R(-14.100958425744857), R(-3.947403118425207), R(-1.4881976586705694), R(0.7558672238068765), R(-3.493584217064187), R(-8.962598413981151), R(-0.011639919312325987), R(-7.161216452922553), R(21.139294043562195), R(2.533200420133817), R(0.22907892136575445)),
+STAGE_ROW(R(-2.0620044343181196), R(3.585200067230313), R(-0.008590309708033822), R(-1.3969395810620144), R(1.004147183861275), R(-0.9489655909045683), R(5.989187073049522), R(0.4878022022128994), R(0.39535417327935723), R(0.5292957767847012), R(-0.667909632267102), R(0.47161298369415094), R(-0.2614672992905878), R(-0.9689518014436467), R(-4.138411434416211), R(-0.8730847359435194), R(-0.5567162700099897), R(2.2201534540724235), R(0.7122837398470896), R(-0.6966073957586928), R(0.08829528647362633), R(1.2716167520115707), R(1.3370335528444883), R(-0.14194028831213984), R(1.041148068009097), R(-14.10428768103585), R(-6.5751844473706065), R(-1.4529229707968518), R(-2.0413119534912005), R(2.803784303187555), R(-5.169734642277474), R(3.1793835050893957), R(1.2113082387193854), R(-2.4928597305247733), R(3.8784619599537553), R(0.4886226158047512), R(-2.5950190638821957), R(0.5562455290377042), R(1.8651719377653013), R(0.9588074287770375), R(0.615849900429843), R(0.6122033551669377), R(-0.9038930466539504), R(-0.30053408715784924), R(0.9932885575607632), R(-0.09391771180166554), R(1.9780340771853981), R(0.36691723790397324), R(-1.042464070690703), R(-0.39652220589688875), R(0.626456897558844), R(1.0613453968913444), R(0.2323301186210333), R(-0.10004311817816752), R(-6.138224057643514), R(0.14066233768361924), R(0.04569893875773456), R(2.2117121243842783), R(0.9869447230623944), R(0.4668679507935677)),
+STAGE_ROW(R(-4.782370945201412), R(4.989791439648659), R(-0.7484764164670145), R(0.37219169118895357), R(7.505055259828143), R(-3.6975897892789913), R(3.225005098956693), R(0.8605765840640628), R(1.621743440231715), R(-2.0961876937279666), R(-0.2949177674674428), R(2.2348993634049523), R(0.42636266160036396), R(0.9758996296426037), R(-11.645641827030877), R(-0.17570570345673814), R(-3.0305137177519077), R(1.9823071530588428), R(-1.091813743895237), R(-0.8159108737968834), R(-1.5198151819149972), R(3.0607538215384364), R(0.9685637914179849), R(0.6179311670083248), R(2.161310697776764), R(5.349313947628344), R(17.779106805753674), R(-1.2734032547790122), R(0.8790064104057734), R(-2.0880132246508913), R(0.4485003122349917), R(-27.721996779406027), R(-1.8940188782624465), R(4.2732431146713), R(4.116078765374302), R(-8.526545263383326), R(-3.0244641910244727), R(-5.029861143454069), R(6.837861250877502), R(2.193369919565763), R(0.5621233540925372), R(13.209299680417399), R(0.10070677854901842), R(-0.6834259862436667), R(8.126728667210974), R(-1.3456609934954276), R(7.409954552074176), R(4.199786106203349), R(-0.8085449990983257), R(3.1229258619644478), R(-3.2373281913870495), R(1.228662170027001), R(1.3538370993135762), R(0.7501502337767655), R(-11.207511670065712), R(-0.7031309141579325), R(-2.1046324838616957), R(-1.5468725525952296), R(0.3487058729726655), R(-0.7754324368967588)),
+STAGE_ROW(R(1.2292042155527), R(2.4681859409969418), R(-7.043202340953414), R(4.077758977728316), R(8.738201757046825), R(5.600387476655901), R(-4.010209243083743), R(4.433055146158667), R(-0.2582576984781541), R(-1.3150174094246063), R(-14.17542188306156), R(0.2191272835241778), R(1.8348616212827091), R(-10.899416518452709), R(-4.885171467066736), R(-1.7195615961576813), R(-2.286614420114772), R(4.833881849537935), R(3.889765507747499), R(-2.848414214379536), R(1.618199233315698), R(1.7683091916421865), R(-0.7944968898321054), R(-0.2947835523566734), R(0.8954922544287968), R(7.190550826886137), R(0.374958392835252), R(2.4887984283737246), R(3.8552446074545483), R(-3.3273911590850442), R(2.9800478180198238), R(-21.76685908752452), R(1.6684766325930613), R(-0.4150055205020225), R(0.5091050905828673), R(-2.817506124424106), R(-1.2592285422917289), R(-0.4922790179419927), R(2.297720799232186), R(-1.3097627089784791), R(1.9353818008134995), R(11.36315294259857), R(-0.42813448128238174), R(3.9273272519734306), R(11.24815358461588), R(2.5384183125364994), R(3.2158145927960597), R(2.4111267859763568), R(-0.8228984402630606), R(5.388083410032864), R(-2.077444862529727), R(-1.2666180492834667), R(-0.44856418942961923), R(1.463587142449647), R(-11.554135628240944), R(-0.22720219853324844), R(3.066411131499248), R(0.019558424429143486), R(1.7153139173062095), R(-1.078185376957113)),
+STAGE_ROW(R(-6.640719464073403), R(-5.679566716493865), R(1.5300736396450738), R(-0.7795278914381714), R(16.528487597678772), R(4.8494322016404805), R(-15.494815306003266), R(-2.815072001058382), R(2.625524295717954), R(0.47155492699129925), R(-0.5274695712053507), R(1.4293483277479921), R(3.544835287244107), R(-4.366586273466691), R(-9.78398122897717), R(-4.63750656809077), R(-0.762167945086119), R(0.4724674599612664), R(-8.670997572371457), R(2.3541465538538358), R(1.9510200386786747), R(0.1435260989851772), R(0.2144243460806875), R(-0.5880007983695039), R(9.331162838474231), R(-0.978476361306635), R(7.238805047366275), R(0.0016463634224195632), R(9.561715622325014), R(-0.48299223024808363), R(-0.09726658590673755), R(-0.09326585282528214), R(-0.5619787096437202), R(1.0197200904475818), R(2.078222870348737), R(-0.637403197540605), R(8.28990990508703), R(-20.062638103458504), R(33.49563525861476), R(0.5460757994544665), R(1.1153761947821565), R(-8.586129581021217), R(-0.2008880022422041), R(-1.6251737049621104), R(16.667833447108766), R(0.9535890576115386), R(4.111289647842058), R(-1.3516082907963765), R(0.05636462445314589), R(-0.22434985433537577), R(3.10252605267164), R(0.8116711219411519), R(-0.24399869533703014), R(-1.2454241975457634), R(-16.206205917082404), R(-0.6623141958548493), R(0.3951584042628145), R(-0.05154621781129266), R(0.0432202521566529), R(0.19420624973044057)),
+STAGE_ROW(R(-3.5790712840318135), R(-2.1985796023593283), R(-1.7773548740091614), R(-0.22834572705804526), R(1.7649973496491167), R(1.1744236913532426), R(0.9848848659127047), R(-1.518587087275386), R(1.191042458948251), R(1.6660760983269423), R(-1.9826900509487235), R(0.9193547191867848), R(1.1737398705967088), R(-0.4081521192786625), R(-10.642503134130745), R(0.6114279935698709), R(2.1359045221330573), R(0.6787867843056522), R(0.9287933536215157), R(-1.3812996402366053), R(-1.656112778366509), R(0.9832966376516539), R(-0.018813833614278578), R(0.36415123362492546), R(2.9559177389612428), R(-0.06874725853322906), R(3.8997563447952666), R(-4.265060148313428), R(3.645813790112906), R(-1.3359335890514676), R(-1.4476336254010336), R(3.458814948888043), R(0.5443342322277814), R(2.211040607992552), R(1.0890733029366182), R(5.376683676926176), R(7.525238993690663), R(3.766577189909541), R(-37.286764431869955), R(0.6528040247405642), R(-0.3218227054014208), R(-7.640639699055072), R(-0.33693757185376183), R(-1.1547467810193), R(1.054315362026505), R(3.1768138594931825), R(-0.8625017334142886), R(-3.8595310614554648), R(-0.9074674592485172), R(-2.56045109008292), R(-2.0897385823768238), R(-0.7234926781128561), R(0.2169045728430397), R(-2.8162927241751365), R(-6.208573736118397), R(-0.8685446349597702), R(-2.642736457964507), R(-6.491967524441206), R(1.4053188116503), R(-1.6554320283179493)),
+STAGE_ROW(R(6.236687861948376), R(-8.801566331667017), R(-0.195008798364261), R(0.8810962403270034), R(1.5386107181790942), R(1.9160818845380714), R(0.95280805466023), R(-0.8087020334888995), R(-2.6232753920210166), R(-0.6739352871270493), R(8.134965549584699), R(2.849080104200129), R(0.9167390170804002), R(2.775447579218294), R(-4.86948983878152), R(0.25428440622409476), R(5.4977405233133085), R(1.1094255980346972), R(-0.07047416046344517), R(2.8439296051302914), R(1.061962912429438), R(1.5500669302404901), R(-0.13403458396306722), R(1.2372827857303415), R(1.487144808581046), R(-0.9391593951527991), R(-8.923436764600236), R(1.1124722090709582), R(0.3082047830135716), R(-1.0519306956781642), R(-0.09166286885437008), R(11.558107186655306), R(-1.5360274595766563), R(1.269465808251295), R(4.843707438989903), R(2.917709573074519), R(0.7670949348513447), R(-0.005547473762678405), R(3.827779357991303), R(-0.0934937912951476), R(1.9319221443049444), R(-0.2500887710537077), R(-1.3268518381931345), R(-0.24017506619255688), R(1.613659598244915), R(-0.7548636031651356), R(3.8829755851124252), R(-0.18861672139443206), R(-0.4484677910125163), R(-1.1139075807593517), R(1.3665634528210941), R(2.463128469277418), R(0.7545494105932576), R(0.7290908461324621), R(-9.187456638196583), R(-0.28427543410559086), R(0.6401399940103443), R(-0.6763026948731883), R(0.731718743821608), R(1.3117201623405734)),
+STAGE_ROW(R(3.7431561206536776), R(7.371278181777185), R(12.836946429149519), R(-0.6995260660659622), R(0.8899767362909313), R(-5.664722448912131), R(-0.3662509094143175), R(4.698437731737621), R(-13.223071413758944), R(-3.676700040845492), R(3.725413552911779), R(0.510499328421879), R(-3.7413009774832076), R(5.2680916975794565), R(2.557188959171672), R(1.2747835823487115), R(-0.7931062632320941), R(1.5604116775264212), R(6.775891722445652), R(2.0024542394034515), R(0.9145899768998501), R(1.3221277084798384), R(-0.5703844082695138), R(-0.14828443893555798), R(2.835620189276426), R(9.074795888029445), R(-2.076026716424531), R(0.7421503216592078), R(-2.469964464349779), R(0.8575333788282252), R(0.5153048603574191), R(24.280085730310848), R(0.2207355300683562), R(-0.0119009478699577), R(-0.7922449109766296), R(-1.0084261199480187), R(7.458012456341213), R(6.135387788563918), R(-3.3257800991991084), R(-2.754785918923226), R(0.6838400348839212), R(0.7517315818593949), R(0.47080387138660557), R(-0.5535543622574195), R(1.1052375190433334), R(0.49748745090194585), R(-0.302829790198397), R(0.5610598892123334), R(0.23983216504656465), R(0.2045058915444708), R(-0.04441068405359207), R(0.6832523714557002), R(-0.33993188730683505), R(-0.7024266080521235), R(-6.3455677117881155), R(0.09834011702249415), R(0.9147041229480839), R(-0.9580983006655668), R(3.5815162534924485), R(0.17180866932616776)),
+STAGE_ROW(R(-6.155324314687072), R(-2.7226394000926075), R(2.1655281947309115), R(0.45466810373303285), R(9.081853003193865), R(2.84808607635115), R(2.566106728155673), R(1.6323392325322856), R(-0.22964095458435504), R(-0.39561658199498584), R(0.8411587780704831), R(1.6397477439900454), R(2.005722176181358), R(2.865594741959311), R(1.8604009017187688), R(0.5961271370727146), R(4.4522647924199825), R(3.8149688405811557), R(0.6380298561165282), R(0.49205871749416136), R(9.444803860906655), R(0.8680734472705672), R(-1.106064485847749), R(3.049248680945454), R(4.981870969211598), R(0.11114042065173017), R(7.508864373276099), R(-1.8600516727135785), R(-1.0216281280820587), R(10.038882628900554), R(-1.6914927604448795), R(16.325764976437757), R(0.2211161199701677), R(-1.738344347252393), R(0.9441241287667173), R(3.0251552761812706), R(2.4479922584749536), R(2.6263696556835883), R(-6.891361803392413), R(-0.356329469022652), R(7.991577144531413), R(1.2263944522126686), R(0.36583675760064255), R(7.764316864330269), R(9.161640755981855), R(-0.15256285649460402), R(15.714882861283643), R(3.4621065248158636), R(-1.9535597982200876), R(-2.091343792769926), R(4.170321104557079), R(4.695502669056173), R(-0.7387302858952404), R(1.3086485107894248), R(-12.317155197146283), R(-0.4757568989010553), R(-0.12670011174694779), R(3.0535828045133484), R(2.8776616145509184), R(0.7936760725197078)),
+STAGE_ROW(R(0.9579667580874851), R(-9.498525240784778), R(0.7901883733736034), R(-7.050309828938249), R(10.222665868140698), R(1.296412489491794), R(33.341516241704966), R(0.17801981253442678), R(-7.6394675536806), R(6.527405165816785), R(9.642162651443641), R(3.7109906513190283), R(-1.5845644336210882), R(8.188414379044175), R(-0.696535539653008), R(5.298858093167812), R(15.743990564425843), R(1.2032574080138052), R(-1.8517900361713153), R(2.89181888951753), R(3.0888456488147975), R(1.5264291297500028), R(-8.00058317269173), R(-1.3771828858178696), R(3.9508995841816383), R(11.961106540391876), R(-35.18586567800443), R(0.40324977287838853), R(-11.571639544219307), R(-6.848558079276801), R(-3.036546673139575), R(93.75410142311759), R(13.155633789622701), R(-13.37615418881247), R(-5.893359432410823), R(-16.069985049341533), R(4.115286026448443), R(13.831666092543596), R(-22.23099360547321), R(1.0745349489379579), R(0.7363205488546953), R(2.315483425940818), R(13.142445928438903), R(7.828505770940973), R(10.804396235538375), R(17.26307487355799), R(-1.7173303829683677), R(7.461668572270283), R(-0.07602696129423062), R(-7.219396262434518), R(-4.297658425518205), R(-1.0576759045858661), R(-1.3174456070747422), R(2.461217090253525), R(-12.265991680001102), R(-0.18027835010819668), R(25.318573515109073), R(-6.307422051367646), R(4.263537479492029), R(0.3031478236541481)),
+STAGE_ROW(R(1.789898975404263), R(-0.2853267074582036), R(-0.36238148184479163), R(-0.6011139784766153), R(2.0761887954097125), R(-0.06256789701074054), R(-4.536613453311977), R(0.20935460346078075), R(0.11097256771930045), R(-1.093130265277667), R(1.8555226328208052), R(2.1204225745525345), R(1.1106050881040597), R(-1.1593133307211958), R(0.320372753955848), R(0.4164190793185193), R(-4.824722396478911), R(0.23358317227315903), R(-0.9146245393302804), R(-0.743461265470125), R(2.012699273189131), R(0.9046439711219538), R(-1.3004307541216806), R(0.6483749318988458), R(1.0237773204600895), R(-14.869944953771661), R(6.538370264084799), R(-1.3246330956893364), R(-2.7604371094166353), R(5.6154114292016715), R(4.670095682432246), R(-16.964275426406925), R(0.07712164256909484), R(-1.3886829287202733), R(0.08594650834467976), R(-0.18771424938935824), R(1.2430651477963366), R(-0.11297050154298258), R(-3.3866820405545557), R(0.9557305485708508), R(0.4521592937596893), R(-1.7974317393569719), R(-1.7053998719558046), R(-1.1006061980714072), R(3.0237320757168287), R(0.34720466631954744), R(-0.5613225147093645), R(1.3426654459287894), R(-1.458160914751586), R(7.90012219265167), R(-0.2669814495585173), R(1.522129620141157), R(-0.34125889808866666), R(-0.564362282643901), R(-4.403038777878581), R(0.04140968688569616), R(-3.9519233339545967), R(0.7086937184266429), R(5.4348342875178375), R(-0.7031466003528999)),
+STAGE_ROW(R(5.56470623335965), R(3.4364245152067787), R(-4.6264455802824695), R(0.0559860948002505), R(1.618803466529951), R(-2.9646977841870616), R(-19.207189336780974), R(-2.6596166532438197), R(-3.132407969302772), R(-4.9250157492180255), R(-4.407766045618587), R(0.3052291541182312), R(-1.1446422485921541), R(-5.293484317769964), R(-2.089649947282318), R(-1.3151980361932483), R(-8.74217421987072), R(-0.19423366667894765), R(-4.459051932457004), R(-0.4917673914955261), R(-0.3303353919971206), R(1.8549423754565848), R(-0.05422587574501704), R(0.6514860433640407), R(0.9500925490640678), R(1.876226909570876), R(2.2030332601838376), R(0.3405889723147673), R(-0.20399840808381214), R(0.9286847252439753), R(-0.28095858155929176), R(5.476382702570711), R(0.6608149959577001), R(2.6725033190900627), R(2.4205869917138694), R(1.2343787305454497), R(0.6537325302841941), R(-3.2455336561734165), R(-3.9548715547715387), R(-0.7306974007280798), R(-0.3159031027533037), R(0.7210555368575555), R(-1.0868815957670526), R(0.6329647272164836), R(2.1800007914177204), R(-3.2832984676981374), R(0.01159434743637891), R(0.7478217755500685), R(-1.1483977124521685), R(0.8540354063510385), R(0.17255740807062533), R(-0.4916922047525241), R(-0.27555977230105494), R(0.46955226109093356), R(-4.42602349518852), R(-0.2738783226632059), R(-0.22812051772437314), R(-0.26173254735062246), R(0.3449283478146395), R(-0.3969954165289198)),
+STAGE_ROW(R(-3.8581154328988196), R(0.8532381790531165), R(-0.7492994962975206), R(1.8347252788357495), R(-0.033753849846722424), R(1.5064790330908011), R(0.7092557077229209), R(0.18545451716820968), R(-1.5057192174209069), R(-1.1386679524467944), R(-1.4411667242855275), R(1.4824604969337194), R(-1.0482625218607138), R(-1.3822063394928608), R(-4.641213498512822), R(-0.6024308847060701), R(-0.5741627511680555), R(0.16123964080854372), R(-0.6921699307699078), R(-0.9571864500633256), R(-0.17853362657339056), R(0.9385841938710756), R(-1.4139989578941368), R(0.49968554145096317), R(0.2466047856765971), R(3.607118599195017), R(2.2401741378933773), R(0.5664079919313094), R(0.11874889704152043), R(-2.539647139108994), R(0.3691530914903735), R(-21.744681957077475), R(1.231432420605469), R(-4.135912029450491), R(3.363682239200621), R(-0.39869186547626906), R(1.444825812251096), R(0.2180620532860026), R(-1.1688582898831248), R(-1.0016645333009817), R(0.2713727770874377), R(-2.02537247979684), R(-0.060153877172862975), R(-0.017304804255725597), R(0.19154408233905823), R(-0.6975802842867805), R(1.3353464899101357), R(1.1473938652717977), R(-0.4582925152919601), R(0.3408581196038513), R(-1.0334373345295336), R(1.0583932833877197), R(0.23367265402072238), R(-0.6709290843324467), R(-6.020230563548519), R(0.31450015899150346), R(-0.38205145991984163), R(-0.013860225165661455), R(0.976677607911061), R(-0.24772968854780858)),
+STAGE_ROW(R(6.123416484126144), R(0.9571293220765034), R(0.29983191637769696), R(2.2676965142034655), R(0.2423463248604581), R(0.08682374084669543), R(3.0948225414765442), R(2.3751731618198213), R(-2.144278141269004), R(0.3225950857538651), R(-1.9845446711439096), R(4.134646545963208), R(-2.487331308693151), R(-1.8666907099501993), R(-8.16981114422876), R(-0.7787543240551771), R(2.9788134031502205), R(2.6466996990667466), R(-0.5347217655570844), R(1.0397798369611417), R(0.23849266489489007), R(1.7449336861807057), R(-0.05730758910980435), R(1.4656209291577655), R(3.095710538190059), R(0.7642105775991563), R(-4.070336909497117), R(-0.3535493282152944), R(2.814548179202816), R(-2.098430708188063), R(-1.5283543787408338), R(-3.1302018284481727), R(-1.456758011686841), R(2.7089296200893718), R(11.470794848806833), R(-3.2150805996318703), R(-0.31790045195558836), R(1.9553632307342907), R(5.866146239348353), R(2.427126317815728), R(3.4735940588506917), R(1.2255958106981977), R(-0.35186092683949105), R(-0.13903961956592398), R(0.31047306049579987), R(0.5549290985876344), R(8.934978660197725), R(0.8608350502262107), R(-1.2889942010699706), R(0.5576259183940843), R(0.1851584864652641), R(5.508167454471388), R(-0.35298571987900473), R(0.9329467008033111), R(-16.506825460232978), R(-1.4769537918725548), R(0.30090175767695543), R(1.0193315174554574), R(2.0747521559881124), R(0.34309302104892064)),
+STAGE_ROW(R(-0.9908716257640382), R(-1.4797201190365135), R(-0.9709148363105796), R(0.5966657233642854), R(0.34342133452565565), R(0.6332910839864487), R(0.00989558406168385), R(0.579130325432029), R(-0.1324117711940812), R(0.35221631135785747), R(0.17586551409477755), R(0.9943325442699595), R(0.26127234947460526), R(1.5356731235318994), R(-3.5047765383022824), R(-0.699895159663894), R(0.3133584697229606), R(0.7247328663884998), R(0.7359238329574593), R(-0.5144826712212196), R(-0.14602911150074496), R(0.024013669119892042), R(-0.02791281051778902), R(0.9407193031447064), R(0.42936486278465963), R(-2.449142738941553), R(1.4986628230466434), R(1.2014964396377554), R(-0.31945975876496513), R(-0.5643342092988778), R(0.21438937925214352), R(-8.800262433553943), R(1.0407597974284581), R(1.3415490409387856), R(1.4595938247126192), R(0.39368393921437017), R(-0.7650036922496145), R(-0.9282180084744146), R(6.3267390562004415), R(-0.5093973780240603), R(0.18552461073395163), R(-0.8954579193329116), R(-0.4661542402333968), R(0.643693100821522), R(0.6501852546428109), R(-0.5959541394791993), R(2.1670563931137963), R(0.9961536198561712), R(-1.089209445615755), R(-0.4592773356039006), R(1.2190940413802234), R(0.5647843372752389), R(0.12836653440613546), R(1.1268516354170572), R(-5.393858203437158), R(-1.1017224694906715), R(0.1565517263916803), R(-0.13490455010684146), R(0.6482434802398224), R(-0.6015514982856673)),
+STAGE_ROW(R(-1.8528684390318946), R(-0.2672980371821213), R(3.35534537280647), R(-1.2926893230072896), R(0.5646815561586712), R(0.9660051135560752), R(1.0004890324220803), R(-0.5189963190799475), R(1.841632927954619), R(-10.674772263841843), R(0.13787917253034093), R(1.1760901926359648), R(-0.18080799941807038), R(-1.0169543806435328), R(-2.0222786409783993), R(1.4234998351186343), R(-4.248340661244576), R(0.17292985786358986), R(-2.1106398799372945), R(1.4042759241972114), R(0.5401737318933943), R(1.2358131995305948), R(2.3880746295835023), R(-0.11933561655141071), R(1.0748176894803252), R(-5.513914386304547), R(0.7210503860860492), R(0.6964307636621732), R(-1.7893890599470275), R(0.5393061225954594), R(-0.5609108426530709), R(-5.165506666193418), R(-0.8951685195686094), R(-0.42390714643247657), R(2.1423836749404477), R(2.3826264804639203), R(1.358239499424632), R(0.7227520928480653), R(-7.25686959714988), R(1.9893958012136441), R(0.547838179159455), R(0.0008413026021444654), R(0.5659179238880038), R(-0.3029070738729206), R(0.8156750329936461), R(-0.7247363033422908), R(0.8507824069992789), R(0.6892007500035406), R(-1.0326836260038512), R(1.4290452240808935), R(0.7464783097687215), R(1.4966687484936547), R(-0.5823648297995039), R(0.560927496595195), R(-4.555346218222641), R(-0.9604295609113968), R(-0.1181706613175464), R(2.102774973478267), R(0.8591728332397145), R(0.5919521542755521)),
+STAGE_ROW(R(-3.7309939630766578), R(-0.8912954601030888), R(0.5471340539385), R(0.681153427747826), R(1.1268450515472501), R(0.27615663645917726), R(-2.476706959412536), R(0.30386979408583176), R(1.8471899385689046), R(0.14199031925154462), R(0.2501551588735907), R(0.974432272367189), R(0.12925992762242808), R(0.15675878129673151), R(-3.7370935305834463), R(-0.009866763276724247), R(0.738280843478467), R(1.3446252005978998), R(0.40181091041335143), R(-1.5626665697610158), R(-0.3739947684750329), R(0.6066795220475922), R(0.03952425336365879), R(0.6991047652173215), R(1.221430279673699), R(-4.058451479498845), R(-0.7833169150144093), R(0.7493797378077771), R(0.22539826735004137), R(-0.801015144106131), R(0.4362751768356172), R(-1.4478912473457628), R(-0.05148928353866967), R(-0.12234549933481949), R(2.01422169405785), R(0.038755515497508365), R(0.2727398830106953), R(-0.1594737432126472), R(-0.007196628775203612), R(-0.7450410782571867), R(-0.09537749431847586), R(-1.9910055985907806), R(-0.4955232434896068), R(1.017729174228348), R(1.305745398386151), R(1.0396341703345036), R(1.9994969210312539), R(0.8594894883635884), R(-0.43829306988328476), R(-1.0094587862019535), R(0.8468973401577055), R(0.38319375139179335), R(0.9788725628859826), R(0.08443936559850444), R(-5.853224831914655), R(-0.889808039901175), R(-1.6332898696062956), R(-1.5793374988116964), R(1.2736424600163196), R(0.4479747602369025)),
+STAGE_ROW(R(3.4949755902214457), R(0.19795540702413789), R(2.616810169072489), R(-1.3525938254444883), R(2.172991155675712), R(5.920079069844753), R(8.34034246227844), R(-1.1959930753064072), R(-0.1549056878293238), R(2.4413578770486777), R(2.52139212448304), R(7.306333810020711), R(0.05864152234500731), R(2.834380758045018), R(-19.400390220947564), R(-2.1225400844100295), R(5.032862365126341), R(5.411781191955723), R(-2.7998480318823895), R(0.7419475607590688), R(-1.1607806843582094), R(2.980046866886543), R(-6.500893563486945), R(-0.8988186219473706), R(2.6560176076677093), R(73.14304620333134), R(44.230344022101924), R(5.375908082074658), R(-5.613838499805951), R(-17.895220558033856), R(15.990861919282183), R(-68.5212034678669), R(1.9119652093311552), R(4.085050563828066), R(18.78237134743195), R(-21.99647828834277), R(16.10391232378602), R(-0.6330318630602572), R(-2.7215716276544106), R(-4.565213856887988), R(6.7901144487313), R(78.8734389700693), R(0.2043339166883352), R(-0.6123065370879398), R(3.020879549887449), R(-2.3793814489984952), R(7.383886991647293), R(2.83534980768104), R(0.34446327799991394), R(-2.9090616085401266), R(6.686297334846572), R(8.241019881112805), R(-1.3468369645223557), R(3.0464075597242513), R(-26.677001453311863), R(-2.6404873473761854), R(5.232329534119474), R(-8.514728618661627), R(-1.4801628893788277), R(-2.879901869739774)),
+STAGE_ROW(R(14.254687538029728), R(11.459684537735514), R(-2.867655840302996), R(4.693095416720892), R(-0.07163396876811048), R(-18.894761484621654), R(-3.129462098397546), R(3.7877245791866243), R(-2.6938754961600258), R(7.872128137117057), R(13.060240045766141), R(6.911642832384022), R(6.313011271792265), R(32.979980651625254), R(18.395273045385593), R(-4.5922982092078986), R(1.46094194585501), R(13.06913331895296), R(-0.6411217844681609), R(5.022095060879475), R(-0.3968951805394113), R(13.253893795139428), R(-0.24195171967573678), R(8.98732707059886), R(31.271422900983122), R(6.209554280169916), R(0.23177562678729552), R(3.2019360772207417), R(-1.5385283723589323), R(-5.604918417039393), R(9.63270763116655), R(17.943621222049558), R(4.646598538106492), R(5.017054570142195), R(126.5120392491422), R(-27.501012229606175), R(-10.210308708600467), R(6.373352221764627), R(17.87160723273353), R(0.6752191543136471), R(6.9817997802466705), R(-10.469321638669872), R(15.667728593494784), R(-3.884466351241339), R(-3.3536957984836837), R(1.1258399392426088), R(9.987133742458443), R(-8.517626527014913), R(-1.611829858642485), R(-6.104145939205665), R(-1.8834081557483076), R(-2.9149584221788643), R(-1.050199051245303), R(0.5661215321536235), R(-14.63528297584851), R(0.1257462898443787), R(8.867224783301559), R(13.640006149829407), R(54.91890902199694), R(2.2395284707540233))
+},
+{
+STAGE_ROW(R(1.945032650014462), R(1.7520677036078804), R(0.7222211526547396), R(-9.616185309852263), R(2.9606359578717276), R(9.167727345644213), R(2.332229238604785), R(1.9705928247182087), R(6.440825511912087), R(-1.6929951810458888), R(-0.804984017582403), R(-28.7999654247696), R(-2.058131092478327), R(1.453086422927798), R(-1.0001287298839736), R(2.346278720190906), R(3.0913709616684533), R(-1.1208066335506233), R(5.053360822143096), R(-3.0417608268690413), R(-0.06078267201672787), R(0.5014918848852836), R(-0.3840125765357933), R(-0.6098323902855106), R(0.2962293943430424), R(0.2752144578925042), R(-0.28850059795559824), R(0.7207755629311907), R(0.4382477498865368), R(0.45579050404457466), R(0.4788625033596187), R(0.46744023036162236), R(-0.9183537681048574), R(0.07832064936672191), R(0.1709202978219181), R(0.9375942241964892), R(1.47137654600727), R(-0.6363412478439556), R(0.050809758399615976), R(-0.10021968986135761), R(-0.05201474687671073), R(0.17604694487372397), R(-0.414996665943775), R(-0.3518821213113443), R(0.33609723363236427), R(0.1723090826511517), R(-0.2686726318054493), R(0.9365948222563413), R(0.76949331919719), R(0.5014212558212814), R(0.46024446225627813), R(0.9763106386875924), R(-0.9414100459555077), R(0.11484870637076244), R(0.24438083371775038), R(0.8917417791703481), R(4.578128471017332), R(-0.5748375252239936), R(1.377756647471872), R(-0.06931102950736269)),
+STAGE_ROW(R(3.410755034233859), R(0.4106845792359144), R(-0.021485571998614013), R(-11.312153104346326), R(5.5368856979165), R(113.05817837032583), R(0.27157261643153185), R(16.261317091137013), R(-11.714938089257672), R(-10.60134228874553), R(0.19368293866029843), R(67.88675200551118), R(-5.697036107672216), R(6.207559354499395), R(9.0417805251757), R(2.78725366651657), R(3.4253250621335503), R(0.12229142386698322), R(101.33060261778924), R(-10.089425161100442), R(0.9785436397327154), R(1.3633734578590833), R(-0.9740796291736563), R(-1.5062618842743618), R(-0.18317000001175177), R(0.22789764568261758), R(-0.11859193090024199), R(1.3606064551643917), R(-0.4383705115106716), R(-0.15472511806399017), R(-0.07733423434232255), R(0.691319165236005), R(0.3167367185428366), R(-0.0426242692913511), R(0.788222145860231), R(-0.3579320324631916), R(10.823027432354536), R(-0.6718882369570062), R(-0.5585046042973613), R(-0.10734051627064839), R(3.2837114343539824), R(47.79379582521936), R(-9.05087127868283), R(-87.84324063956909), R(0.8509612463509617), R(-20.907223256994715), R(-0.33708556452716315), R(-29.47920408757146), R(-0.37823301154822747), R(0.3848284848174636), R(2.230597666476247), R(0.4652376219134183), R(-14.202743516776861), R(-0.44061240065049584), R(9.139055982856572), R(-1.702580212768344), R(8.966157948299715), R(3.3027485553013918), R(18.188951118963512), R(-1.826918310757629)),
+STAGE_ROW(R(-1.2887310064531656), R(1.2991172896863703), R(0.5001213313265068), R(-23.28461930241149), R(-1.6594142827688716), R(-2.780609077861896), R(-4.6972231193478855), R(4.058950925173867), R(3.447036980962683), R(7.285190344682023), R(-0.6160886902770084), R(-2.886630096751187), R(2.8778107638117265), R(3.427146311524604), R(0.9665362493552418), R(-0.4537114087164285), R(-1.392249529718395), R(-0.1398988287970424), R(-4.244739926530233), R(2.5435597870210596), R(6.136692930640819), R(-2.194600264306957), R(-0.43102199609772957), R(-8.883650318982527), R(-1.744701918035897), R(-6.775661162820152), R(6.731622610166003), R(-9.485072310634406), R(15.307093212227446), R(-0.23207767902010162), R(-0.081881237827814), R(0.9562560977486984), R(-2.9244233573567033), R(-5.117308613602757), R(-3.2066439178458337), R(1.6334053058992077), R(4.2646559274953635), R(3.8492941536026017), R(-2.996451543032294), R(-5.794527570403668), R(-0.5087015613774581), R(-2.6021253071148793), R(0.04003185466377737), R(32.65698596675385), R(0.4448457584237152), R(0.5079759996748302), R(-1.04405632930036), R(-2.591603713764256), R(-8.010888721638294), R(6.827478563003696), R(-2.6306263529324605), R(-0.1727786040188556), R(0.199010351964294), R(1.004401040023934), R(-3.331595431229915), R(1.1182022031878618), R(2.5566295075004764), R(-3.3833637179214886), R(1.8309745683437089), R(2.8832666366737016)),
+STAGE_ROW(R(-2.7548412782897613), R(-5.156573024163222), R(-0.6727009348265706), R(1.6884277389994102), R(-2.5757844576573588), R(10.741181034023223), R(2.840456531303647), R(-2.468290961458364), R(11.791935845475205), R(5.937420232402703), R(-2.4158275618171374), R(23.626107212794786), R(6.884502129378554), R(-2.1678640151620114), R(1.0793863412348457), R(-4.4945712455574025), R(14.05316218046944), R(-0.10944732015093993), R(12.727910112198005), R(6.332761380258261), R(-0.076375984338002), R(6.055574241132125), R(0.4744682145416717), R(-7.058634209993936), R(0.7889457031603911), R(0.41131763420219625), R(0.5989015085443941), R(0.4201732796602253), R(1.7172330308270876), R(0.17425403475922918), R(0.5972972238915969), R(0.839465820801096), R(-0.35515846254060024), R(0.1298414611282263), R(1.1745310241605562), R(-1.7402053847898942), R(9.137619590399195), R(1.4898641216433504), R(-2.1789381478503143), R(-0.6465595754090889), R(0.20897170942576443), R(19.029540473001585), R(-1.5755710628926212), R(40.12958875760139), R(-1.5520305816554314), R(8.778057501629208), R(4.34009367843516), R(-0.26823698272470214), R(2.490079973377552), R(6.908626043698577), R(2.6390583292526264), R(2.0082270071654396), R(0.11736591961942845), R(-1.3567120597098314), R(-14.15006983785735), R(-2.282223905990564), R(16.466361803872285), R(6.115978643016115), R(3.5982594234087872), R(-5.459339141501415)),
+STAGE_ROW(R(-0.10691024473124393), R(1.0389565628234905), R(0.5783413240792146), R(-0.31113941775165327), R(-0.38254610111015996), R(-0.0843561604474522), R(-0.7531017049244043), R(0.9409592404883523), R(0.37102206341439303), R(0.45862420319827896), R(-0.7093243662349796), R(0.5127874079352045), R(0.2088566534895889), R(0.45211741809671674), R(0.869349795883988), R(-0.09339979543314339), R(7.083519936698853), R(-0.1418204220415697), R(-0.6368036452263877), R(0.5987676663648549), R(-0.0367131932397926), R(1.701491842076125), R(0.5200857439194869), R(-2.00370197838759), R(-0.3205824696647025), R(0.23566765271960702), R(-0.5676898124037565), R(1.241677242594948), R(0.7272493861725481), R(0.5780475036453454), R(-0.7786502808541634), R(1.4373370704483759), R(0.010091213418761983), R(0.5187506732554515), R(0.988011360464834), R(-0.19042012240154627), R(14.73121604930872), R(-0.056846835040184285), R(-1.468932233692216), R(0.6850174027706356), R(-0.11874362629156282), R(0.8148586235648817), R(0.5766398184798389), R(-0.5255276627006024), R(-0.39204654989232973), R(-0.1322869943712363), R(-0.7700772967682917), R(0.8975996502650919), R(0.3306518133192025), R(0.4464915846875338), R(-0.7068116836981827), R(0.3207666626448836), R(0.23084309296521363), R(0.4452909667589831), R(0.8195914313816209), R(-0.08293549463738559), R(5.9063377478097285), R(-0.1491029114694895), R(-0.7666085944109796), R(0.589353481247072)),
+STAGE_ROW(R(0.20245586176914968), R(3.952315579666078), R(1.4864130758496494), R(-3.951982499849196), R(1.0236427585462033), R(-0.033687424029385536), R(-1.9508031936091128), R(2.6971150905382544), R(2.846184665632049), R(1.8367779924504226), R(-1.7759401474306502), R(-4.781996951231359), R(-3.2219352446436402), R(-0.13924303890246725), R(2.2267626859548644), R(0.7387119040168343), R(3.6229822605949695), R(-1.0445435427907486), R(-0.055267327632517425), R(-0.3787174159089845), R(-0.016988610916661373), R(-0.837480269913201), R(1.6048358287799094), R(-0.4167741710131336), R(0.6816388678133151), R(2.5209033522879976), R(-0.37842759804226406), R(7.151367378497746), R(-14.103083970273302), R(-0.4567252762277144), R(-2.298164579919815), R(-0.5661192349594913), R(-1.0071815845181633), R(-0.17709367545129923), R(-0.017190870552332888), R(0.8129044474535874), R(1.3924337537445897), R(-0.22203280053436913), R(-1.1636310365579599), R(1.9026320612567686), R(0.11700347744797272), R(0.2262219350890129), R(0.6115723005648438), R(-0.8375790262681388), R(1.064742810448955), R(-2.1380351503718953), R(-0.21362424411453645), R(0.9346816610856821), R(0.5322780888337819), R(3.068558171709785), R(-1.5804715506005003), R(0.6914434262504259), R(-0.8808396112244747), R(-0.47315892393086156), R(-2.452721676650282), R(-0.3179681448210879), R(4.555499864050832), R(0.06724828402689872), R(-0.517105165646218), R(-0.473750672776578)),
+STAGE_ROW(R(2.6439627037829503), R(-3.799555561580392), R(-0.8157221121515228), R(-2.6456862013507085), R(-1.1574017248089337), R(3.721940631433963), R(-1.459069123863892), R(-0.09576423084733653), R(10.055458007445251), R(-1.016227112864799), R(-0.8034234762351252), R(-30.554126063913834), R(4.429849347095774), R(-1.0477759058794056), R(-1.9132049015795782), R(-1.6310523595885513), R(9.343376135325341), R(-2.482486924659362), R(2.6357759895347854), R(-1.41526518548496), R(-1.1604815261591144), R(3.8859446087904277), R(-0.07193782548495362), R(-5.816307664682256), R(0.46564638911637046), R(0.07658010462158618), R(-1.7567110830694888), R(1.4015159668512047), R(5.201079022317933), R(0.8586184023663299), R(0.1830718622425623), R(-1.119146728998891), R(-0.08020041940746422), R(-0.3627148071634043), R(-2.6368627540741962), R(0.06902504224903337), R(8.977613259910804), R(-0.13189784452700318), R(-0.4183271393254238), R(-0.7787639076251965), R(0.47480879462157777), R(1.0046238384838477), R(-0.35909337061500424), R(-0.00898310216909605), R(-0.4004497887752773), R(0.8458676626758862), R(-0.45297715965139496), R(-0.0588436703013216), R(0.7287447277272393), R(0.29186998758549326), R(-0.29989134203131307), R(0.5478334742992365), R(0.21384456336003252), R(0.971031095000603), R(-0.3733168070587392), R(0.4758461990161031), R(12.375918944197977), R(-0.33942259474584663), R(0.15958669716662385), R(0.5738269627251221)),
+STAGE_ROW(R(-0.21059596059132366), R(0.032165604891235544), R(-0.24945136946441793), R(-4.46805378177561), R(-1.5794476492524463), R(7.650087876397338), R(-1.0933114656091556), R(-0.8218969849084616), R(-7.8878996672599095), R(0.5459124526004889), R(0.6083859020657906), R(9.93522045932824), R(-1.431740787357578), R(-0.5764834316597424), R(-3.3549853033258743), R(-0.28396988570353093), R(3.755482537359776), R(-0.687824555248806), R(6.863349319045483), R(0.8286003777912965), R(1.5900079936658214), R(-0.45392806893116816), R(2.4916353712782), R(1.2683256709959954), R(-3.0644614820782015), R(-0.6324279868387714), R(3.3129385236395037), R(-1.059027131447668), R(3.1804237089811647), R(2.4262859515227793), R(-0.48788486031048556), R(11.603097158492757), R(-0.06699315778085882), R(1.044539018270486), R(-2.0350867203991614), R(-1.463896578080814), R(3.897451370028827), R(-1.756457658437542), R(3.864443478550436), R(0.12810716950144693), R(0.625179414921719), R(-51.63304871736398), R(1.2342973472850267), R(-6.437472489028641), R(0.867376396153867), R(-0.626143818280281), R(0.15518464778042868), R(4.081725463441037), R(3.9853836406222745), R(4.647602990902484), R(2.5912439417266526), R(0.9436807896639403), R(-8.257654846099447), R(-0.8183837420159653), R(-4.969938379107859), R(-1.699852729312224), R(6.375960288361854), R(3.4675989449460825), R(-14.931395151901985), R(-3.715909672311488)),
+STAGE_ROW(R(0.742488942826479), R(2.8860767944588286), R(0.08067588827725737), R(-0.5002211495671698), R(-1.263361930444965), R(-2.399316321164257), R(3.6509287026859853), R(-1.377277773743663), R(1.8703533135155668), R(-0.7966908094226449), R(0.3579325320200862), R(2.006145299824317), R(-1.2748668502139353), R(1.484635605023531), R(1.8807775557845399), R(2.0985535659482535), R(8.70871165207281), R(0.33628539026844345), R(-2.810512292858994), R(0.8651884679705081), R(0.5521052281420277), R(3.2343798913958137), R(-1.6966070795060895), R(-1.3934530047886329), R(-1.108310710785306), R(2.2531371878053976), R(-2.8178547502586664), R(-0.11197732882474051), R(2.6627044528533075), R(0.3722101269881617), R(0.8810637184440264), R(10.59730364339834), R(0.795271609370544), R(1.361193696482505), R(-1.570898649325965), R(0.613408364430383), R(5.173298763015175), R(1.622887912270546), R(-2.2908531651714115), R(-1.0754989538287967), R(0.6194444241274158), R(1.018963295986571), R(-0.624463685383179), R(3.3066747465304274), R(-0.31666521591477415), R(0.35412838242445704), R(-0.5419317897681338), R(-0.06408073533355049), R(2.109681247221811), R(-0.03890540507956684), R(0.20045215151457518), R(2.2957468034183335), R(0.8560864503759683), R(1.2554194694774947), R(-0.33130145599951744), R(0.2355438140522819), R(9.771813980505193), R(0.3745124182158896), R(-1.2484835296889356), R(-0.22712384562082033)),
+STAGE_ROW(R(-2.336077935820072), R(-1.1397351076850806), R(0.2955321173917669), R(-8.00709025753931), R(1.2874494398950906), R(0.8620999168597183), R(-1.468896185699134), R(3.1850665517886294), R(-1.6369699300005305), R(1.5319960475782237), R(-0.026104047236382377), R(-1.1614032080396919), R(-0.10822090449244136), R(0.4057683540202063), R(2.314972512354703), R(-0.6973648280825542), R(3.820339774452548), R(1.3627690360837565), R(1.3950309081077958), R(0.20232194839078663), R(-2.1584954982639997), R(-1.8680208611857196), R(-1.403605196865187), R(2.2121497159471697), R(-3.8194658288874965), R(6.927100956264277), R(2.748628066308002), R(-2.501189076417259), R(12.968533816166287), R(-0.7051130531705428), R(0.8803525475852149), R(1.3901063982139983), R(-1.378902782676024), R(-1.4617035188026688), R(-0.4435494780718891), R(-1.8929303756171942), R(1.051097939871916), R(0.2334090068003981), R(-0.024527898846904986), R(0.0490711752421492), R(-0.9445259563188908), R(-0.3703536684223301), R(-0.2992766545871798), R(2.038688062133025), R(1.0358783252634525), R(0.6533998819440335), R(-0.4865690199603734), R(-1.8771862911971986), R(0.9626263891095165), R(-4.776881196831194), R(0.28492529408585116), R(0.3511118568695407), R(-1.6776705589329748), R(0.779492150227292), R(1.6381488003998868), R(-1.1398377878944101), R(3.3884184865983764), R(-0.6874246394099379), R(-0.08069992565877712), R(0.2925462078004332)),
+STAGE_ROW(R(1.0430618728431464), R(-2.0616480210032444), R(-2.152691780847704), R(5.087637952469664), R(0.548543902857414), R(-19.881479917715584), R(1.0049670523940897), R(-9.526684158346177), R(-14.027300000385786), R(-5.548522459063203), R(1.006352668662393), R(14.351740234788517), R(-5.1088631837768945), R(-0.5358573586822446), R(11.989087479687814), R(0.980280681539454), R(6.8936898732031935), R(-2.3081305739471234), R(-18.238654409533005), R(3.588811306961266), R(-4.505262960292707), R(2.54810600515388), R(-1.7632573167092351), R(5.834495601640845), R(0.835098702896953), R(5.206823018729671), R(0.5810872154301955), R(-6.609540218044087), R(-42.12603664771668), R(3.216785818893934), R(-2.1495148610390964), R(0.7894018470309069), R(5.466201638369451), R(4.308724467637184), R(-0.5242129368624121), R(-1.8842735270166753), R(1.9244669346873167), R(-3.847578360826417), R(4.809999666963648), R(0.9123227036200514), R(0.7391975469892376), R(-2.316069495457453), R(-1.0850745435222657), R(-21.25899062291632), R(0.5096570147755664), R(-2.9870328817214493), R(-0.3699893200814643), R(4.488328101813546), R(1.3884182532357217), R(3.0518246557167608), R(-2.48853880140072), R(1.8087352536521886), R(-11.881253979853616), R(0.12660561326278186), R(5.553989906709583), R(-0.09880457401835104), R(9.439080003527776), R(-1.1570312767686388), R(0.018526048003034163), R(-5.520194958365016)),
+STAGE_ROW(R(0.22069160570534296), R(-0.5750077273768307), R(-0.5860030077306981), R(0.06678839840614478), R(-0.6209835956820484), R(-0.3023105415279892), R(-0.034215010599083044), R(0.8899564099264201), R(0.7517463587468758), R(0.8956770307227923), R(0.4379458677683479), R(1.185999882805976), R(0.6316800482436449), R(-0.4100643821369914), R(-0.09263799354998072), R(-0.842014885592916), R(8.050862442730917), R(0.16412019616681), R(-0.7438804979751031), R(0.4745419371232136), R(0.6370104831134573), R(-4.1049938921910565), R(-2.6097329821070496), R(-0.04843084964247328), R(-0.7435274646976697), R(0.5378440899266246), R(2.8596776765924865), R(-9.958938348551765), R(3.3910305628208546), R(2.498538915078415), R(-1.7282906074067212), R(-1.563755865929953), R(1.2891134250000733), R(-2.136941630502358), R(1.1370896092385119), R(2.187742520241794), R(4.385880358126291), R(-0.5480513417961963), R(2.6402030102607044), R(-2.5111042893934044), R(0.2418938816098294), R(-0.3740395739450138), R(-0.6088504849215932), R(-0.23931827595738778), R(-0.5941515976926902), R(-0.2708437677579381), R(0.01898785914409786), R(1.0047039039483543), R(0.8805233720351022), R(0.9313515330448339), R(0.41335151506050993), R(1.3867419088621475), R(0.5798852057565913), R(-0.3911614802099863), R(-0.06852312142744847), R(-0.8689580417653321), R(9.90440701983154), R(0.201898067807059), R(-1.0772451931620175), R(0.5035946607109453)),
+STAGE_ROW(R(-3.0751106543942437), R(9.957082490869109), R(1.5565512030943307), R(-0.7924702331931542), R(1.4551632386694473), R(-1.2071883686894502), R(-2.71187432503047), R(10.980102358197634), R(-0.7165998554228252), R(-8.56139106455856), R(-1.1655564192443177), R(-1.2736133844752209), R(1.0368684144835334), R(-0.8086882242187052), R(19.04191556136355), R(-1.953211715270669), R(7.2482995281592535), R(4.356019554269994), R(-2.2226347986604766), R(-2.247486909401854), R(1.0509214335983055), R(-3.363242250617121), R(-0.9581408170938418), R(-3.68962792529154), R(2.3234747116890886), R(-2.1787221556843295), R(3.14611896811096), R(6.280650784786358), R(-4.399734416902083), R(-3.8761783658139644), R(1.6324884730525073), R(-35.848932533003016), R(1.5488391265379764), R(2.4171592407674596), R(15.518982930910719), R(-1.3398529370122945), R(5.838555276994773), R(-2.197870859494857), R(-7.107133289474288), R(2.9834880719809598), R(0.8588264266431894), R(-7.315435119507967), R(-0.19335332556789242), R(-16.87497683717155), R(0.42795112046092454), R(-2.5124872336700563), R(-2.9236055060759543), R(9.656846926411788), R(7.250078757558872), R(5.245843849987663), R(-0.5518442357107836), R(1.8592559203163468), R(-5.420095343576334), R(-0.8993304424538161), R(1.9734773668760843), R(-2.9742798761587066), R(10.512362619749545), R(3.875181318560752), R(-3.1383549132016864), R(0.5894881179352488)),
+STAGE_ROW(R(-0.4955388274988209), R(3.0844017580728114), R(0.26901041347527754), R(25.51283054775907), R(7.828585589736005), R(-30.307445894593346), R(9.077582277734685), R(2.604017891817812), R(54.078888763245914), R(-2.7717703306295), R(0.11694517937901604), R(89.98332674018839), R(-1.088189484602167), R(0.11289268655901802), R(0.47876357470662567), R(0.30096103390546725), R(5.768772560474004), R(0.638197455808536), R(-26.682191783082857), R(1.6566604949706416), R(1.5300465540416444), R(-3.3052967240634032), R(4.607508570354117), R(-1.2015496559827634), R(14.944028564499746), R(-0.7516242523921101), R(0.8735869126059218), R(2.638942474337067), R(5.5242217457012694), R(0.9103947002934419), R(-1.533261554724188), R(-22.67943593969519), R(0.25710580732025806), R(-0.4596374031916821), R(7.819265046543737), R(-0.28964564875915094), R(6.869417251971363), R(-1.3731244006968792), R(-0.691720430648184), R(2.4818121971089697), R(0.9928331260267765), R(-3.687813213976942), R(0.2837777193946338), R(0.45965845912973063), R(-0.4461049686105785), R(-0.2832455824391758), R(-0.6298539168105988), R(-2.5959466197328123), R(0.8208800336199371), R(7.001580863378952), R(-3.3085984692448087), R(0.9610526701798231), R(0.658337353722733), R(1.0706742536615819), R(-5.050368369375599), R(2.07863726214939), R(7.145250879271463), R(-2.9462615835105113), R(-1.9695774477141899), R(1.8508594174693602)),
+STAGE_ROW(R(-0.9587580740793016), R(2.6457032744283264), R(-0.1289629818939297), R(5.117549460062912), R(0.4425984883682362), R(1.1925702251875552), R(-0.37285799395376734), R(-1.45556775670092), R(-1.970522204676359), R(-0.8630407637729812), R(1.0154202065402336), R(2.5091870486265058), R(-0.006823800878835356), R(0.000628141652641666), R(-2.764622914670597), R(-0.11717503734878398), R(3.756380510944825), R(0.729320966635065), R(0.31361674203684814), R(0.9666279758990175), R(-1.0480878492281576), R(0.45923481867531524), R(0.010630232669583076), R(-0.8158025747277096), R(0.8252038152455607), R(-0.6420113294026549), R(-0.25806626897321505), R(1.2372754700089614), R(0.9321295276381322), R(0.05145037557146886), R(0.7149117710237618), R(-0.5351485215906759), R(-0.5328856134290436), R(0.41465123112531277), R(0.007863355668021422), R(-0.31152144370506907), R(2.1836961864179116), R(0.5597646479152034), R(-1.221382601585231), R(0.6033500434455841), R(-0.8253916354889129), R(1.1536948061288046), R(-0.2998841783300925), R(4.224912363107985), R(1.0864025647938262), R(-0.5257895359437617), R(-0.2823944159809742), R(0.3316278151228065), R(2.112830885627404), R(-0.8206012747683721), R(1.0731727975592245), R(-0.09954595960245671), R(0.585391235721197), R(0.493584470794011), R(0.12137412996131852), R(-0.774022198490635), R(4.286116254810041), R(0.3227130814144929), R(-0.03280686949321092), R(0.5081616492881409)),
+STAGE_ROW(R(-0.2828183789064016), R(1.4191259651212498), R(-1.4200269921441582), R(0.29449259353712554), R(0.9375499210877731), R(-0.09333784845394505), R(0.6185543746988783), R(5.090285660395745), R(8.537045472337788), R(-1.2474170337332056), R(0.12026577934682772), R(-3.7961826386762367), R(1.8287811849015914), R(0.6785670341561834), R(2.6392038287499853), R(-0.4416973524697665), R(4.161146144847648), R(2.291655343970026), R(0.5321485899668271), R(1.0698587888682873), R(-0.3589114898879059), R(-1.599547671822585), R(-1.3297534379621547), R(-0.47271905188808094), R(0.7495907644269835), R(-2.50415340521581), R(-0.04764649090387542), R(0.1482300910348175), R(-6.4326724985551), R(-0.82437507960425), R(0.9948925563295384), R(1.8186315556422354), R(-0.9680081777588044), R(0.8105616852800495), R(0.011974839836573858), R(-0.24912271305122485), R(2.7046517057663872), R(1.9441664239086012), R(-0.5307552878179194), R(0.6172331909709923), R(-0.2945140715741115), R(0.09460229523267441), R(-0.7767180917415026), R(4.063321769438766), R(1.0822144777004468), R(1.2491901417342515), R(0.5843301711853923), R(-1.0905003832954456), R(0.9998367580922844), R(-1.4651786245976124), R(0.24794217212205474), R(0.6935194105426951), R(0.87267854735101), R(0.6439479377478035), R(0.5503658868103848), R(-1.2737548050165282), R(4.82234728679637), R(0.7045271584372654), R(-0.35377932525676054), R(0.699719431221753)),
+STAGE_ROW(R(-1.6462863542994812), R(-0.5402508393143591), R(-0.5659389984023447), R(5.960535248397023), R(0.6163998653240593), R(-5.963236477781493), R(2.3578061751044004), R(2.430572679153733), R(9.01825357025637), R(0.5719316833393061), R(0.01602638437733863), R(28.538049940765344), R(-4.07760409207225), R(0.6216885541175068), R(-5.855725337143698), R(1.3475620186766406), R(2.5898397866196263), R(2.9624072144800535), R(-4.8931233194696375), R(1.8487191556292293), R(-0.29136226995571823), R(6.794242758225865), R(0.512565738964454), R(-9.718576202896546), R(-5.250898360334761), R(6.501932223776073), R(-3.4808572536250537), R(-1.6283100952882945), R(10.343170810214032), R(5.257007837281139), R(-1.2531458405165434), R(-2.8124811771115), R(-1.6861519069416695), R(1.3867785804319668), R(-4.7108481024538245), R(0.5915944415273472), R(3.5115777492468307), R(5.028226713639354), R(-3.0280900233543138), R(3.1374536766660444), R(-1.4468267483905388), R(15.492862527596639), R(0.0459775138642051), R(-3.36610857344926), R(-1.1988041641678655), R(1.5814086412381727), R(-0.49360774723230694), R(-3.2729929280740024), R(1.3200008506540055), R(17.712366656797595), R(-3.2152422466899715), R(1.2478390106731938), R(2.7673724655089402), R(-0.8281715882832983), R(-6.901403847203697), R(0.669132296052148), R(5.85268917271847), R(-0.3459312499184662), R(-2.455606060187696), R(2.2324220302902087)),
+STAGE_ROW(R(-0.8321277695449535), R(-0.5239329894108062), R(-0.5048486087477653), R(0.3808227934653993), R(-0.33351064697466287), R(-0.6270136351759841), R(0.6758023424219114), R(0.9634650871417586), R(0.3398749741905718), R(-0.41962238104812233), R(-0.08315823884502753), R(0.23530601091880626), R(-0.6558342654164314), R(-0.7351274915503959), R(-0.5176869423592461), R(0.08926987383901346), R(4.250794278997931), R(0.26292971001535553), R(0.5176716326932885), R(0.8441330252139236), R(-0.8458445474819736), R(-2.1335159539784083), R(-0.4753581718293612), R(-1.1421902838205271), R(-0.34725735357391657), R(-0.6355053016787874), R(0.729184853644499), R(0.7320264681964231), R(0.4915018782791116), R(-0.5203963280352301), R(-0.08130374519168238), R(-0.03346309825118982), R(-0.7841115706592041), R(-0.8753113533757026), R(-0.5032306238138907), R(0.14066332463381118), R(3.1100943292258214), R(0.22796216083363735), R(1.0140798052753761), R(0.7345957515293627), R(-0.20522645405454218), R(-2.154580652682496), R(-1.4743587859738987), R(3.9657183266752827), R(-0.17461905236396477), R(-1.1304435254045813), R(1.1779261054683596), R(0.470305919151449), R(-1.4158958012669398), R(-2.808679269288343), R(-0.16853800705427394), R(0.3580176664735797), R(-1.7548557966421803), R(-0.5683311311437628), R(3.0901596060477456), R(-0.16985803127956023), R(4.972569952613079), R(2.796226520107927), R(1.4495772749095586), R(0.8908543434352125)),
+STAGE_ROW(R(2.58308687010723), R(-5.641888134308521), R(3.443865854302916), R(14.872849836422159), R(5.9635518142475865), R(-26.353373285274053), R(33.967490862790655), R(-7.4127059777658495), R(1.7280718033933358), R(-0.5509729912285051), R(-2.4740510878515427), R(4.230363585685353), R(6.446520100783912), R(2.5535444431815337), R(-3.316041114240617), R(-0.7994283246392708), R(-4.0178221586900476), R(-1.2091150749665047), R(-22.88041243101711), R(-3.282383240388347), R(-1.3700961021849118), R(-0.7686404402421049), R(4.614567270177405), R(-0.7946962755983279), R(5.347253365706881), R(0.6659871490213233), R(2.729279707509247), R(-0.3041772105114844), R(-4.615831105951916), R(-2.9002750545238447), R(-2.1803163791850713), R(-4.634809963908262), R(0.5491302998273045), R(1.9287039204651686), R(1.7527405131701093), R(1.2247429318315035), R(9.469448854860907), R(-0.3711467519900446), R(-0.22977443174679843), R(1.373629371668967), R(0.26712563807449247), R(-1.4092336899697953), R(0.5199172559890142), R(-0.272304821671338), R(0.7656539982104157), R(0.20267676636516582), R(0.9630364861922238), R(0.705394451259733), R(0.7280758519112908), R(-0.4448247465244829), R(0.09465372087417381), R(1.7888767416808158), R(-0.8512211503190869), R(0.8123462679315409), R(0.9987199827277087), R(0.5599220433827258), R(13.17969385594502), R(1.1512109596850175), R(-6.0703637914758914), R(-0.5656574439637079)),
+STAGE_ROW(R(-1.5638792788992577), R(-6.792899225790134), R(-1.1275326503865224), R(10.989221901180256), R(-0.9001807163320271), R(-3.249995290148431), R(0.5809924368886608), R(-6.371772236844302), R(-1.554496070316896), R(-0.3501337911791086), R(1.3709314098487912), R(-66.32844064050718), R(-4.381719185267086), R(1.747352884920732), R(-1.9502972092814905), R(0.5272351110914149), R(3.5530653427579333), R(-0.4771466087241612), R(-1.0294482708826567), R(-3.014028126715197), R(0.28008949500899105), R(-15.449663590698673), R(2.0323916986930306), R(-5.419567292001177), R(3.8364221894109423), R(11.360839444764123), R(-4.0383686827794465), R(0.687985215801108), R(-5.140102413440025), R(0.6782322141354828), R(5.530116680930198), R(27.286195277862127), R(-5.878200963310757), R(2.1683001388813623), R(14.696804380974138), R(-5.127106248206435), R(0.6188917482819167), R(5.722042170429413), R(-7.401889872177446), R(5.642202659443335), R(-0.6097788277831152), R(1.2222882192875808), R(-0.6136231275418562), R(-18.117730873294725), R(-1.644315971627797), R(3.314436767079475), R(2.2193218828017884), R(9.47158188181446), R(-3.522022043096444), R(-2.678961974749964), R(1.6668366791487692), R(2.170661293564297), R(-0.38192233340641146), R(0.05551024728214389), R(2.011297729870027), R(1.251237238729719), R(7.3616552000428115), R(1.2405569303790078), R(-0.7147073655523892), R(-1.4949151682743842))
+}
+};
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output[STAGE_OUTPUTS][STAGE_OUTPUT] =
+STAGE_OUTPUT_ROW(R(-0.42511393333379), R(-0.44882498736139853), R(0.6110290941709778), R(0.32574307692535615), R(-0.6491890085114961), R(-1.1318825571973672), R(-0.23868319140618102), R(-0.16871328572944672), R(-0.30507559927565164), R(-0.4517062520308881), R(0.5715093123108468), R(-0.4670869418561894), R(0.40220327113165255), R(-0.6212776383480416), R(-0.3399057577249043), R(0.5401688657349423), R(0.0023900858638426087), R(-0.39748576820979237), R(1.5400549927632163), R(-0.34550203529095136), R(-0.723525744950504), R(-0.24727855153090672), R(0.42633139577472484), R(0.2916254790650205), R(-0.761985687985867), R(-0.5359726658488265), R(-0.5846080566440651), R(-0.1260192664753573), R(-0.5267459314286198), R(-0.5083400289447482), R(0.5463417167620083), R(-0.22124404308404136), R(0.6594239764403633), R(-0.31832113150961816), R(-0.9423459139819891), R(0.863146817786572), R(0.00031252584713685846), R(-0.24352237259094833), R(0.5920899640052062), R(-0.37437293897594426), R(-0.29355194847572913), R(-0.8564221644908165), R(0.6958394072743213), R(0.4104081152377264), R(-0.44796450044332276), R(-0.38400901699781465), R(-0.5014267411878796), R(-0.43769121593734284), R(-0.2651074652070615), R(-1.1049145969130063), R(0.5670050935702509), R(-0.021098032364877502), R(0.7336816244467602), R(-0.37355549066829513), R(-0.551953485675421), R(0.530712813834856), R(0.004321973418841673), R(-0.36913782635781195), R(0.8484941965568321), R(-0.5922057061565761));
+static const SAILNET_ALIGNED sailnet_real sailnet_plan_output_bias[STAGE_NETWORKS] =
+{R(-2.369943160337866), R(-3.060202667884488), R(-2.7570989903794296)};
+#define STAGE_DEPTHS {3, 3, 3}
+
+
+/*
+ * A stage: networks evaluated in step. Its tables, which come before this, define its sizes, STAGE_..., and the names
+ * of its tables and functions: STAGE(networks) computes it.
+ */
+#if STAGE_SIDE_BY_SIDE
+/*
+ * A stage on vectors of 16 numbers: its networks side by side. Lane l of part m is neuron STAGE_SHARE m +
+ * l / STAGE_NETWORKS of network l % STAGE_NETWORKS, and lanes left over are zeros. Sums are added up in the order of
+ * the other form of a stage, to the same bits.
+ */
+
+/* In each lane what its network has of neuron q of a part. */
+SAILNET_INLINE sailnet_lanes STAGE(neuron)(sailnet_lanes part, int32_t q)
+{
+    const sailnet_mask network = {
+        0 % STAGE_NETWORKS,  1 % STAGE_NETWORKS,  2 % STAGE_NETWORKS,  3 % STAGE_NETWORKS,
+        4 % STAGE_NETWORKS,  5 % STAGE_NETWORKS,  6 % STAGE_NETWORKS,  7 % STAGE_NETWORKS,
+        8 % STAGE_NETWORKS,  9 % STAGE_NETWORKS,  10 % STAGE_NETWORKS, 11 % STAGE_NETWORKS,
+        12 % STAGE_NETWORKS, 13 % STAGE_NETWORKS, 14 % STAGE_NETWORKS, 15 % STAGE_NETWORKS,
+    };
+    return _mm512_maskz_permutexvar_ps(0xFFFF, (__m512i)(network + q * STAGE_NETWORKS), part);
+}
+
+SAILNET_INLINE void STAGE(begin)(int32_t layer, sailnet_lanes sums[2][STAGE_PARTS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[0][m] = sailnet_at(STAGE(biases)[layer][m]);
+        sums[1][m] = nothing;
+    }
+}
+
+/* Two sums for each neuron: in one, an addition would wait for the one before it. */
+SAILNET_INLINE void STAGE(add)(sailnet_lanes a, const sailnet_real weights[STAGE_PARTS][STAGE_PART],
+                                      sailnet_lanes sums[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        sums[m] += a * sailnet_at(weights[m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(activate)(sailnet_lanes sums[2][STAGE_PARTS], sailnet_lanes neurons[STAGE_PARTS])
+{
+    SAILNET_UNROLLED
+    for (int32_t m = 0; m < STAGE_PARTS; m++) {
+        neurons[m] = sailnet_sigmoid(sums[0][m] + sums[1][m]);
+    }
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    const sailnet_lanes nothing = {R(0.0)};
+    sailnet_lanes sums[2][STAGE_PARTS];
+    sailnet_lanes neurons[STAGE_PARTS];
+    STAGE(begin)(0, sums);
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_lanes clamped =
+            sailnet_lanes_clamped(nothing + input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        STAGE(add)(clamped - STAGE(lower)[i], STAGE(first)[i], sums[i % 2]);
+    }
+    STAGE(activate)(sums, neurons);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(begin)(layer, sums);
+        SAILNET_UNROLLED
+        for (int32_t i = 0; i < STAGE_ROWS; i++) {
+            STAGE(add)(STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE),
+                              STAGE(hidden)[layer - 1][i], sums[i % 2]);
+        }
+        STAGE(activate)(sums, neurons);
+    }
+    sailnet_16_bytes products[4] = {{R(0.0)}, {R(0.0)}, {R(0.0)}, {R(0.0)}};
+    SAILNET_UNROLLED
+    for (int32_t i = 0; i < STAGE_ROWS; i++) {
+        const sailnet_lanes neuron = STAGE(neuron)(neurons[i / STAGE_SHARE], i % STAGE_SHARE);
+        const void *const weights = STAGE(output)[i];
+        sailnet_16_bytes first;
+        (void)memcpy(&first, &neuron, sizeof first);
+        products[i % 4] += first * *(const sailnet_16_bytes *)weights;
+    }
+    const sailnet_16_bytes sum = (products[0] + products[2]) + (products[1] + products[3]);
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = sum[k] + STAGE(output_bias)[k];
+    }
+}
+#else
+/*
+ * A stage: STAGE_NETWORKS network(s) with the same STAGE_INPUTS inputs, layer by layer. STAGE_DEPTH
+ * hidden layers of at most STAGE_ROWS neurons; a shallower network uses the first ones.
+ */
+
+/* Physical input, clamped to the widened range it had in training, less the lower end of that range. */
+SAILNET_INLINE void STAGE(shifted)(const sailnet_real input[STAGE_INPUTS],
+                                          sailnet_real shifted[STAGE_EVEN_INPUTS])
+{
+    shifted[STAGE_EVEN_INPUTS - 1] = R(0.0);
+    for (int32_t i = 0; i < STAGE_INPUTS; i++) {
+        const sailnet_real clamped =
+            sailnet_clamped(input[i], STAGE(clamp_min)[i], STAGE(clamp_max)[i]);
+        /* Subtracted here, not in the bias: the difference of near numbers is exact. */
+        shifted[i] = clamped - STAGE(lower)[i];
+    }
+}
+
+#define STAGE_VECTORS (STAGE_WIDTH / SAILNET_LANES)
+/* Sums of one network that registers hold, twice; and of how many networks they hold as many. */
+#if STAGE_VECTORS % 6 == 0
+#define STAGE_BLOCK 6
+#elif STAGE_VECTORS % 5 == 0
+#define STAGE_BLOCK 5
+#elif STAGE_VECTORS % 4 == 0
+#define STAGE_BLOCK 4
+#elif STAGE_VECTORS % 3 == 0
+#define STAGE_BLOCK 3
+#elif STAGE_VECTORS % 2 == 0
+#define STAGE_BLOCK 2
+#else
+#define STAGE_BLOCK 1
+#endif
+#if 2 * STAGE_BLOCK * STAGE_NETWORKS < SAILNET_REGISTERS
+#define STAGE_TOGETHER STAGE_NETWORKS
+#else
+#define STAGE_TOGETHER 1
+#endif
+
+/*
+ * activations becomes the sigmoids of biases + weights a, for each network: a[k] are the inputs of network k, an even
+ * number, and a[0] of all if `each` is 0.
+ */
+SAILNET_INLINE void STAGE(layer)(const sailnet_real *a, int32_t each, int32_t inputs,
+                                        const sailnet_real biases[STAGE_NETWORKS][STAGE_WIDTH],
+                                        const sailnet_real weights[][STAGE_NETWORKS][STAGE_WIDTH],
+                                        sailnet_real activations[STAGE_NETWORKS][STAGE_WIDTH])
+{
+    SAILNET_ROLLED
+    for (int32_t network = 0; network < STAGE_NETWORKS; network += STAGE_TOGETHER) {
+        SAILNET_ROLLED
+        for (int32_t block = 0; block < STAGE_WIDTH; block += STAGE_BLOCK * SAILNET_LANES) {
+            /* Two sums for each neuron: in one, an addition would wait for the one before it. */
+            sailnet_lanes even[STAGE_TOGETHER][STAGE_BLOCK];
+            sailnet_lanes odd[STAGE_TOGETHER][STAGE_BLOCK];
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const int32_t k = network + n;
+                    const int32_t j = block + m * SAILNET_LANES;
+                    even[n][m] = sailnet_at(&biases[k][j]) + a[k * each] * sailnet_at(&weights[0][k][j]);
+                    odd[n][m] = a[k * each + 1] * sailnet_at(&weights[1][k][j]);
+                }
+            }
+            SAILNET_ROLLED
+            for (int32_t i = 2; i < inputs; i += 2) {
+                SAILNET_UNROLLED
+                for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                    SAILNET_UNROLLED
+                    for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                        const int32_t k = network + n;
+                        const int32_t j = block + m * SAILNET_LANES;
+                        even[n][m] += a[k * each + i] * sailnet_at(&weights[i][k][j]);
+                        odd[n][m] += a[k * each + i + 1] * sailnet_at(&weights[i + 1][k][j]);
+                    }
+                }
+            }
+            SAILNET_UNROLLED
+            for (int32_t n = 0; n < STAGE_TOGETHER; n++) {
+                SAILNET_UNROLLED
+                for (int32_t m = 0; m < STAGE_BLOCK; m++) {
+                    const sailnet_lanes sigmoids = sailnet_sigmoid(even[n][m] + odd[n][m]);
+                    (void)memcpy(&activations[network + n][block + m * SAILNET_LANES], &sigmoids, sizeof sigmoids);
+                }
+            }
+        }
+    }
+}
+
+/* The scalar product of vectors of `count` numbers, a multiple of 4: as many sums as 16 bytes hold. */
+SAILNET_INLINE sailnet_real STAGE(product)(const sailnet_real *a, const sailnet_real *b, int32_t count)
+{
+#ifdef SAILNET_VECTORS
+    sailnet_16_bytes sums = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        const void *const these = &a[j];
+        const void *const those = &b[j];
+        sums += *(const sailnet_16_bytes *)these * *(const sailnet_16_bytes *)those;
+    }
+#else
+    sailnet_real sums[SAILNET_PER_16_BYTES] = {R(0.0)};
+    for (int32_t j = 0; j < count; j += SAILNET_PER_16_BYTES) {
+        for (int32_t lane = 0; lane < SAILNET_PER_16_BYTES; lane++) {
+            sums[lane] += a[j + lane] * b[j + lane];
+        }
+    }
+#endif
+#ifdef SAILNET_FLOAT64
+    return sums[0] + sums[1];
+#else
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+#endif
+}
+
+SAILNET_INLINE void STAGE(networks)(const sailnet_real input[STAGE_INPUTS],
+                                           sailnet_real output[STAGE_NETWORKS])
+{
+    static const int32_t depth[STAGE_NETWORKS] = STAGE_DEPTHS;
+    SAILNET_ALIGNED sailnet_real layers[STAGE_DEPTH][STAGE_NETWORKS][STAGE_WIDTH];
+    sailnet_real shifted[STAGE_EVEN_INPUTS];
+    STAGE(shifted)(input, shifted);
+    STAGE(layer)(shifted, 0, STAGE_EVEN_INPUTS, STAGE(biases)[0], STAGE(first), layers[0]);
+    SAILNET_ROLLED
+    for (int32_t layer = 1; layer < STAGE_DEPTH; layer++) {
+        STAGE(layer)(layers[layer - 1][0], STAGE_WIDTH, STAGE_ROWS, STAGE(biases)[layer],
+                            STAGE(hidden)[layer - 1], layers[layer]);
+    }
+    SAILNET_UNROLLED
+    for (int32_t k = 0; k < STAGE_NETWORKS; k++) {
+        output[k] = STAGE(product)(layers[depth[k] - 1][k], STAGE(output)[k], STAGE_ROWS) +
+                    STAGE(output_bias)[k];
+    }
+}
+#endif
+#undef STAGE
+#undef STAGE_NETWORKS
+#undef STAGE_INPUTS
+#undef STAGE_EVEN_INPUTS
+#undef STAGE_DEPTH
+#undef STAGE_DEPTHS
+#undef STAGE_ROWS
+#undef STAGE_WIDTH
+#undef STAGE_SIDE_BY_SIDE
+#undef STAGE_SHARE
+#undef STAGE_PARTS
+#undef STAGE_PART
+#undef STAGE_OUTPUTS
+#undef STAGE_OUTPUT
+#undef STAGE_ROW
+#undef STAGE_OUTPUT_ROW
+#undef STAGE_VECTORS
+#undef STAGE_BLOCK
+#undef STAGE_TOGETHER
+
+SAILNET_PART void sailnet_direction(const sailnet_state *state, sailnet_real beta, double direction[SAILNET_STATES])
+{
+    const sailnet_real known = sailnet_clamped(beta, SAILNET_BETA_MIN, SAILNET_BETA_MAX);
+    sailnet_real input[SAILNET_APPROACH_INPUTS];
+    sailnet_real factors[2];
+    const sailnet_real now[3] = {state->r, state->u, state->v};
+    sailnet_real output[3];
+    const sailnet_real s = sailnet_approach(now, known, input, factors);
+    sailnet_plan_networks(input, output);
+    for (int32_t i = 0; i < 3; i++) {
+        direction[i] = (double)output[i];
+    }
+    /* The networks give the costates of position by the scale of the approach; nothing is divided by it. */
+    const sailnet_real scale = s / (s + SAILNET_ARRIVAL_SCALE);
+    for (int32_t i = SAILNET_STATES / 2; i < SAILNET_STATES; i++) {
+        direction[i] *= (double)scale;
+    }
+}
+
 /* ================================ Steering ================================ */
 
 /* Runge and Kutta's method of fourth order: where in the step its stages are, and what they weigh. */
@@ -1149,14 +2873,14 @@ typedef struct {
 } sailnet_change;
 
 /* One such step of Eq. (1), under a constant force. */
-SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *change)
+SAILNET_PART void sailnet_predict(const sailnet_estimate *estimate, sailnet_change *change)
 {
-    const sailnet_state *const before = &memory->state;
-    sailnet_cosine_sine(memory->attitude, &change->cosine, &change->sine);
+    const sailnet_state *const before = &estimate->state;
+    sailnet_cosine_sine(estimate->attitude, &change->cosine, &change->sine);
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real push = memory->beta * cosine;
-    const sailnet_real across = SAILNET_FORCE_ACROSS + memory->tangential;
+    const sailnet_real push = estimate->beta * cosine;
+    const sailnet_real across = SAILNET_FORCE_ACROSS + estimate->tangential;
     change->normal = (SAILNET_FORCE_SQUARE * cosine + SAILNET_FORCE_LINEAR) * cosine;
     const sailnet_real radial = push * (change->normal + across * sine * sine) - R(1.0);
     const sailnet_real transverse =
@@ -1164,14 +2888,14 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
     sailnet_state rate = {R(0.0), R(0.0), R(0.0)};
     change->by = rate;
     for (int32_t i = 0; i < 4; i++) {
-        const sailnet_real step = sailnet_stages[i][0] * memory->held;
+        const sailnet_real step = sailnet_stages[i][0] * estimate->held;
         const sailnet_real per_r = R(1.0) / (before->r + step * rate.r);
         const sailnet_real u = before->u + step * rate.u;
         const sailnet_real v = before->v + step * rate.v;
         rate.r = u;
         rate.u = (radial * per_r + v * v) * per_r;
         rate.v = (transverse * per_r - u * v) * per_r;
-        const sailnet_real share = sailnet_stages[i][1] * memory->held;
+        const sailnet_real share = sailnet_stages[i][1] * estimate->held;
         change->by.r += share * rate.r;
         change->by.u += share * rate.u;
         change->by.v += share * rate.v;
@@ -1179,688 +2903,207 @@ SAILNET_PART void sailnet_predict(const sailnet_memory *memory, sailnet_change *
 }
 
 /* The weight of a period in the mean of all at first, later of those not forgotten after a time. */
-SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_memory *memory, sailnet_real time)
+SAILNET_INLINE sailnet_real sailnet_weight(const sailnet_estimate *estimate, sailnet_real time)
 {
-    const sailnet_real all = R(1.0) / ((sailnet_real)memory->periods + R(1.0));
-    const sailnet_real recent = memory->held * (R(1.0) / time);
+    const sailnet_real all = R(1.0) / ((sailnet_real)estimate->samples + R(1.0));
+    const sailnet_real recent = estimate->held * (R(1.0) / time);
     return recent > all ? recent : all;
 }
 
 /*
  * What one more period tells, by how much further the velocity changed than predicted: beta along the normal, the
- * tangential force across it, and how far such surprises differ. Changes are rounded finer than states. What is not
+ * tangential force across it, and how far such innovations differ. Changes are rounded finer than states. What is not
  * finite counts for nothing, what is large for the bound.
  */
-SAILNET_PART void sailnet_learn(sailnet_memory *memory, const sailnet_state *now, const sailnet_change *change)
+SAILNET_PART void sailnet_learn(sailnet_estimate *estimate, const sailnet_state *now, const sailnet_change *change)
 {
-    const sailnet_real held = memory->held;
-    const sailnet_state *const before = &memory->state;
+    const sailnet_real held = estimate->held;
+    const sailnet_state *const before = &estimate->state;
     const sailnet_real cosine = change->cosine;
     const sailnet_real sine = change->sine;
-    const sailnet_real turned = memory->slewing * memory->slewing * SAILNET_SLEW_RATE;
+    const sailnet_real turned = estimate->slewing * estimate->slewing * SAILNET_SLEW_RATE;
     /* Not held, or turned, or not seen before: that says nothing. */
-    int32_t telling = ((held > R(0.0)) && (memory->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
+    int32_t telling = ((held > R(0.0)) && (estimate->unseen == R(0.0)) && (turned <= SAILNET_SLEW_BLUR * held)) ? 1 : 0;
 #if SAILNET_MAY_BE_EDGE_ON
     telling &= (change->normal >= SAILNET_LEAST_COSINE2) ? 1 : 0;
 #endif
-    const sailnet_real surprise_u = (now->u - before->u) - change->by.u;
-    const sailnet_real surprise_v = (now->v - before->v) - change->by.v;
+    const sailnet_real innovation_u = (now->u - before->u) - change->by.u;
+    const sailnet_real innovation_v = (now->v - before->v) - change->by.v;
     const sailnet_real distance = R(0.5) * (before->r + now->r);
     const sailnet_real per = distance * distance / (held * change->normal);
-    const sailnet_real along = (surprise_u * cosine + surprise_v * sine) * per;
-    const sailnet_real across = (surprise_v * cosine - surprise_u * sine) * per;
+    const sailnet_real along = (innovation_u * cosine + innovation_v * sine) * per;
+    const sailnet_real across = (innovation_v * cosine - innovation_u * sine) * per;
     if ((telling & sailnet_is_finite(along) & sailnet_is_finite(across)) != 0) {
-        const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
+        const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
         const sailnet_real counted = sailnet_limited(&along, SAILNET_OF_SURPRISE);
         const sailnet_real relative = counted * (R(1.0) / SAILNET_BETA);
         const sailnet_real aside = sailnet_limited(&across, SAILNET_OF_SURPRISE) * (R(1.0) / SAILNET_BETA);
-        memory->beta += sailnet_weight(memory, SAILNET_MEMORY) * counted;
+        estimate->beta += sailnet_weight(estimate, SAILNET_MEMORY) * counted;
         /* The tangential force pushes aside by its share times the tangent: this is the step of least squares. */
-        memory->tangential -= R(2.0) * weight * sine * cosine * aside;
-        memory->variance += weight * (relative * relative - memory->variance);
-        memory->slow += weight * (relative * memory->surprise - memory->slow);
-        memory->surprise = relative;
+        estimate->tangential -= R(2.0) * weight * sine * cosine * aside;
+        if (estimate->samples > 0u) {
+            estimate->variance += weight * (relative * relative - estimate->variance);
+            estimate->autocovariance += weight * (relative * estimate->innovation - estimate->autocovariance);
+            estimate->innovation = relative;
+        }
+        /* The first says by how much the vehicle differs from the mission's, not how it varies. */
+        if (estimate->samples < UINT32_MAX) {
+            estimate->samples++;
+        }
     }
 }
 
 /* The share of beta that is not planned with. */
-SAILNET_PART sailnet_real sailnet_reserve(const sailnet_memory *memory, sailnet_real hold)
+SAILNET_PART sailnet_real sailnet_reserve(const sailnet_estimate *estimate, const sailnet_real *time_of_flight,
+                                          sailnet_real hold)
 {
-    const sailnet_real tau = sailnet_limited(&memory->time_of_flight, SAILNET_OF_TIME_TO_GO);
+    const sailnet_real tau = sailnet_limited(time_of_flight, SAILNET_OF_TIME_TO_GO);
     /* What white noise leaves in a mean of few products. */
-    const sailnet_real weight = sailnet_weight(memory, SAILNET_SURPRISE_MEMORY);
-    const sailnet_real chance = memory->variance * weight * sailnet_per_root(&weight);
-    const sailnet_real slow = sailnet_clamped(memory->slow - chance, R(0.0), R(1.0));
-    const sailnet_real rest = memory->variance - slow;
+    const sailnet_real weight = sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY);
+    const sailnet_real chance = estimate->variance * weight * sailnet_per_root(&weight);
+    const sailnet_real slow = sailnet_clamped(estimate->autocovariance - chance, R(0.0), R(1.0));
+    const sailnet_real rest = estimate->variance - slow;
     /* Of its variance the mean of the periods left keeps so much. */
     const sailnet_real white = sailnet_clamped(rest, R(0.0), R(1.0)) * hold / tau;
     const sailnet_real reserve =
         SAILNET_RESERVE_SLOW * slow * sailnet_per_root(&slow) + SAILNET_RESERVE_WHITE * white * sailnet_per_root(&white);
-    const sailnet_real bounded = sailnet_clamped(reserve, SAILNET_LEAST_RESERVE, SAILNET_LARGEST_RESERVE);
+    const sailnet_real bounded = sailnet_clamped(reserve, R(0.0), SAILNET_LARGEST_RESERVE);
     return bounded * sailnet_clamped(tau * (R(1.0) / SAILNET_LET_GO), R(0.0), R(1.0));
 }
 
 /*
- * How late the sail is: by how much its time to go did not fall as time passed, less what of that is forgotten. And how
- * long it still waits.
+ * The tracker, see sailnet_tracker.h: what it is of this mission, a plan by the networks, and the command.
  */
-SAILNET_INLINE void sailnet_time_passes(sailnet_memory *memory, const sailnet_command *command)
+static const sailnet_problem sailnet_transfer = {
+    0.16892, /* beta */
+    1.0, /* target radius */
+    1.0, /* square */
+    0.0, /* linear */
+    0.0, /* across */
+    0.5000000000000001, /* bound cosine */
+    0.8660254037844386, /* bound sine */
+    -0.6495190528383292, /* edge radial */
+    -0.625, /* edge lateral */
+};
+
+/* Extremals that are computed in a guidance period at most. What has not converged then goes on in the next one. */
+#define SAILNET_EXTREMALS_PER_PERIOD 8
+
+/* The transfer of a vehicle of `beta`, as it was learnt: light pushes it along its surface by more than the mission's, or
+   less. */
+SAILNET_INLINE sailnet_problem sailnet_own_problem(const sailnet_memory *memory, double beta)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    memory->wait = sailnet_clamped(memory->wait - held, R(0.0), SAILNET_LARGEST_WAIT);
-    /* What came of something else says nothing. */
-    const sailnet_real behind =
-        held > R(0.0) ? (command->time_of_flight - memory->time_of_flight) + held : R(0.0);
-    const sailnet_real late = (memory->late - held * (R(1.0) / SAILNET_LATE_MEMORY) * memory->late) + behind;
-    memory->late = sailnet_limited(&late, SAILNET_OF_PERIOD);
+    sailnet_problem own = sailnet_transfer;
+    own.beta = beta;
+    sailnet_push_aside(&own, (double)sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL));
+    return own;
 }
 
-/*
- * The sign of the command. Where both are almost equally fast the sail keeps its side until that has cost more than a
- * reversal is worth. The other loses time at the rate 2 |f_t lambda_v|: the difference of the Hamiltonian. A sail that
- * is late has turned over in vain: after every other reversal it waits, for on both sides alike it would circle.
- */
-SAILNET_PART void sailnet_keep_side(sailnet_memory *memory, const sailnet_change *change, sailnet_command *command)
+/* The networks know the mission's optics alone: beta of such a sail that is as fast. */
+SAILNET_INLINE sailnet_real sailnet_for_networks(const sailnet_memory *memory, sailnet_real beta)
 {
-    const sailnet_real ratio = SAILNET_TARGET_R / memory->state.r;
-    const sailnet_real facing = ratio * change->cosine;
-    const sailnet_real share = (SAILNET_FORCE_SQUARE - SAILNET_FORCE_ACROSS) * change->cosine + SAILNET_FORCE_LINEAR;
-    const sailnet_real regret = memory->regret + R(2.0) * memory->held * memory->stake * facing * (ratio * share) *
-                                                     sailnet_size(change->sine);
-    memory->regret = sailnet_limited(&regret, SAILNET_OF_PERIOD);
-    memory->stake = -sailnet_size(command->lambda_v);
-    sailnet_time_passes(memory, command);
-    const sailnet_real step = sailnet_size(command->cone_angle - memory->cone_angle);
-    if ((command->cone_angle * memory->cone_angle < R(0.0)) && (step > SAILNET_REVERSAL)) {
-        if ((memory->regret < SAILNET_PATIENCE) || (memory->wait > R(0.0))) {
-            command->cone_angle = -command->cone_angle;
-            memory->stake = -memory->stake;
-        } else {
-            memory->wait = R(0.0);
-            if ((memory->late > SAILNET_LATE_TOLERATED) && (memory->waited <= R(0.0))) {
-                memory->wait = sailnet_clamped(SAILNET_WAIT * memory->late, R(0.0), SAILNET_LARGEST_WAIT);
-            }
-            memory->waited = memory->wait;
-            memory->regret = R(0.0);
-        }
-    }
+    const sailnet_real tangential = sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL);
+    const sailnet_real lost = tangential > R(0.0) ? SAILNET_TANGENTIAL_LOSS * tangential : R(0.0);
+    const sailnet_real asked = beta * (R(1.0) - lost);
+    return sailnet_limited(&asked, SAILNET_OF_BETA);
 }
 
-/*
- * Plans of homing: a few arcs of constant tilt from the Sun line, and one step of Newton's method towards one that ends
- * at the target.
- * A tilt is the cone angle.
- */
-
-/* What is corrected: the tilts of all arcs in each of the ways, and then their times. */
-#define SAILNET_TILTS (SAILNET_WAYS * SAILNET_ARCS)
-#define SAILNET_CORRECTIONS (SAILNET_TILTS + SAILNET_ARCS)
-
-/* States as numbers, in order; on the target; and what turns deviations from there into lengths and speeds. */
-#define SAILNET_COMPONENTS 3
-static const sailnet_real sailnet_home[SAILNET_COMPONENTS] = {SAILNET_TARGET_R, SAILNET_TARGET_U, SAILNET_TARGET_V};
-static const sailnet_real sailnet_lengths[SAILNET_COMPONENTS] = {R(1.0), R(1.0), R(1.0)};
-
-SAILNET_INLINE void sailnet_to_numbers(const sailnet_state *state, sailnet_real numbers[SAILNET_COMPONENTS])
+/* Whether the state is within the arrival tolerance of the target: 0, or SAILNET_THERE. */
+SAILNET_INLINE uint32_t sailnet_there(const sailnet_state *state)
 {
-    numbers[0] = state->r;
-    numbers[1] = state->u;
-    numbers[2] = state->v;
+    const sailnet_real known[3] = {state->r, state->u, state->v};
+    const int32_t components = 3;
+    uint32_t there = SAILNET_THERE;
+    for (int32_t i = 0; i < components; i++) {
+        const sailnet_real *const limit = sailnet_limits[SAILNET_OF_STATE + 3 * i + 2];
+        if (!((known[i] >= limit[0]) && (known[i] <= limit[1]))) {
+            there = 0u;
+        }
+    }
+    return there;
 }
 
-SAILNET_INLINE void sailnet_of_numbers(const sailnet_real numbers[SAILNET_COMPONENTS], sailnet_state *state)
+/* A state as the tracker has it. */
+SAILNET_PART void sailnet_to_tracker(const sailnet_state *state, double numbers[SAILNET_STATES])
 {
-    state->r = numbers[0];
-    state->u = numbers[1];
-    state->v = numbers[2];
+    numbers[0] = (double)state->r;
+    numbers[1] = (double)state->u;
+    numbers[2] = (double)state->v;
 }
 
-/* A state after so long [TU] under a tilt, in so many steps. */
-SAILNET_PART void sailnet_arc(const sailnet_memory *memory, const sailnet_real from[SAILNET_COMPONENTS],
-                              const sailnet_real tilt[SAILNET_WAYS], sailnet_real time, int32_t steps,
-                              sailnet_real to[SAILNET_COMPONENTS])
+sailnet_status sailnet_propose_plan(const sailnet_state *state, sailnet_real beta, sailnet_arrival *arrival)
 {
-    sailnet_memory sail;
-    sailnet_of_numbers(from, &sail.state);
-    sail.attitude = tilt[0];
-    sail.held = time / (sailnet_real)steps;
-    sail.beta = memory->beta;
-    sail.tangential = memory->tangential;
-    for (int32_t i = 0; i < steps; i++) {
-        sailnet_change change;
-        sailnet_predict(&sail, &change);
-        sail.state.r += change.by.r;
-        sail.state.u += change.by.u;
-        sail.state.v += change.by.v;
-    }
-    sailnet_to_numbers(&sail.state, to);
-}
-
-/* In which way the tilt of an arc is corrected, and how far it goes there: in the plane there is one. */
-SAILNET_PART void sailnet_ways(const sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
-                               sailnet_real size[SAILNET_WAYS])
-{
-    way[0][0] = R(1.0);
-    size[0] = tilt[0];
-}
-
-/*
- * How the plan ends, in arrival tolerances off the target: returned is what of it changes by each correction. All
- * differences are of small steps.
- */
-SAILNET_PART void sailnet_ends_off(const sailnet_memory *memory, const sailnet_state *known,
-                                   sailnet_real missed[SAILNET_COMPONENTS],
-                                   sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
-{
-    sailnet_real changes[SAILNET_ARCS][SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-    sailnet_real onward[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-    sailnet_real state[SAILNET_COMPONENTS];
-    sailnet_real end[SAILNET_COMPONENTS];
-    sailnet_real other[SAILNET_COMPONENTS];
-    sailnet_to_numbers(known, state);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const sailnet_real *const tilt = memory->arc_tilt[k];
-        const sailnet_real time = memory->arc_time[k];
-        sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, end);
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            const sailnet_real kept = state[i];
-            state[i] = kept + SAILNET_SMALL;
-            sailnet_arc(memory, state, tilt, time, SAILNET_SUBSTEPS, other);
-            state[i] = kept;
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                changes[k][j][i] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            }
-        }
-        sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
-        sailnet_real size[SAILNET_WAYS];
-        sailnet_ways(tilt, way, size);
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            sailnet_real beside[SAILNET_WAYS];
-            for (int32_t l = 0; l < SAILNET_WAYS; l++) {
-                beside[l] = tilt[l] + SAILNET_SMALL * way[i][l];
-            }
-            sailnet_arc(memory, state, beside, time, SAILNET_SUBSTEPS, other);
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                by[j][i * SAILNET_ARCS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            }
-        }
-        sailnet_arc(memory, end, tilt, SAILNET_SMALL, 1, other);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            by[j][SAILNET_TILTS + k] = (other[j] - end[j]) * (R(1.0) / SAILNET_SMALL);
-            state[j] = end[j];
-        }
-    }
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        missed[j] = (state[j] - sailnet_home[j]) * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            onward[j][i] = i == j ? R(1.0) : R(0.0);
-        }
-    }
-    for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
-        for (int32_t i = k; i < SAILNET_CORRECTIONS; i += SAILNET_ARCS) {
-            sailnet_real own[SAILNET_COMPONENTS];
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                own[j] = by[j][i];
-            }
-            for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                sailnet_real sum = R(0.0);
-                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
-                    sum += onward[j][l] * own[l];
-                }
-                by[j][i] = sum * (sailnet_lengths[j] * (R(1.0) / SAILNET_ARRIVAL_TOLERANCE));
-            }
-        }
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            sailnet_real row[SAILNET_COMPONENTS];
-            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-                row[i] = R(0.0);
-                for (int32_t l = 0; l < SAILNET_COMPONENTS; l++) {
-                    row[i] += onward[j][l] * changes[k][l][i];
-                }
-            }
-            for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-                onward[j][i] = row[i];
-            }
-        }
-    }
-}
-
-/* The largest of several sizes; a NaN if one is. */
-SAILNET_INLINE sailnet_real sailnet_largest(const sailnet_real of[SAILNET_COMPONENTS])
-{
-    sailnet_real largest = R(0.0);
-    for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-        const sailnet_real size = of[i] < R(0.0) ? -of[i] : of[i];
-        largest = ((size > largest) || (size != size)) ? size : largest;
-    }
-    return largest;
-}
-
-/* The solution of equations that are symmetric and positive: L D L^T by Cholesky, in place; of them the lower half counts. */
-SAILNET_PART void sailnet_solved(sailnet_real of[SAILNET_COMPONENTS][SAILNET_COMPONENTS],
-                                 sailnet_real right[SAILNET_COMPONENTS])
-{
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        const sailnet_real per = R(1.0) / of[j][j];
-        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
-            const sailnet_real share = of[i][j] * per;
-            for (int32_t l = i; l < SAILNET_COMPONENTS; l++) {
-                of[l][i] -= share * of[l][j];
-            }
-            right[i] -= share * right[j];
-        }
-        right[j] *= per;
-        for (int32_t i = j + 1; i < SAILNET_COMPONENTS; i++) {
-            of[i][j] *= per;
-        }
-    }
-    for (int32_t j = SAILNET_COMPONENTS - 1; j > 0; j--) {
-        for (int32_t i = 0; i < j; i++) {
-            right[i] -= of[j][i] * right[j];
-        }
-    }
-}
-
-/* What a step leaves of what was missed. */
-SAILNET_PART void sailnet_leaves(const sailnet_real missed[SAILNET_COMPONENTS],
-                                 sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS],
-                                 const sailnet_real step[SAILNET_CORRECTIONS], sailnet_real left[SAILNET_COMPONENTS])
-{
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        left[j] = missed[j];
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            left[j] += by[j][i] * step[i];
-        }
-    }
-}
-
-/* What is corrected, within its bounds. */
-SAILNET_INLINE sailnet_real sailnet_bounded(sailnet_real value, int32_t of)
-{
-    sailnet_real bounded = sailnet_clamped(value, -SAILNET_PHI_MAX, SAILNET_PHI_MAX);
-    if (of >= SAILNET_TILTS) {
-        bounded = sailnet_clamped(value, SAILNET_LEAST_ARC, SAILNET_HOMING_HORIZON);
-    }
-    return bounded;
-}
-
-/* The tilt of an arc that goes so far in each of its ways, within the bound. */
-SAILNET_PART void sailnet_tilted(sailnet_real tilt[SAILNET_WAYS], sailnet_real way[SAILNET_WAYS][SAILNET_WAYS],
-                                 const sailnet_real size[SAILNET_WAYS])
-{
-    tilt[0] = size[0] * way[0][0];
-}
-
-/*
- * One step of Newton's method, of least size where angles weigh as much as times; returned is what it leaves of what was
- * missed. What comes to a bound stays there. A plan that arrives is made shorter in all of its times, as far as the rest
- * can make up for that.
- */
-SAILNET_PART sailnet_real sailnet_improve(sailnet_memory *memory, const sailnet_real missed[SAILNET_COMPONENTS],
-                                          sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS])
-{
-    sailnet_real value[SAILNET_CORRECTIONS];
-    sailnet_real unit[SAILNET_CORRECTIONS];
-    sailnet_real weight[SAILNET_CORRECTIONS];
-    sailnet_real step[SAILNET_CORRECTIONS];
-    sailnet_real way[SAILNET_WAYS][SAILNET_WAYS];
-    sailnet_real size[SAILNET_WAYS];
-    const sailnet_real worst = sailnet_largest(missed);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const int32_t later = SAILNET_TILTS + k;
-        const sailnet_real there = memory->arc_time[k] > R(0.0) ? R(1.0) : R(0.0);
-        sailnet_ways(memory->arc_tilt[k], way, size);
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            const int32_t tilt = i * SAILNET_ARCS + k;
-            value[tilt] = size[i];
-            unit[tilt] = SAILNET_ANGLE_WEIGHT;
-            weight[tilt] = there * SAILNET_ANGLE_WEIGHT * SAILNET_ANGLE_WEIGHT;
-            step[tilt] = R(0.0);
-        }
-        value[later] = memory->arc_time[k];
-        unit[later] = SAILNET_HOMING_STEP;
-        weight[later] = there * SAILNET_HOMING_STEP * SAILNET_HOMING_STEP;
-        step[later] = R(0.0);
-        if ((there > R(0.0)) && (worst < R(0.3))) {
-            step[later] = sailnet_bounded(value[later] - R(0.05) * SAILNET_HOMING_STEP, later) - value[later];
-        }
-    }
-    sailnet_real left[SAILNET_COMPONENTS];
-    for (int32_t round = 0; round < 3; round++) {
-        sailnet_real square[SAILNET_COMPONENTS][SAILNET_COMPONENTS];
-        sailnet_real trace = R(0.0);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            for (int32_t l = 0; l <= j; l++) {
-                square[j][l] = R(0.0);
-                for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-                    square[j][l] += by[j][i] * weight[i] * by[l][i];
-                }
-            }
-            trace += square[j][j];
-        }
-        sailnet_leaves(missed, by, step, left);
-        for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-            square[j][j] += R(0.02) + R(1.52587890625e-05) * trace;
-        }
-        sailnet_solved(square, left);
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            if (weight[i] > R(0.0)) {
-                sailnet_real wanted = R(0.0);
-                for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-                    wanted -= by[j][i] * left[j];
-                }
-                wanted *= weight[i];
-                const sailnet_real taken = sailnet_clamped(wanted, -unit[i], unit[i]);
-                const sailnet_real free = value[i] + step[i] + taken;
-                const sailnet_real bounded = sailnet_bounded(free, i);
-                step[i] = bounded - value[i];
-                if ((bounded < free) || (bounded > free) || (taken < wanted) || (taken > wanted)) {
-                    weight[i] = R(0.0);
-                }
-            }
-        }
-    }
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        if (memory->arc_time[k] > R(0.0)) {
-            const int32_t later = SAILNET_TILTS + k;
-            /* For what rounding adds. */
-            memory->arc_time[k] = sailnet_bounded(value[later] + step[later], later);
-            sailnet_ways(memory->arc_tilt[k], way, size);
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                const int32_t tilt = i * SAILNET_ARCS + k;
-                size[i] = sailnet_bounded(value[tilt] + step[tilt], tilt);
-            }
-            sailnet_tilted(memory->arc_tilt[k], way, size);
-        }
-    }
-    sailnet_leaves(missed, by, step, left);
-    return sailnet_largest(left);
-}
-
-/*
- * The plan corrected: by how much it missed before that [arrival tolerances], and what is left of it. One that would miss
- * by too much for that to be told, or by what is no number, stays.
- */
-SAILNET_PART sailnet_real sailnet_correct(sailnet_memory *memory, const sailnet_state *known, sailnet_real *left)
-{
-    sailnet_real missed[SAILNET_COMPONENTS];
-    sailnet_real by[SAILNET_COMPONENTS][SAILNET_CORRECTIONS];
-    sailnet_ends_off(memory, known, missed, by);
-    sailnet_real worst = sailnet_largest(missed);
-    sailnet_real steepest = worst;
-    for (int32_t j = 0; j < SAILNET_COMPONENTS; j++) {
-        for (int32_t i = 0; i < SAILNET_CORRECTIONS; i++) {
-            const sailnet_real steep = by[j][i] < R(0.0) ? -by[j][i] : by[j][i];
-            steepest = ((steep > steepest) || (steep != steep)) ? steep : steepest;
-        }
-    }
-    if (steepest <= R(1000000.0)) {
-        *left = sailnet_improve(memory, missed, by);
-    } else {
-        *left = R(1000000.0);
-        worst = R(1000000.0);
-    }
-    return worst;
-}
-
-/*
- * Homing: the model flown ahead, so that what the networks would miss is not missed. A plan is a few arcs of constant
- * tilt, first as the networks would fly, then corrected each period by a step of Newton's method until it ends at
- * the target. While it does the networks steer; where it soon could no longer, or is sooner there, it is flown.
- */
-#define SAILNET_NO_PLAN 0u
-#define SAILNET_LOOKING 1u   /* the networks are flown ahead */
-#define SAILNET_CORRECTED 2u /* it does not end at the target yet */
-#define SAILNET_READY 3u     /* it does */
-#define SAILNET_FLOWN 4u
-
-/* How long the plan takes [TU]. */
-SAILNET_PART sailnet_real sailnet_planned(const sailnet_memory *memory)
-{
-    sailnet_real time = R(0.0);
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        time += memory->arc_time[k];
-    }
-    return time;
-}
-
-/* So much of the plan is over [TU]. Arcs that are few are halved: there is the more to correct. */
-SAILNET_PART void sailnet_pass(sailnet_memory *memory, sailnet_real time)
-{
-    sailnet_real rest = time;
-    for (int32_t arc = 0; arc < SAILNET_ARCS; arc++) {
-        const sailnet_real first = memory->arc_time[0];
-        const sailnet_real over = first < rest ? first : rest;
-        rest -= over;
-        memory->arc_time[0] = first - over;
-        if (memory->arc_time[0] <= R(0.0)) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                const sailnet_real tilt = memory->arc_tilt[0][i];
-                for (int32_t k = 1; k < SAILNET_ARCS; k++) {
-                    memory->arc_tilt[k - 1][i] = memory->arc_tilt[k][i];
-                }
-                memory->arc_tilt[SAILNET_ARCS - 1][i] = tilt;
-            }
-            for (int32_t k = 1; k < SAILNET_ARCS; k++) {
-                memory->arc_time[k - 1] = memory->arc_time[k];
-            }
-            memory->arc_time[SAILNET_ARCS - 1] = R(0.0);
-        }
-    }
-    sailnet_real far = R(0.0);
-    for (int32_t k = SAILNET_ARCS / 2; k < SAILNET_ARCS; k++) {
-        far += memory->arc_time[k];
-    }
-    if (far <= R(0.0)) {
-        for (int32_t k = SAILNET_ARCS - 1; k >= 0; k--) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                memory->arc_tilt[k][i] = memory->arc_tilt[k / 2][i];
-            }
-            memory->arc_time[k] = R(0.5) * memory->arc_time[k / 2];
-        }
-    }
-    if (sailnet_planned(memory) <= R(0.0)) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
-}
-
-/* The plan ends where it came nearest the target, and what was flown meanwhile is over. */
-SAILNET_PART void sailnet_end_nearest(sailnet_memory *memory)
-{
-    sailnet_real left = memory->nearest_time;
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        const sailnet_real time = memory->arc_time[k];
-        memory->arc_time[k] = sailnet_clamped(left, R(0.0), time);
-        left -= time;
-    }
-    memory->homing = SAILNET_CORRECTED;
-    sailnet_pass(memory, memory->looked);
-}
-
-/* The tilt of a command. */
-SAILNET_INLINE void sailnet_tilt_of(const sailnet_command *command, sailnet_real tilt[SAILNET_WAYS])
-{
-    tilt[0] = command->cone_angle;
-}
-
-/* The command of a tilt. */
-SAILNET_INLINE void sailnet_command_of(const sailnet_real tilt[SAILNET_WAYS], sailnet_command *command)
-{
-    command->cone_angle = tilt[0];
-}
-
-/* Fly the networks one step ahead, and remember it in the arc they are in: another where they turn over. */
-SAILNET_PART void sailnet_look(sailnet_memory *memory, sailnet_real plan)
-{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+#if SAILNET_PLANS
     sailnet_command command;
-    const sailnet_state state = memory->ahead;
-    const uint32_t seen = sailnet_law(&state, plan, &command);
-    const sailnet_real promised = command.time_of_flight;
-    const sailnet_real time = sailnet_clamped(promised, SAILNET_LEAST_ARC, SAILNET_HOMING_STEP);
-    const sailnet_real elapsed = sailnet_planned(memory);
-    uint32_t arc = memory->arc;
-    sailnet_real before = memory->arc_time[arc];
-    sailnet_real tilt[SAILNET_WAYS];
-    sailnet_tilt_of(&command, tilt);
-    sailnet_real alike = R(0.0);
-    for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-        alike += memory->arc_tilt[arc][i] * tilt[i];
+    if ((arrival != NULL) && ((sailnet_law(state, beta, &command) & ~SAILNET_THERE) != (uint32_t)SAILNET_INVALID_INPUT)) {
+        sailnet_direction(state, command.beta, arrival->direction);
+        arrival->time_to_go = (double)command.time_of_flight;
+        arrival->beta = (double)command.beta;
+        status = SAILNET_OK;
     }
-    if ((before > R(0.0)) && ((alike < R(0.0)) || (before >= SAILNET_LONGEST_ARC))) {
-        arc++;
-        before = R(0.0);
-    }
-    int32_t ends = 0;
-    if (promised <= SAILNET_HOMING_STEP) {
-        ends = 1;
-    }
-    if ((arc < (uint32_t)SAILNET_ARCS) && ((seen & ~SAILNET_THERE) < (uint32_t)SAILNET_OUTSIDE_DOMAIN) &&
-        (elapsed <= R(1.6) * memory->promised)) {
-        sailnet_real numbers[SAILNET_COMPONENTS];
-        const sailnet_real whole = before + time;
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            const sailnet_real mean = before > R(0.0) ? memory->arc_tilt[arc][i] : R(0.0);
-            memory->arc_tilt[arc][i] = (mean * before + tilt[i] * time) / whole;
-        }
-        memory->arc_time[arc] = whole;
-        memory->arc = arc;
-        sailnet_to_numbers(&state, numbers);
-        sailnet_arc(memory, numbers, tilt, time, 1, numbers);
-        sailnet_of_numbers(numbers, &memory->ahead);
-        for (int32_t i = 0; i < SAILNET_COMPONENTS; i++) {
-            numbers[i] = (numbers[i] - sailnet_home[i]) * sailnet_lengths[i];
-        }
-        const sailnet_real off = sailnet_largest(numbers);
-        if (off < memory->nearest) {
-            memory->nearest = off;
-            memory->nearest_time = elapsed + time;
-        }
-    } else {
-        ends = 1;
-    }
-    if (ends != 0) {
-        sailnet_end_nearest(memory);
-    }
+#else
+    (void)state;
+    (void)beta;
+    (void)arrival;
+#endif
+    return status;
 }
 
-/*
- * What becomes of a plan that is corrected. `fair` is the time to go without the reserve that the networks keep, which
- * costs time about in proportion.
- */
-SAILNET_PART void sailnet_judge(sailnet_memory *memory, const sailnet_state *known, sailnet_real promised,
-                                sailnet_real fair)
+/* Whether all numbers of what a plan commands are numbers, and no larger than SAILNET_OF_PLAN has it. */
+SAILNET_PART int32_t sailnet_are_numbers(const sailnet_planned *planned)
 {
-    sailnet_real left;
-    const sailnet_real missed = sailnet_correct(memory, known, &left);
-    const sailnet_real time = sailnet_planned(memory);
-    int32_t soon = 0;
-    int32_t given_up = 0;
-    if (time <= R(1.6) * promised + R(2.0) * SAILNET_HOMING_STEP) {
-        soon = 1;
-    }
-    if (memory->corrections <= 15u) {
-        memory->corrections++;
-    }
-    if ((memory->homing == SAILNET_CORRECTED) && (missed < R(0.3)) && (soon != 0)) {
-        memory->homing = SAILNET_READY;
-    }
-    if ((memory->homing == SAILNET_READY) && (soon != 0) && (time > R(0.6) * SAILNET_HOMING_STEP) &&
-        ((left > R(0.5)) || (time < fair - R(0.3) * SAILNET_HOMING_STEP))) {
-        memory->homing = SAILNET_FLOWN;
-    }
-    if (memory->homing == SAILNET_CORRECTED) {
-        if (memory->corrections > 15u) {
-            given_up = 1;
+    double numbers[sizeof(sailnet_planned) / sizeof(double)];
+    const double largest = (double)sailnet_limits[SAILNET_OF_PLAN][1];
+    int32_t are = 1;
+    (void)memcpy(numbers, planned, sizeof numbers);
+    for (uint32_t i = 0u; i < (sizeof numbers / sizeof numbers[0]); i++) {
+        if (!((numbers[i] >= -largest) && (numbers[i] <= largest))) {
+            are = 0;
         }
-    } else if (memory->homing == SAILNET_READY) {
-        given_up = 1 - soon;
-    } else if (left > R(1.0)) {
-        given_up = 1;
-    } else {
-        /* It is flown. */
     }
-    if (given_up != 0) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
+    return are;
 }
 
-/* The memory may have held any bits. */
-SAILNET_PART void sailnet_limit_plan(sailnet_memory *memory)
+/* The same as a number of the command: the clamp tells an analyser that it is one. */
+SAILNET_PART sailnet_real sailnet_of_plan(double number)
 {
-    if (memory->homing > SAILNET_FLOWN) {
-        memory->homing = SAILNET_NO_PLAN;
-    }
-    if (memory->arc >= (uint32_t)SAILNET_ARCS) {
-        memory->arc = 0u;
-    }
-    if (memory->corrections > 15u) {
-        memory->corrections = 15u + 1u;
-    }
-    for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            memory->arc_tilt[k][i] = sailnet_limited(&memory->arc_tilt[k][i], SAILNET_OF_CONE_ANGLE);
-        }
-        memory->arc_time[k] = sailnet_clamped(memory->arc_time[k], R(0.0), SAILNET_HOMING_HORIZON);
-    }
-    memory->looked = sailnet_clamped(memory->looked, R(0.0), SAILNET_HOMING_HORIZON);
-    memory->nearest_time = sailnet_clamped(memory->nearest_time, R(0.0), R(2.0) * SAILNET_HOMING_HORIZON);
+    const sailnet_real value = (sailnet_real)number;
+    return sailnet_limited(&value, SAILNET_OF_PLAN);
 }
 
-/*
- * Whether the plan is flown: then it is the command, and nobody is late, or waits. `plan` is the beta that the networks
- * read.
- */
-SAILNET_PART int32_t sailnet_homes(sailnet_memory *memory, const sailnet_state *known, sailnet_real plan,
-                                   sailnet_command *command)
+/* The command by the plan; 0 if there is none that passes through the state: then the networks' is to be flown. */
+SAILNET_PART int32_t sailnet_tracks(sailnet_memory *memory, const sailnet_state *known, sailnet_real beta,
+                                    sailnet_real estimated, sailnet_real hold, sailnet_command *command)
 {
-    const sailnet_real held = sailnet_limited(&memory->held, SAILNET_OF_PERIOD);
-    const sailnet_real promised = command->time_of_flight;
-    sailnet_limit_plan(memory);
-    if (memory->homing >= SAILNET_CORRECTED) {
-        sailnet_pass(memory, held);
-    } else if (memory->homing == SAILNET_LOOKING) {
-        memory->looked += held;
-    } else {
-        /* There is none. */
+    sailnet_tracker *const tracker = &memory->tracker;
+    sailnet_planned planned;
+    double state[SAILNET_STATES];
+    sailnet_to_tracker(known, state);
+    sailnet_time_passes(tracker, (double)memory->estimate.held);
+    const sailnet_problem own = sailnet_own_problem(memory, (double)beta);
+    sailnet_arrival arrival;
+    if ((sailnet_needs_proposal(tracker) != 0) &&
+        (sailnet_propose_plan(known, sailnet_for_networks(memory, beta), &arrival) == SAILNET_OK)) {
+        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go);
     }
-    if ((memory->homing == SAILNET_NO_PLAN) && (promised <= SAILNET_HOMING_HORIZON) && (promised > SAILNET_HOMING_STEP)) {
-        for (int32_t k = 0; k < SAILNET_ARCS; k++) {
-            for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-                memory->arc_tilt[k][i] = R(0.0);
-            }
-            memory->arc_time[k] = R(0.0);
-        }
-        memory->homing = SAILNET_LOOKING;
-        memory->ahead = *known;
-        memory->promised = promised;
-        memory->nearest = R(1000000000.0);
-        memory->nearest_time = R(0.0);
-        memory->looked = R(0.0);
-        memory->arc = 0u;
-        memory->corrections = 0u;
+    int32_t flown = sailnet_follow(&own, tracker, state, (double)estimated, (double)hold,
+                                   SAILNET_EXTREMALS_PER_PERIOD, &planned);
+    /* The memory may have held any bits. */
+    if ((flown != 0) && (sailnet_are_numbers(&planned) == 0)) {
+        flown = 0;
     }
-    for (int32_t i = 0; i < 2; i++) {
-        if (memory->homing == SAILNET_LOOKING) {
-            sailnet_look(memory, plan);
-        }
-    }
-    if ((memory->homing >= SAILNET_CORRECTED) &&
-        ((memory->homing != SAILNET_READY) || ((memory->periods % 2u) == 0u))) {
-        sailnet_judge(memory, known, promised, promised * plan / memory->beta);
-    }
-    int32_t flown = 0;
-    if (memory->homing == SAILNET_FLOWN) {
-        flown = 1;
-        for (int32_t i = 0; i < SAILNET_WAYS; i++) {
-            memory->arc_tilt[0][i] = sailnet_limited(&memory->arc_tilt[0][i], SAILNET_OF_CONE_ANGLE);
-        }
-        sailnet_command_of(memory->arc_tilt[0], command);
-        command->time_of_flight = sailnet_planned(memory);
-        memory->stake = R(0.0);
-        memory->regret = R(0.0);
-        memory->late = R(0.0);
-        memory->wait = R(0.0);
-        memory->waited = R(0.0);
+    if (flown != 0) {
+        const double unit = (double)beta / (sailnet_transfer.target_radius * sailnet_transfer.target_radius);
+        const sailnet_real along = sailnet_of_plan(planned.attitude.cosine);
+        const sailnet_real beside = sailnet_of_plan(planned.attitude.sine);
+        const sailnet_real size = sailnet_angle(&along, &beside);
+        command->hold = R(0.0);
+        command->beta = beta;
+        command->time_of_flight = sailnet_of_plan(planned.time_to_go);
+        command->lambda_v = sailnet_of_plan(unit * planned.costates[SAILNET_STATES - SAILNET_ACROSS]);
+        const sailnet_real angle = planned.attitude.across[0] < 0.0 ? -size : size;
+        command->cone_angle = sailnet_limited(&angle, SAILNET_OF_CONE_ANGLE);
     }
     return flown;
 }
@@ -1876,11 +3119,11 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
     if ((inside != 0) && (tau <= longest)) {
         *hold = sailnet_limited(&longest, SAILNET_OF_PERIOD);
         status = SAILNET_ARRIVED;
-    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->periods > 0u) &&
+    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->estimate.periods > 0u) &&
                (tau >= memory->time_of_flight)) {
         *hold = R(0.0);
         status = SAILNET_ARRIVED;
-    } else if (memory->unseen > R(0.0)) {
+    } else if (memory->estimate.unseen > R(0.0)) {
         status = SAILNET_RECKONED;
     } else if ((SAILNET_READS_BETA != 0) && (inside != 0) && (plan < SAILNET_BETA_MIN)) {
         status = SAILNET_AT_LIMIT;
@@ -1894,16 +3137,16 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
  * For how long to hold the last command: on the straight line of one predicted step, until the target is nearest. By
  * then the time of flight is below what the networks know it to.
  */
-SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_memory *memory)
+SAILNET_PART sailnet_real sailnet_until_nearest(const sailnet_estimate *estimate)
 {
     sailnet_change change;
-    sailnet_predict(memory, &change);
-    const sailnet_state *const from = &memory->state;
+    sailnet_predict(estimate, &change);
+    const sailnet_state *const from = &estimate->state;
     const sailnet_state *const by = &change.by;
     const sailnet_real forward =
         (SAILNET_TARGET_R - from->r) * by->r + (SAILNET_TARGET_U - from->u) * by->u + (SAILNET_TARGET_V - from->v) * by->v;
     const sailnet_real share = forward / (by->r * by->r + by->u * by->u + by->v * by->v);
-    return memory->held * sailnet_clamped(share, R(0.0), R(1.0));
+    return estimate->held * sailnet_clamped(share, R(0.0), R(1.0));
 }
 
 void sailnet_start(sailnet_memory *memory)
@@ -1911,48 +3154,49 @@ void sailnet_start(sailnet_memory *memory)
     if (memory != NULL) {
         /* Of a real, too, bits that are all 0 are 0. */
         (void)memset(memory, 0, sizeof *memory);
-        memory->beta = SAILNET_BETA;
+        memory->estimate.beta = SAILNET_BETA;
     }
 }
 
 /* The command by which a cone angle comes true. */
-SAILNET_PART sailnet_real sailnet_told(const sailnet_memory *memory, sailnet_real cone_angle)
+SAILNET_PART sailnet_real sailnet_told(const sailnet_estimate *estimate, sailnet_real cone_angle)
 {
-    const sailnet_real told = cone_angle - memory->offset;
+    const sailnet_real told = cone_angle - estimate->offset;
     return sailnet_limited(&told, SAILNET_OF_CONE_ANGLE);
 }
 
 void sailnet_measured(sailnet_memory *memory, sailnet_real cone_angle)
 {
     if ((memory != NULL) && (sailnet_is_finite(cone_angle) != 0)) {
-        const sailnet_real turn = cone_angle - memory->measured;
-        const sailnet_real askew = cone_angle - sailnet_told(memory, memory->cone_angle);
+        sailnet_estimate *const estimate = &memory->estimate;
+        const sailnet_real turn = cone_angle - estimate->measured;
+        const sailnet_real askew = cone_angle - sailnet_told(estimate, estimate->cone_angle);
         /* Farther off it lags. */
         if (askew * askew <= SAILNET_LARGEST_OFFSET * SAILNET_LARGEST_OFFSET) {
-            memory->offset += sailnet_weight(memory, SAILNET_SURPRISE_MEMORY) * (askew - memory->offset);
+            estimate->offset += sailnet_weight(estimate, SAILNET_SURPRISE_MEMORY) * (askew - estimate->offset);
         }
-        memory->measured = cone_angle;
-        memory->attitude = cone_angle;
+        estimate->measured = cone_angle;
+        estimate->attitude = cone_angle;
         /* A mean tells the force if the sail hardly turned. */
-        memory->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : memory->held;
+        estimate->slewing = (turn * turn <= SAILNET_SLEW_BLUR) ? R(0.0) : estimate->held;
     }
 }
 
 /* The state to steer by: the one shown, or where the sail must be; null if neither is known. */
-SAILNET_PART const sailnet_state *sailnet_known(sailnet_memory *memory, const sailnet_state *shown,
+SAILNET_PART const sailnet_state *sailnet_known(sailnet_estimate *estimate, const sailnet_state *shown,
                                                 sailnet_change *change)
 {
     const sailnet_state *known = NULL;
     if ((shown != NULL) && (sailnet_is_state(shown) != 0)) {
-        sailnet_learn(memory, shown, change);
-        memory->unseen = R(0.0);
+        sailnet_learn(estimate, shown, change);
+        estimate->unseen = R(0.0);
         known = shown;
     } else {
-        memory->unseen += memory->held;
-        change->by.r += memory->state.r;
-        change->by.u += memory->state.u;
-        change->by.v += memory->state.v;
-        if ((memory->held > R(0.0)) && (memory->unseen <= SAILNET_LONGEST_RECKONING) &&
+        estimate->unseen += estimate->held;
+        change->by.r += estimate->state.r;
+        change->by.u += estimate->state.u;
+        change->by.v += estimate->state.v;
+        if ((estimate->held > R(0.0)) && (estimate->unseen <= SAILNET_LONGEST_RECKONING) &&
             (sailnet_is_state(&change->by) != 0)) {
             known = &change->by;
         }
@@ -1967,66 +3211,150 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         (void)sailnet_law(NULL, SAILNET_BETA, command);
         return SAILNET_INVALID_INPUT;
     }
+    sailnet_estimate *const estimate = &memory->estimate;
     sailnet_change change;
     const sailnet_state *known = NULL;
     sailnet_real hold = R(0.0);
     /* The memory may have held any bits. */
-    memory->cone_angle = sailnet_limited(&memory->cone_angle, SAILNET_OF_CONE_ANGLE);
-    memory->attitude = sailnet_limited(&memory->attitude, SAILNET_OF_ATTITUDE);
-    memory->offset = sailnet_limited(&memory->offset, SAILNET_OF_OFFSET);
+    estimate->cone_angle = sailnet_limited(&estimate->cone_angle, SAILNET_OF_CONE_ANGLE);
+    estimate->attitude = sailnet_limited(&estimate->attitude, SAILNET_OF_ATTITUDE);
+    estimate->offset = sailnet_limited(&estimate->offset, SAILNET_OF_OFFSET);
     /* Without a period, and a NaN is none, nothing is known. */
     if ((period > R(0.0)) && (period <= SAILNET_LARGEST_PERIOD)) {
         /* It is within: the clamp tells so to an analyser. */
         hold = sailnet_clamped(period, R(0.0), SAILNET_LARGEST_PERIOD);
-        sailnet_predict(memory, &change);
-        known = sailnet_known(memory, state, &change);
+        sailnet_predict(estimate, &change);
+        known = sailnet_known(estimate, state, &change);
     }
-    memory->beta = sailnet_limited(&memory->beta, SAILNET_OF_BETA);
-    memory->tangential = sailnet_limited(&memory->tangential, SAILNET_OF_TANGENTIAL);
-    memory->variance = sailnet_limited(&memory->variance, SAILNET_OF_SHARE);
-    memory->slow = sailnet_limited(&memory->slow, SAILNET_OF_SHARE);
-    const sailnet_real lost = memory->tangential > R(0.0) ? SAILNET_RESERVE_TANGENTIAL * memory->tangential : R(0.0);
-    sailnet_real share = R(1.0) - lost;
+    estimate->beta = sailnet_limited(&estimate->beta, SAILNET_OF_BETA);
+    estimate->tangential = sailnet_limited(&estimate->tangential, SAILNET_OF_TANGENTIAL);
+    estimate->variance = sailnet_limited(&estimate->variance, SAILNET_OF_SHARE);
+    estimate->autocovariance = sailnet_limited(&estimate->autocovariance, SAILNET_OF_SHARE);
+    sailnet_real own = estimate->beta;
 #if SAILNET_AGES
     if (known != NULL) {
-        share *= sailnet_aged(memory, known);
+        own *= sailnet_aged(estimate, memory->time_of_flight, known);
     }
 #endif
-    const sailnet_real plan = memory->beta * share * (R(1.0) - sailnet_reserve(memory, hold));
-    uint32_t seen = sailnet_law(known, sailnet_limited(&plan, SAILNET_OF_BETA), command);
-    command->beta = memory->beta;
+    const sailnet_real plan = own * (R(1.0) - sailnet_reserve(estimate, &memory->time_of_flight, hold));
+    const sailnet_real beta = sailnet_limited(&plan, SAILNET_OF_BETA);
+    const sailnet_real estimated = sailnet_limited(&own, SAILNET_OF_BETA);
+    uint32_t seen = 0u;
+    if ((known == NULL) || (sailnet_tracks(memory, known, beta, estimated, hold, command) == 0)) {
+        seen = sailnet_law(known, sailnet_for_networks(memory, beta), command);
+        memory->source = (uint32_t)SAILNET_FROM_NETWORKS;
+    } else {
+        seen = sailnet_there(known);
+        memory->source = (uint32_t)SAILNET_FROM_PLAN;
+    }
+    command->beta = estimate->beta;
     sailnet_status status = SAILNET_INVALID_INPUT;
     if (known == NULL) {
         /* What was learnt stays, but the next state is not what came of the last command. */
-        memory->held = R(0.0);
-        memory->homing = SAILNET_NO_PLAN;
+        estimate->held = R(0.0);
+        memory->source = (uint32_t)SAILNET_FROM_NOTHING;
     } else {
-        if (sailnet_homes(memory, known, sailnet_limited(&plan, SAILNET_OF_BETA), command) != 0) {
-            /* Where the model knows the way it is not for the networks to say whether they know it. */
-            seen &= SAILNET_THERE;
-        } else {
-            sailnet_keep_side(memory, &change, command);
-        }
         status = sailnet_ends(memory, seen, plan, command, &hold);
-        if (memory->periods > 0u) {
-            const sailnet_real left = memory->slewing - memory->held;
-            const sailnet_real turn = sailnet_size(command->cone_angle - memory->cone_angle);
-            memory->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
+        const sailnet_real turn = sailnet_size(command->cone_angle - estimate->cone_angle);
+        if (estimate->periods > 0u) {
+            const sailnet_real left = estimate->slewing - estimate->held;
+            estimate->slewing = sailnet_limited(&left, SAILNET_OF_PERIOD) + turn * (R(1.0) / SAILNET_SLEW_RATE);
         }
-        memory->state = *known;
-        memory->cone_angle = command->cone_angle;
-        command->cone_angle = sailnet_told(memory, command->cone_angle);
-        memory->attitude = command->cone_angle + memory->offset;
-        memory->held = hold;
+        estimate->state = *known;
+        estimate->cone_angle = command->cone_angle;
+        command->cone_angle = sailnet_told(estimate, command->cone_angle);
+        estimate->attitude = command->cone_angle + estimate->offset;
+        estimate->held = hold;
         if ((status == SAILNET_ARRIVED) && (hold > R(0.0))) {
-            hold = sailnet_until_nearest(memory);
-            memory->held = hold;
+            hold = sailnet_until_nearest(estimate);
+            estimate->held = hold;
         }
         memory->time_of_flight = command->time_of_flight;
-        if (memory->periods < UINT32_MAX) {
-            memory->periods++;
+        if (estimate->periods < UINT32_MAX) {
+            estimate->periods++;
         }
     }
     command->hold = hold;
     return status;
+}
+
+/* What is saved over a reboot, and the report of the plan. */
+
+/* A checksum of all that is before it: CRC-32 of IEEE 802.3, bit by bit. */
+SAILNET_PART uint32_t sailnet_checksum(const sailnet_memory *memory)
+{
+    const unsigned char *const bytes = (const unsigned char *)memory;
+    uint32_t remainder = UINT32_MAX;
+    for (uint32_t i = 0u; i < (uint32_t)offsetof(sailnet_memory, checksum); i++) {
+        remainder ^= bytes[i];
+        for (int32_t bit = 0; bit < 8; bit++) {
+            remainder = (remainder >> 1) ^ (((remainder & 1u) != 0u) ? 0xEDB88320u : 0u);
+        }
+    }
+    return ~remainder;
+}
+
+void sailnet_seal(sailnet_memory *memory)
+{
+    if (memory != NULL) {
+        memory->version = (uint32_t)SAILNET_API_VERSION;
+        memory->checksum = sailnet_checksum(memory);
+    }
+}
+
+sailnet_status sailnet_restore(sailnet_memory *memory)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if (memory != NULL) {
+        if ((memory->version == (uint32_t)SAILNET_API_VERSION) && (memory->checksum == sailnet_checksum(memory))) {
+            status = SAILNET_OK;
+        } else {
+            sailnet_start(memory);
+        }
+    }
+    return status;
+}
+
+/* Whether a text is the digest of this mission. */
+SAILNET_PART int32_t sailnet_is_mission(const char *digest)
+{
+    static const char own[] = SAILNET_MISSION_DIGEST;
+    int32_t same = 1;
+    for (uint32_t i = 0u; (same != 0) && (i < sizeof own); i++) {
+        same = digest[i] == own[i] ? 1 : 0;
+    }
+    return same;
+}
+
+sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_digest, const sailnet_state *state,
+                                   const sailnet_arrival *plan)
+{
+    sailnet_status status = SAILNET_INVALID_INPUT;
+    if ((memory != NULL) && (mission_digest != NULL) && (state != NULL) && (plan != NULL) &&
+        (sailnet_is_mission(mission_digest) != 0) && (sailnet_is_state(state) != 0) &&
+        (plan->beta >= (double)SAILNET_BETA_MIN) && (plan->beta <= (double)SAILNET_BETA_MAX)) {
+        double numbers[SAILNET_STATES];
+        const sailnet_problem own = sailnet_own_problem(memory, plan->beta);
+        sailnet_to_tracker(state, numbers);
+        if (sailnet_take_plan(&own, &memory->tracker, numbers, plan->direction, plan->time_to_go) !=
+            0) {
+            status = SAILNET_OK;
+        }
+    }
+    return status;
+}
+
+void sailnet_report_plan(const sailnet_memory *memory, sailnet_plan_report *report)
+{
+    if ((memory != NULL) && (report != NULL)) {
+        const sailnet_tracker *const tracker = &memory->tracker;
+        (void)memset(report, 0, sizeof *report);
+        (void)memcpy(report->direction, tracker->plan.direction, sizeof report->direction);
+        report->time_to_go = tracker->plan.time_to_go;
+        report->beta = tracker->plan.beta;
+        report->residual = tracker->plan.residual;
+        report->extremals = tracker->computed;
+        report->planned = tracker->planned;
+        report->source = memory->source;
+    }
 }
