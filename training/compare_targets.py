@@ -7,6 +7,7 @@ they lead to on the same test trajectories.
 """
 
 import argparse
+import math
 import sys
 from functools import partial
 from pathlib import Path
@@ -26,8 +27,13 @@ from sailnet.workers.interruption import run_command
 from training.judged import NEAR_ARRIVAL
 from training.layers import augment, forward
 from training.samples import SampleSet, load_samples
-from training.targets import TARGETS, Target, command_error, cone_direction
+from training.targets import TARGETS, Target, command_error
 from training.train import epochs, problems, start
+
+
+def cone_direction(lambda_u: Array, lambda_v: Array) -> Array:
+    """|chi| [rad]: angle of (-3 lambda_u, sqrt(8) lambda_v), on which |alpha| alone depends."""
+    return np.arctan2(math.sqrt(8.0) * np.abs(lambda_v), -3.0 * lambda_u)
 
 
 def candidates(problem: Transfer) -> list[Target]:

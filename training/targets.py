@@ -1,6 +1,5 @@
 """What the networks learn: inputs, target and how the cone angle's size is read from the output."""
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -21,10 +20,12 @@ from sailnet.networks.guidance_networks import (
     SIGN_SCALE,
     STATE_INPUTS,
 )
+from sailnet.networks.plan_networks import ARRIVAL_NAMES, factors_of_arrival
 from sailnet.physics.arrays import Array
 from sailnet.physics.geometry import geometry_of
 from sailnet.physics.jumps import cone_angle_size
 from sailnet.physics.transfer import Transfer
+from training.arrival_targets import arrival_columns, arrival_component, arrival_definition
 
 Columns = Mapping[str, Array]
 
@@ -47,7 +48,7 @@ class Target:
     Attributes:
         name: file name of the network.
         inputs: what it reads: columns of the data set, ``INTEGRALS`` and approach coordinates.
-        columns: columns of the data set its target is computed from.
+        columns: columns of the data set, of its samples or trajectories, that its target is computed from.
         value: the target from those columns.
         definition: the target in words, as stored in the network's provenance.
         size: |alpha| [rad] from the network's output and phi_max, or None if it is no command.
@@ -98,6 +99,8 @@ class Target:
         """The mission's recipe for networks of this form."""
         own = (APPROACH_INPUTS, APPROACH_INPUTS_IN_SPACE)
         recipe = training.wide if self.inputs in own else training.paper
+        if self.name in ARRIVAL_NAMES[5]:
+            return recipe.of_plan
         return recipe if self.name == "tau" else recipe.of_command
 
 
@@ -207,13 +210,29 @@ _SPACE = (
 )
 
 
+def _arrival(components: int, inputs: tuple[str, ...]) -> tuple[Target, ...]:
+    """The networks of the arrival costates' direction."""
+    columns, factors = arrival_columns(components), factors_of_arrival(components)
+    return tuple(
+        Target(
+            name,
+            inputs,
+            columns,
+            arrival_component(row, components),
+            arrival_definition(row, components),
+            factors=factors[row],
+        )
+        for row, name in enumerate(ARRIVAL_NAMES[components])
+    )
+
+
 def _named(targets: tuple[Target, ...]) -> Mapping[str, Target]:
     return {target.name: target for target in targets}
 
 
 TARGETS: Mapping[str, Mapping[str, Target]] = {
-    "wide": _named(_WIDE),
-    "wide in space": _named(_SPACE),
+    "wide": _named((*_WIDE, *_arrival(3, APPROACH_INPUTS))),
+    "wide in space": _named((*_SPACE, *_arrival(5, APPROACH_INPUTS_IN_SPACE))),
     "domain": _named(_PAPER),
     "box": _named(_PAPER),
 }
@@ -227,8 +246,3 @@ def command_error(target: Target, output: Array, alpha: Array, phi_max: float) -
     """
     assert target.size is not None
     return (target.size(output, phi_max) - np.abs(alpha)) / (2.0 * phi_max)
-
-
-def cone_direction(lambda_u: Array, lambda_v: Array) -> Array:
-    """|chi| [rad]: angle of (-3 lambda_u, sqrt(8) lambda_v), on which |alpha| alone depends."""
-    return np.arctan2(math.sqrt(8.0) * np.abs(lambda_v), -3.0 * lambda_u)

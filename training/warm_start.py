@@ -1,7 +1,8 @@
 """Where training begins: with random weights, or with the networks of another mission, that ship.
 
 In approach coordinates the laws of all missions are alike, so that another's is learnt anew in a third of the
-steps, and without the plateau on which |alpha| stays for up to a hundred of them (TRIED.md).
+steps, and without the plateau on which |alpha| stays for up to a hundred of them
+(docs/notebook/training-algorithm.md).
 """
 
 import numpy as np

@@ -40,7 +40,7 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Dataset]:
         "beta": mission.sail.beta * np.broadcast_to(1.0 + rng.uniform(-0.1, 0.1, (TRAJECTORIES, 1)), r.shape),
     }
     zeros = np.zeros(TRAJECTORIES)
-    trajectories = dict.fromkeys(("lambda_r0", "lambda_u0", "lambda_v0", "jump_time"), zeros)
+    trajectories = dict.fromkeys(("lambda_r0", "lambda_v0", "jump_time"), zeros) | {"lambda_u0": out[:, 0]}
     block = Block(
         {name: column.ravel() for name, column in samples.items()},
         {**trajectories, "flags": MARKED * CROSSING_FLAG + 1},
@@ -60,7 +60,10 @@ def test_they_are_known_by_their_flag(data: Dataset) -> None:
     np.testing.assert_array_equal(crossings(data), MARKED)
 
 
-@pytest.mark.parametrize(("name", "learns"), [("tau", False), ("alpha_pre", False), ("lambda_v", True)])
+@pytest.mark.parametrize(
+    ("name", "learns"),
+    [("tau", False), ("alpha_pre", False), ("lambda_v", True), ("arrival_lambda_u", False)],
+)
 def test_the_side_alone_is_learnt_there(data: Dataset, name: str, learns: bool) -> None:
     samples = of(data, name)
     parts = split_trajectories(np.arange(TRAJECTORIES), SEED)
@@ -75,10 +78,10 @@ def test_all_have_the_same_ranges(data: Dataset) -> None:
     """Else they could not be exported together."""
     ranges = [
         np.concatenate([found.input_min, found.input_max, found.state_min, found.state_max])
-        for found in (of(data, name) for name in ("tau", "alpha_pre", "lambda_v"))
+        for found in (of(data, name) for name in ("tau", "alpha_pre", "lambda_v", "arrival_lambda_u"))
     ]
-    np.testing.assert_array_equal(ranges[0], ranges[2])
-    np.testing.assert_array_equal(ranges[1], ranges[2])
+    for others in ranges[1:]:
+        np.testing.assert_array_equal(others, ranges[0])
 
 
 def test_where_not_all_have_learnt_is_outside(data: Dataset) -> None:

@@ -43,7 +43,7 @@ def dataset(mission: Mission, tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def folder(mission: Mission, dataset: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     into = tmp_path_factory.mktemp("networks")
-    networks = train_networks(dataset, mission, "wide in space", list(SPACE), into, workers=2, quiet=True)
+    networks = train_networks(dataset, mission, "wide in space", NAMES, into, workers=2, quiet=True)
     ensure_domain(networks, dataset, into)
     return into
 

@@ -7,9 +7,11 @@ from sailnet.errors import MissionError, NetworkError
 from sailnet.guidance.backends import exported_folder, missions_with_networks
 from sailnet.mission.derived import BEGUN_WITH
 from sailnet.mission.mission import load_mission, parse_mission
-from sailnet.mission.recipes import CommandRecipe, TrainingRecipe
+from sailnet.mission.recipes import PLAN_EPOCHS, PLAN_SAMPLES, CommandRecipe, TrainingRecipe
 from sailnet.mission.sizes import sized
+from sailnet.networks.guidance_networks import NAMES
 from sailnet.networks.network import Network, load_network
+from sailnet.networks.plan_networks import ARRIVAL_NAMES
 from training.judged import network_of
 from training.layers import Layers
 from training.samples import Part, SampleSet
@@ -17,6 +19,7 @@ from training.targets import TARGETS, Target
 from training.warm_start import OWN, begins_with, first_parameters
 
 MARS = load_mission("earth_mars")
+GUIDANCE = tuple(TARGETS["wide"][name] for name in NAMES)
 RECIPE = MARS.training.wide.model_copy(update={"start": "earth_mars"})
 NOTHING = Part(*np.empty((4, 0)))
 
@@ -38,7 +41,7 @@ def begun(target: Target, given: SampleSet, recipe: TrainingRecipe = RECIPE) -> 
 
 
 @pytest.mark.parametrize("kind", ["wide", "wide in space"])
-@pytest.mark.parametrize("name", ["tau", "alpha_pre", "lambda_v"])
+@pytest.mark.parametrize("name", NAMES)
 def test_it_is_the_same_function_of_the_inputs_that_both_have(kind: str, name: str) -> None:
     target = TARGETS[kind][name]
     source, given = load_network(exported_folder(MARS) / f"{name}.safetensors"), samples(target)
@@ -64,7 +67,7 @@ def test_a_command_of_another_size_begins_with_random_weights() -> None:
     wide = RECIPE.model_copy(update={"command": CommandRecipe.model_validate(more)})
     own = MARS.training.model_copy(update={"wide": wide})
     assert own.wide.command is not None
-    for target in TARGETS["wide"].values():
+    for target in GUIDANCE:
         recipe, of_time = target.recipe(own), target.name == "tau"
         assert (recipe.command is None) is not of_time
         assert recipe.hidden == (own.wide.hidden if of_time else own.wide.command.hidden)
@@ -116,7 +119,7 @@ def test_missions_of_ones_own_begin_with_the_nearest_that_ships() -> None:
         own = parse_mission({"sail": sail, "transfer": {"target_radius": target}}, "own")
         assert own.training.wide.start == f"earth_{name}"
         quick = sized(own, "quick").training
-        for network in TARGETS["wide"].values():
+        for network in GUIDANCE:
             assert f"earth_{name}, SHA-256" in begins_with(network, network.recipe(quick))
 
 
@@ -135,3 +138,18 @@ def test_a_file_that_says_how_to_train_begins_as_it_says() -> None:
     for wrong in (3, 3.0, True, "wide"):
         with pytest.raises(MissionError, match="training"):
             parse_mission({**content, "training": wrong}, "own")
+
+
+def test_networks_of_the_arrival_costates_begin_with_random_weights_and_learn_less() -> None:
+    more = {"epochs": 300, "command": CommandRecipe(hidden=(32,), train_samples=600_000, curvature_samples=9)}
+    training = MARS.training.model_copy(update={"wide": RECIPE.model_copy(update=more)})
+    for kind, components in (("wide", 3), ("wide in space", 5)):
+        for name in ARRIVAL_NAMES[components]:
+            target = TARGETS[kind][name]
+            recipe = target.recipe(training)
+            assert begins_with(target, recipe) == "random weights"
+            assert (recipe.epochs, recipe.train_samples) == (PLAN_EPOCHS, PLAN_SAMPLES)
+            assert (recipe.hidden, recipe.command) == (RECIPE.hidden, None)
+    few = RECIPE.model_copy(update={"epochs": 3, "train_samples": 500})
+    toy = target.recipe(training.model_copy(update={"wide": few}))
+    assert (toy.epochs, toy.train_samples) == (3, 500)
