@@ -44,7 +44,7 @@ fly_campaign = $(SAILNET) evaluate --overwrite --mission $(MISSION) --workers 2 
 # Where the tables of campaigns stand: those of other missions beside their networks.
 campaign_tables := $(if $(filter earth_mars,$(NAME)),sailnet/campaign,sailnet/shipped/$(NAME))/RESULTS.md
 
-.PHONY: all paper papers setup dataset coverage train export evaluate accept campaigns others missions bench benchmarks bad-days report ship quick test test-tools tools peers docs mutation evidence checks lint clean
+.PHONY: all paper papers setup dataset coverage train released export evaluate accept campaigns others missions bench benchmarks bad-days report ship quick test test-tools tools peers docs mutation evidence checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -88,6 +88,11 @@ $(networks)/trained: $(learned) $(mission) $(wildcard sailnet/networks/*.py trai
 	    $(if $(filter wide,$(RECIPE)),--size $(SIZE)) $(addprefix --seed ,$(SEED_OF_TRAINING)) --resume --overwrite
 	@touch $@
 
+# The released networks in place of trained ones: `make released ship` flies them again after a change of the law.
+released: $(learned)
+	mkdir -p $(networks) && cp sailnet/shipped/$(NAME)/*.safetensors $(networks)
+	@touch $(networks)/trained
+
 # The paper compares with guidance by two networks: it needs the one for the signed cone angle.
 export: $(exported)/exported
 $(exported)/exported: $(networks)/trained $(exporter) | $(READY)
@@ -105,12 +110,12 @@ accept: $(exported)/exported
 	$(SAILNET) accept $(exported) --mission $(MISSION) \
 	    --flights $(FLIGHTS) --seed $(SEED) --workers 2 --output $(run) --overwrite $(if $(RESTART),--restart)
 
-# The same networks without the law's memory of side, reserve and reckoning, for comparison.
+# The same networks without plan, thrust margin, tangential force and dead reckoning, for comparison.
 $(plain)/exported: $(wildcard sailnet/shipped/$(NAME)/*.safetensors) $(exporter) sailnet/guidance/rules.py | $(READY)
 	$(SAILNET) export sailnet/shipped/$(NAME) $(plain) --mission $(MISSION) --plain-law --overwrite
 	@touch $@
 
-# And told that the sail ages, for the campaign of such.
+# And with the knowledge that the sail ages, for the campaign of such.
 $(told)/exported: $(wildcard sailnet/shipped/$(MISSION)/*.safetensors) $(exporter) sailnet/guidance/rules.py | $(READY)
 	$(PYTHON) -m export sailnet/shipped/$(MISSION) $(told) --mission $(MISSION) --degradation 0.1 --overwrite
 	@touch $@
@@ -130,7 +135,7 @@ campaigns: $(plain)/exported $(told)/exported | $(READY)
 
 # The campaign `law` by other guidances, fewer flights, and the table of them beside the networks'.
 others: | $(READY)
-	for way in tracker:1000 look-ahead:1000 look-ahead-without-reserve:1000 expert:200 expert-without-reserve:200; do \
+	for way in expert:200 expert-without-reserve:200; do \
 	    $(fly_campaign) law --guidance $${way%:*} --flights $${way#*:} --output $(BUILD)/campaigns || exit 1; \
 	done
 	$(PYTHON) -m sailnet.campaign.upper_bound $(BUILD)/campaigns sailnet/campaign/RESULTS.md

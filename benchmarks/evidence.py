@@ -2,10 +2,12 @@
 
 Every block between ``<!-- name -->`` marks, and every text that a command writes whole, is declared in
 ``evidence.toml`` with the sources that its figures depend on. A block names its revision. It is stale when
-one of these sources has changed since, unless it is exempt with a reason, until a date. Needs git.
+the code of one of these sources has changed since, comments apart, unless it is exempt with a reason, until a
+date. Needs git.
 """
 
 import argparse
+import ast
 import json
 import re
 import subprocess
@@ -153,10 +155,48 @@ def _examined(
     paths = [path for group in one["sources"] for path in declared["sources"][group]]
     paths = [path.replace("{mission}", _mission(file, block)) for path in paths]
     for revision in {revision for revision, _ in named}:
-        if changed := git(root, "diff", "--name-only", revision, "--", *paths).splitlines():
+        differing = git(root, "diff", "--name-only", revision, "--", *paths).splitlines()
+        if changed := [name for name in differing if not _is_same_code(root, revision, name)]:
             more = f" and {len(changed) - 1} more" if len(changed) > 1 else ""
             return is_("stale", f"{changed[0]}{more} changed since {revision}")
     return is_("fresh")
+
+
+def _is_same_code(root: Path, revision: str, name: str) -> bool:
+    """Whether a file differs from that of a revision by comments, docstrings and layout alone."""
+    if not (root / name).is_file() or not git(root, "ls-tree", revision, "--", name):
+        return False
+    if not name.endswith((".py", ".c", ".h", ".inc")):
+        return False
+    before, now = git(root, "show", f"{revision}:{name}"), (root / name).read_text("utf-8")
+    return code_of(name, before) == code_of(name, now)
+
+
+def code_of(name: str, text: str) -> str:
+    """What decides figures in a source of Python or C: all but comments, docstrings and layout.
+
+    Args:
+        name: of the file, which tells the language.
+        text: its content.
+    """
+    if not name.endswith(".py"):
+        # A comment within a string of C would be taken for one: none of ours has one.
+        return " ".join(re.sub(r"/\*.*?\*/|//[^\n]*", " ", text, flags=re.S).split())
+    tree = ast.parse(text)
+    for node in ast.walk(tree):
+        body = getattr(node, "body", None)
+        if isinstance(body, list):
+            node.body = [line for line in body if not _is_text(line)]  # type: ignore[attr-defined]
+    return ast.dump(tree)
+
+
+def _is_text(line: ast.AST) -> bool:
+    """A docstring, or what stands below a constant and tells its meaning."""
+    return (
+        isinstance(line, ast.Expr)
+        and isinstance(line.value, ast.Constant)
+        and isinstance(line.value.value, str)
+    )
 
 
 def _mission(file: str, block: str) -> str:

@@ -166,7 +166,7 @@ def line_by_line(flown: list[tuple[Own, dict[str, Any]]], failed: list[Own]) -> 
             ]
         )
     told = f"Of {flown[0][1]['scores'][0]['flights']:,} flights each: {', '.join(series)}."
-    heads = ["mission", "do not arrive", "mean time above own optimum [%]", "reversals, 99 %"]
+    heads = ["mission", "failed", "mean excess over the optimum [%]", "attitude reversals, 99 %"]
     return [told, "", *Table("", [*heads, "optimum unknown", "all [s]"], rows).markdown()]
 
 

@@ -1,7 +1,9 @@
 """``python -m benchmarks.spoiled_trainings``: whether the choice of networks refuses spoiled trainings.
 
-One has wrong labels in a corner of the states, |alpha| = 0 where the vehicle starts fast; another stops after
-20 steps. Each is given to ``sailnet select``, which has to end with its status for a missed criterion.
+One has wrong labels in a corner of the states: |alpha| = 0 where the vehicle starts fast, and on the
+trajectories through it arrival costates of the opposite direction: there neither the networks' command nor
+their first plan is right. Another stops after 20 steps. Each is given to ``sailnet select``, which has to end
+with its status for a missed criterion.
 """
 
 import argparse
@@ -19,13 +21,14 @@ from sailnet.errors import SailnetError
 from sailnet.mission.acceptance import Selection
 from sailnet.mission.mission import Mission, load_mission
 from sailnet.mission.written import whole_text
+from training.arrival_targets import arrival_columns
 
 CORNER = 1.06, 1.12
 """Largest r [AU] and smallest v [AU/TU] of the states whose labels are wrong."""
 
 
 def with_wrong_labels(dataset: Path, output: Path) -> int:
-    """Write a copy of a data set of the plane with the sail facing the Sun in ``CORNER``.
+    """Write a copy of a data set of the plane that is wrong in ``CORNER``, see this module.
 
     Returns:
         How many samples have a wrong label.
@@ -39,6 +42,9 @@ def with_wrong_labels(dataset: Path, output: Path) -> int:
         wrong = (samples["r"] < CORNER[0]) & (samples["v"] > CORNER[1])
         for name in ("alpha", "alpha_pre"):
             samples[name][wrong] = 0.0
+        through = np.logical_or.reduceat(wrong, data.first_sample[:-1])
+        for name in arrival_columns(3):
+            trajectories[name][through] *= -1.0
         block = Block(samples, trajectories, lengths)
         write_dataset(output, data.mission, iter([block]), data.provenance)
     return int(wrong.sum())

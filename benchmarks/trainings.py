@@ -1,122 +1,105 @@
-"""``python -m benchmarks.trainings``: how much flights depend on the training, its seed and its damping.
+"""``python -m benchmarks.trainings``: how much flights depend on the training, by its seed.
 
-Trains the wide networks of a mission from several seeds, each with several settings of Levenberg-Marquardt's
-damping, and flies every training from the development starts of ``sailnet select``. What is finished is kept.
+Trains the networks of a mission from several seeds and flies each training from the same starts, and networks
+that are given beside them; where these have none of plans, those are the first seed's, whose inputs are then
+scaled by the ranges of the given ones. Finished work is kept.
 """
 
 import argparse
-import json
 import os
+import shutil
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
-import torch
-
+from benchmarks.flown_tables import CELLS, add_options, cells_of, fly, mission_of, origin
 from export.write import export
-from sailnet.artefacts.files import fill_block, write_text
-from sailnet.artefacts.provenance import software
-from sailnet.campaign.results import open_results
-from sailnet.campaign.scores import Score, scores_of
-from sailnet.campaign.selection import DEVELOPMENT, fly_candidate
-from sailnet.campaign.tables import Table, percent
+from sailnet.artefacts.files import fill_block
+from sailnet.campaign.scores import Score
+from sailnet.campaign.selection import DEVELOPMENT
+from sailnet.campaign.tables import Table
 from sailnet.errors import SailnetError
-from sailnet.mission.acceptance import Selection
-from sailnet.mission.mission import Mission, load_mission
-from sailnet.networks.network import Network, load_network
+from sailnet.mission.mission import Mission
+from sailnet.networks.guidance_networks import NAMES
+from sailnet.networks.network import Network, load_network, save_network
+from sailnet.physics.arrays import Array
 from sailnet.workers.executors import workers
-from training import levenberg_marquardt
 from training.fit_domain import ensure_domain
+from training.parallel import train_networks
 from training.targets import TARGETS
-from training.train import train_network
+
+KIND = "wide"
 
 
-@dataclass(frozen=True)
-class Algorithm:
-    """Settings of the damping, and how many steps are taken.
+def train(dataset: Path, mission: Mission, seed: int, folder: Path) -> None:
+    """One training; networks that are finished are kept.
 
-    Attributes:
-        lower: factor on the damping after an accepted step.
-        largest_bend: largest |a| / |v| of a trial step.
-        epochs: steps.
+    Raises:
+        SailnetError: the folder has networks of another run.
     """
-
-    lower: float
-    largest_bend: float
-    epochs: int
-
-
-ALGORITHMS = {"old": Algorithm(1.0 / 3.0, 0.75, 300), "new": Algorithm(0.1, 3.0, 240)}
-"""Of before and after 6ba481f and 21907c1."""
-
-SHOWN = ("nominal", "unknown bias", "unknown bias and white noise", "unknown bias and slow drift")
+    recipe = mission.with_training(seed=seed)
+    networks = train_networks(dataset, recipe, KIND, list(TARGETS[KIND]), folder, resume=True)
+    ensure_domain(networks, dataset, folder, quiet=True)
 
 
-@dataclass(frozen=True)
-class Trainings:
-    """Every training of a comparison; picklable.
+def in_ranges(network: Network, low: Array, high: Array) -> Network:
+    """The same function of its inputs, which are scaled by other ranges: the C has one set of them.
 
-    Attributes:
-        dataset: the wide data set.
-        mission: whose recipe is trained, but for seed and steps.
-        folder: for a folder of each training.
-        which: names of an algorithm and seeds, a training each.
+    Args:
+        low, high: (k,) what becomes 0 and 1; inputs are clamped twice that range beyond them.
     """
-
-    dataset: Path
-    mission: Mission
-    folder: Path
-    which: tuple[tuple[str, int], ...]
-
-    def place(self, number: int) -> Path:
-        """Folder of the networks of one training."""
-        algorithm, seed = self.which[number]
-        return self.folder / f"{algorithm}-{seed}"
-
-    def train(self, number: int) -> list[Network]:
-        """One training in this process, on one thread; networks that are finished are read."""
-        torch.set_num_threads(1)
-        name, seed = self.which[number]
-        algorithm = ALGORITHMS[name]
-        levenberg_marquardt.LOWER = algorithm.lower
-        levenberg_marquardt.LARGEST_BEND = algorithm.largest_bend
-        mission = self.mission.with_training(seed=seed, epochs=algorithm.epochs)
-        folder = self.place(number)
-        networks = [
-            train_network(self.dataset, mission, target, folder, resume=True)
-            for target in TARGETS["wide"].values()
-        ]
-        ensure_domain(networks, self.dataset, folder, quiet=True)
-        return networks
-
-
-def row(algorithm: str, seed: int, networks: Sequence[Network], scores: Sequence[Score]) -> list[str]:
-    """One training: errors over the test samples, and what it flies."""
-    errors = ", ".join(f"{float(str(network.provenance['test_mse'])):.1e}" for network in networks)
-    cells = [algorithm, str(seed), errors]
-    for score in scores:
-        excess = score.excess
-        if excess is None:
-            raise SailnetError(f"no optimum is known of {score.name!r}: fly more")
-        spread = excess.relative
-        rest = excess.first_approach.others.count, score.arrived.others.count
-        cells.append(
-            f"{percent(spread.mean)}, {percent(spread.high)}, {percent(spread.worst)}; {rest[0]}, {rest[1]}; "
-            f"{score.behaviour.reversals.high:.0f}"
-        )
-    return cells
-
-
-def table(rows: list[list[str]], flights: int) -> list[str]:
-    """Markdown: what a cell holds, then a row for each training."""
-    told = (
-        f"{flights:,} development flights a series. Excess time over the optimum: mean, 99 %, largest; "
-        "flights with an extra revolution, failed flights; attitude reversals, 99 %."
+    width = network.input_max - network.input_min
+    first = network.weights[0]
+    return replace(
+        network,
+        weights=(first * ((high - low) / width), *network.weights[1:]),
+        biases=(network.biases[0] + first @ ((low - network.input_min) / width), *network.biases[1:]),
+        input_min=low,
+        input_max=high,
     )
-    heads = ["damping", "seed", "test MSE of tau, alpha_pre, lambda_v", *SHOWN]
-    return [told, "", *Table("", heads, rows).markdown()]
+
+
+def completed(given: Path, first: Path, folder: Path) -> None:
+    """Networks that were given, with the plan's of the first training where there are none.
+
+    Raises:
+        OSError: they cannot be copied.
+        NetworkError: one cannot be read or written.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    tau = load_network(given / f"{NAMES[0]}.safetensors")
+    for name in TARGETS[KIND]:
+        file = f"{name}.safetensors"
+        if (given / file).exists() or name in NAMES:
+            shutil.copy(given / file, folder / file)
+        else:
+            network = load_network(first / file)
+            save_network(in_ranges(network, tau.input_min, tau.input_max), folder / file)
+
+
+def errors_of(folder: Path) -> str:
+    """Over the test samples."""
+    networks = [load_network(folder / f"{name}.safetensors") for name in NAMES]
+    return ", ".join(f"{float(str(network.provenance['test_mse'])):.1e}" for network in networks)
+
+
+def lines_of(mission: Mission, rows: Sequence[tuple[str, str, Sequence[Score]]]) -> list[str]:
+    """Markdown: what a cell holds, a row for each training, and how far apart they are.
+
+    Args:
+        mission: with the number of flights and their seed.
+        rows: title, test errors and scores of each.
+
+    Raises:
+        SailnetError: no optimum is known.
+    """
+    told = f"{mission.selection.flights:,} flights a series, seed {mission.selection.seed}. {CELLS}"
+    heads = ["training", "test MSE of tau, alpha_pre, lambda_v", *(score.name for score in rows[0][2])]
+    cells = [[title, errors, *map(cells_of, scores)] for title, errors, scores in rows]
+    nominal = [100.0 * excess.relative.mean for _, _, (first, *_) in rows if (excess := first.excess)]
+    apart = f"Nominal means lie from {min(nominal):.4f} to {max(nominal):.4f} %."
+    return [told, "", *Table("", heads, cells).markdown(), "", apart]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -128,39 +111,29 @@ def main(arguments: Sequence[str] | None = None) -> int:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("dataset", type=Path, help="the wide data set")
-    parser.add_argument("folder", type=Path, help="for a folder of each training, and trainings.json")
-    parser.add_argument("--mission", default="earth_mars", help="whose recipe and law (%(default)s)")
-    parser.add_argument(
-        "--algorithms", nargs="+", choices=ALGORITHMS, default=list(ALGORITHMS), help="(both)"
-    )
+    parser.add_argument("folder", type=Path, help="for a folder of each training")
     parser.add_argument("--seeds", type=int, nargs="+", default=[7, 11, 12, 13, 14], help="(%(default)s)")
-    parser.add_argument("--flights", type=int, default=2000, help="of a series (%(default)s)")
-    parser.add_argument("--text", type=Path, help="file with marks <!-- trainings MISSION --> for the table")
+    parser.add_argument("--networks", type=Path, nargs="*", default=[], help="folders of networks to fly too")
+    add_options(parser, "trainings", 10_000, 5)
     options = parser.parse_args(arguments)
     try:
-        mission = load_mission(options.mission)
-        mission = mission.model_copy(
-            update={"selection": Selection(flights=options.flights, seed=mission.selection.seed)}
-        )
-        which = tuple((name, seed) for seed in options.seeds for name in options.algorithms)
-        trainings = Trainings(options.dataset, mission, options.folder, which)
-        rows: list[list[str]] = []
-        optima: Path | None = None
+        mission = mission_of(options)
+        folders = {f"seed {seed}": options.folder / f"seed-{seed}" for seed in options.seeds}
+        for seed, folder in zip(options.seeds, folders.values(), strict=True):
+            train(options.dataset, mission, seed, folder)
+        first = next(iter(folders.values()))
+        for given in options.networks:
+            folders[given.name] = options.folder / given.name
+            completed(given, first, folders[given.name])
+        rows: list[tuple[str, str, list[Score]]] = []
         with workers(os.cpu_count() or 1) as pool:
-            for number, _ in enumerate(pool.map(trainings.train, range(len(which)))):
-                folder = trainings.place(number)
-                networks = [load_network(folder / f"{name}.safetensors") for name in TARGETS["wide"]]
-                export(folder, folder / "export", mission, progress=False, flight_only=True)
-                flown = folder / f"{DEVELOPMENT}.h5"
-                fly_candidate(mission, folder / "export", flown, pool, optima=optima)
-                optima = optima or flown
-                rows.append(row(*which[number], networks, scores_of(open_results(flown))))
-                print(" | ".join(rows[-1]), file=sys.stderr, flush=True)
-        made = software()
-        origin = f"{made['machine']}, {made['date']}, revision {made['revision']}."
-        lines = [*table(rows, options.flights), "", origin]
-        record: dict[str, Any] = {"rows": rows, "software": made}
-        write_text(options.folder / "trainings.json", json.dumps(record, indent=1))
+            for title, folder in folders.items():
+                exported, flown = folder / "export", folder / f"{DEVELOPMENT}.h5"
+                optima = None if folder == first else first / flown.name
+                export(folder, exported, mission, progress=False, flight_only=True)
+                rows.append((title, errors_of(folder), fly(mission, exported, flown, pool, optima)))
+                print(title, *map(cells_of, rows[-1][2]), sep=" | ", file=sys.stderr, flush=True)
+        lines = [*lines_of(mission, rows), "", origin()]
         if options.text:
             fill_block(options.text, f"trainings {mission.name}", "\n".join(lines))
     except (SailnetError, OSError) as error:

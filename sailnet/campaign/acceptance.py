@@ -14,6 +14,7 @@ from sailnet.campaign.tables import (
     LATE,
     MEAN,
     MEDIAN,
+    NOTHING,
     PERIOD,
     RATE,
     RAW_MEDIAN,
@@ -23,6 +24,8 @@ from sailnet.campaign.tables import (
     UNKNOWN,
     Column,
     Table,
+    percent,
+    plain,
     table_of,
     within_columns,
 )
@@ -51,13 +54,34 @@ def acceptance_table(results: Results) -> list[str]:
     return [*lines, "", *criteria_table(criteria).markdown()]
 
 
-def headline_table(results: Results) -> list[str]:
-    """Lines of Markdown of :func:`headline`."""
-    return headline(results).markdown()
+def summary_table(results: Results) -> list[str]:
+    """Lines of Markdown, short ones: random starts by disturbance, what a first reader asks for."""
+    many, _ = _by_kind(results)
+    heads = [
+        "flown",
+        "flights",
+        "mean excess",
+        "99 % at most",
+        "no extra revolution",
+        "failed",
+        "optimum unknown",
+    ]
+    cells = []
+    for score in many:
+        row = [score.name, f"{score.arrived.of:,}"]
+        if score.excess is None:
+            cells.append([*row, *[NOTHING] * 3, f"{score.arrived.others.count:,}", "all"])
+            continue
+        mean, high = (percent(value) for value in (score.excess.relative.mean, score.excess.relative.high))
+        alone = f"{100.0 * score.excess.first_approach.share:.2f} %"
+        days = f"{mean}, {plain(score.excess.days.mean, 2)} days"
+        unknown = f"{score.excess.unknown:,}"
+        cells.append([*row, days, high, alone, f"{score.arrived.others.count:,}", unknown])
+    return Table("", heads, cells).markdown()
 
 
 def headline(results: Results) -> Table:
-    """The same in a few rows: each series, the single flights at the mission's guidance period."""
+    """The acceptance in a few rows: each series, the single flights at the mission's guidance period."""
     many, single = _by_kind(results)
     usual = [score for score in single if score.period == results.mission.flight.period]
     flown: Column = ("flown", lambda score: score.name)

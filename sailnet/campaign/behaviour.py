@@ -32,7 +32,7 @@ class Behaviour:
         largest_excess: by how much at most [deg]; 0 without any.
         outside: flights with a state outside the domain of the networks.
         outside_periods: in how many of their periods.
-        at_limit: flights with the estimate of beta at an end of its range, or too low to keep a reserve.
+        at_limit: flights with the estimate of beta at an end of its range, or too low for a thrust margin.
         at_limit_periods: in how many of their periods.
         unseen: flights with outages of navigation.
         unseen_periods: in how many of their periods.

@@ -20,7 +20,8 @@ from sailnet.campaign.plan import Plan, parse_plan
 from sailnet.errors import CampaignError
 from sailnet.flight.closed_loop import Flights, History
 from sailnet.flight.plant import components_of
-from sailnet.mission.mission import Mission, parse_mission
+from sailnet.mission.mission import Mission
+from sailnet.mission.stored import stored_mission
 from sailnet.physics.arrays import Array
 
 
@@ -103,7 +104,7 @@ def open_results(path: Path) -> Results:
     """
     file = hold_columns(path, LAYOUT, LAYOUT_IN_SPACE)
     try:
-        mission = parse_mission(table_of(file.text("mission")), str(path))
+        mission = stored_mission(file.text("mission"), str(path))
         plan = parse_plan(table_of(file.text("campaign")), str(path))
     except ValueError as error:
         raise CampaignError(f"{path} is no sailnet results: {error}; {LAYOUT.remedy}") from error

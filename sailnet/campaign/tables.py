@@ -110,6 +110,8 @@ def failures_text(share: Share) -> str:
 def percent(value: float) -> str:
     """A share of time above the optimum, to a digit that counts."""
     size = abs(100.0 * value)
+    if 0.0 < size < 0.01:
+        return f"{plain(100.0 * value, 2)} %"
     return f"{100.0 * value:.{0 if size >= 100.0 else 1 if size >= 10.0 else 2 if size >= 1.0 else 3}f} %"
 
 
@@ -196,24 +198,27 @@ SERIES: Column = ("series", lambda s: s.name)
 PERIOD: Column = ("period [TU]", lambda s: f"{s.period:g} ({s.period * HOURS:.1f} h)")
 FLIGHTS: Column = ("flights", lambda s: f"{s.arrived.of:,}")
 MEAN: Column = (
-    "mean time above own optimum",
+    "mean excess over the optimum",
     _excess(lambda relative, days, _: f"{percent(relative.mean)} ({plain(days.mean)} days)"),
 )
 HOME: Column = (
-    f"home at the first approach: within {FIRST_APPROACH:g} optima",
+    f"arrived without an extra revolution: within {FIRST_APPROACH:g} optima",
     _excess(lambda _, __, home: share_text(home)),
 )
-REVERSALS: Column = ("reversals: median, 99 %, worst", lambda s: _reversals(s, s.behaviour.reversals))
+REVERSALS: Column = (
+    "attitude reversals: median, 99 %, worst",
+    lambda s: _reversals(s, s.behaviour.reversals),
+)
 OPTIMAL_REVERSALS: Column = (
     "of the optimum as assumed",
     lambda s: NOTHING if s.optimal_reversals is None else _reversals(s, s.optimal_reversals),
 )
 LATE: Column = (
-    "above own optimum: median, 99 %, worst",
+    "excess over the optimum: median, 99 %, worst",
     lambda s: NOTHING if s.excess is None else _percents(s, s.excess.relative),
 )
-ARRIVE: Column = ("arrive", lambda s: share_text(s.arrived))
-FAIL: Column = ("do not arrive", lambda s: failures_text(s.arrived))
+ARRIVE: Column = ("arrived", lambda s: share_text(s.arrived))
+FAIL: Column = ("failed", lambda s: failures_text(s.arrived))
 UNKNOWN: Column = (
     "optimum unknown",
     lambda s: "all" if s.excess is None else f"{s.excess.unknown:,}" if s.excess.unknown else "none",
@@ -236,7 +241,7 @@ RATE: Column = (
     "rate of the command [deg/h]: median, 99 %",
     lambda s: _several(s, lambda value: f"{value:.2g}", s.behaviour.rate.median, s.behaviour.rate.high),
 )
-KEPT: Column = ("arrive, attitude kept too", lambda s: share_text(s.behaviour.kept))
+KEPT: Column = ("arrived, attitude within its bound", lambda s: share_text(s.behaviour.kept))
 BEYOND: Column = (
     "attitude beyond the bound",
     lambda s: (
@@ -257,7 +262,7 @@ UNSEEN: Column = (
     lambda s: _periods(s.behaviour.unseen, s.behaviour.unseen_periods, s),
 )
 RECKONED: Column = (
-    "steered by reckoning",
+    "steered by dead reckoning",
     lambda s: _periods(s.behaviour.reckoned, s.behaviour.reckoned_periods, s),
 )
 REQUIRED: Column = ("within 10,000 km and 1 m/s", lambda s: share_text(s.required))

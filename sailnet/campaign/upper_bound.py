@@ -1,7 +1,7 @@
 """``python -m sailnet.campaign.upper_bound``: what the networks fly, beside what others would.
 
 The same flights, from the same starts with the same random numbers, guided by the expert itself: what is left
-to gain for any guidance that knows no more than the networks do; or by the networks with another law.
+to gain for any guidance that knows no more than the networks do.
 """
 
 import sys
@@ -25,8 +25,7 @@ from sailnet.campaign.tables import (
 )
 from sailnet.campaign.text_command import fill_from_folder
 from sailnet.errors import CampaignError
-from sailnet.guidance.rules import EXPERT_RULES, LOOK_AHEAD_RULES
-from sailnet.guidance.tracker import TRACKER
+from sailnet.guidance.rules import EXPERT_RULES
 from sailnet.workers.interruption import run_command
 
 MARK = "upper bound"
@@ -45,8 +44,7 @@ def upper_bounds(folder: Path, campaigns: Iterable[str]) -> list[Table]:
     tables = []
     for name in campaigns:
         paths = {"networks": folder / f"{name}.h5"}
-        others = (TRACKER, *EXPERT_RULES, *LOOK_AHEAD_RULES)
-        paths |= {other: folder / f"{guided_by(name, other)}.h5" for other in others}
+        paths |= {other: folder / f"{guided_by(name, other)}.h5" for other in EXPERT_RULES}
         flown = {guided: open_results(path) for guided, path in paths.items() if path.exists()}
         if "networks" in flown and len(flown) > 1:
             tables.append(side_by_side(flown))

@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from sailnet.errors import SailnetError
-from sailnet.guidance.rules import EXPERT_RULES, LOOK_AHEAD_RULES
-from sailnet.guidance.tracker import TRACKER
+from sailnet.guidance.rules import EXPERT_RULES
 from sailnet.mission.disturbances import Disturbance, catalogue, disturbance_from
 from sailnet.physics.optics import OPTICS
 from sailnet.workers.executors import WAIT
@@ -124,7 +123,7 @@ BOTH = "both"
 
 
 NETWORKS = "networks"
-"""A choice of guidance, beside those of the expert."""
+"""A choice of guidance, beside those of the optimal solver."""
 
 
 def backend_parser(*more: str) -> argparse.ArgumentParser:
@@ -141,12 +140,11 @@ def backend_parser(*more: str) -> argparse.ArgumentParser:
     parser.add_argument("--networks", type=Path, metavar="DIR", help="exported networks (default: shipped)")
     parser.add_argument(
         "--guidance",
-        choices=(NETWORKS, TRACKER, *EXPERT_RULES, *LOOK_AHEAD_RULES),
+        choices=(NETWORKS, *EXPERT_RULES),
         default=NETWORKS,
-        help="what flies: the networks; the tracker of the optimal extremal, which begins with a plan of the "
-        "optimal solver and has the networks as its fallback; the optimal solver itself, every day anew, "
-        "with the networks' rules of steering or without their thrust margin: what guidance could get at "
-        "all; or the networks by a law that looks ahead for its thrust side (default: %(default)s)",
+        help="what flies: the networks, with the tracker of the optimal extremal; or the optimal solver, "
+        "every day anew, with the same estimates or without their thrust margin: what guidance could get "
+        "at all (default: %(default)s)",
     )
     return parser
 
@@ -161,30 +159,19 @@ def guidance_of(options: argparse.Namespace, mission: "Mission", *, many: bool =
 
     Raises:
         GuidanceError: it is missing, damaged or of another mission.
-        SailnetError: options of networks that the expert does not take; more than one precision.
+        SailnetError: options of networks that the optimal solver does not take.
     """
     if options.guidance in EXPERT_RULES:
         from sailnet.guidance.by_expert.pilot import ExpertGuidance
 
         if options.networks is not None or (options.backend, options.precision) != ("c", "float64"):
-            raise SailnetError("the expert needs no networks, no back end, and computes in float64 alone")
+            raise SailnetError(
+                "the optimal solver needs no networks, no back end, and computes in float64 alone"
+            )
         return ExpertGuidance(mission, options.guidance, indexed=many)
     from sailnet.guidance.backends import load_guidance
 
-    if options.precision == BOTH:
-        raise SailnetError(f"{options.guidance} flies in one precision at a time: float64 or float32")
-    networks = load_guidance(
-        mission, options.backend, options.precision, options.networks, layout=options.layout
-    )
-    if options.guidance == TRACKER:
-        from sailnet.guidance.tracker.pilot import TrackerGuidance
-
-        return TrackerGuidance(networks, indexed=many)
-    if options.guidance in LOOK_AHEAD_RULES:
-        from sailnet.guidance.looking_ahead import LookingAhead
-
-        return LookingAhead(networks, options.guidance)
-    return networks
+    return load_guidance(mission, options.backend, options.precision, options.networks, layout=options.layout)
 
 
 def loop_parser() -> argparse.ArgumentParser:

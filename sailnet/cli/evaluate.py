@@ -40,12 +40,12 @@ FLIGHTS, PERIODS = counted("flight"), counted("period")
 
 LINES = {
     "flights": Line("flown from random starts", FLIGHTS),
-    "time_above_own_optimum": Line("time above the optimum of the sail that flew", over_flights(percent)),
-    "days_above_own_optimum": Line("days above it", over_flights(in_unit("days"))),
-    "first_approach": Line("home at the first approach, in 1.5 optima", FLIGHTS),
+    "time_above_own_optimum": Line("excess over the optimum for the true sail", over_flights(percent)),
+    "days_above_own_optimum": Line("the same in days", over_flights(in_unit("days"))),
+    "first_approach": Line("arrived without an extra revolution", FLIGHTS),
     "counted_at_longest": Line("failed, counted as the longest flight", FLIGHTS),
     "own_optimum_unknown": Line("without a known optimum, not counted", FLIGHTS),
-    "reversals": Line("reversals of the command, a flight", over_flights(number)),
+    "reversals": Line("attitude reversals, a flight", over_flights(number)),
     "command_slew_deg": Line("slew of the command, a flight", over_flights(in_unit("deg"))),
     "attitude_slew_deg": Line("slew of the sail, a flight", over_flights(in_unit("deg"))),
     "command_rate_deg_per_hour": Line(

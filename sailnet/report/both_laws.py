@@ -1,4 +1,4 @@
-"""The paper's Case 2 by the law that flies and by the plain one: what a memory of side spares a sail."""
+"""The paper's Case 2 by the law that flies and by the plain one: what a plan gains."""
 
 from dataclasses import dataclass
 
@@ -23,7 +23,7 @@ CASE = "Case 2"
 
 @dataclass(frozen=True)
 class BothLaws:
-    """One case flown twice, from the same start by the same networks.
+    """One case flown twice, from the same start: by a plan that networks begin, and by the networks alone.
 
     Attributes:
         law: by the law that flies.
@@ -57,7 +57,7 @@ def fly_both_laws(results: Results, case: Flown, guidance: Guidance) -> BothLaws
     law = every_period(results, CASE, case, guidance)
     period = float(law.history.time[1] - law.history.time[0])
     plain, (history,) = fly_recorded(
-        results.mission, WithRules(guidance, PLAIN), law.flights.starts, period=period
+        results.mission, WithRules(guidance, PLAIN, plans=False), law.flights.starts, period=period
     )
     return BothLaws(law, plain, history)
 
@@ -117,19 +117,19 @@ def both_laws_charts(mission: Mission, both: BothLaws) -> list[Chart]:
                 "plain",
                 "the plain law",
                 BAD,
-                "The networks' sign as it comes: where both are almost equally fast it changes.",
+                "The networks alone: where both thrust sides are almost equally fast the command switches.",
             ),
             (
                 "law",
                 "the law that flies",
                 NETWORK,
-                "The sail keeps its side until that has cost what a turn does.",
+                "The optimal extremal through the measured state, tracked; the networks begin the plan.",
             ),
         )
     ]
     turned = Chart(
         "both-laws-slew",
-        f"{CASE}: how far the sail is told to turn",
+        f"{CASE}: how far the sail is commanded to turn",
         "Sum of all steps of the command so far.",
         "time [TU]",
         "slew [deg]",

@@ -186,21 +186,21 @@ def _facts(scores: Sequence[Score]) -> list[tuple[str, str]]:
     first = scores[0]
     flown = sum(score.arrived.of for score in scores)
     arrived = sum(score.arrived.count for score in scores)
-    facts = [(f"{flown:,}", "flights"), (f"{arrived:,}", "arrive")]
+    facts = [(f"{flown:,}", "flights"), (f"{arrived:,}", "arrived")]
     if len(scores) == 1 or first.arrived.of >= 100:
         low, high = first.arrived.interval
         facts[1] = (
             f"{100 * first.arrived.share:.2f} %",
-            f"of {first.name!r} arrive (95 %: {100 * low:.2f} to {100 * high:.2f} %)",
+            f"of {first.name!r} arrived (95 %: {100 * low:.2f} to {100 * high:.2f} %)",
         )
     if first.excess is not None:
         late, home = first.excess.relative.mean, first.excess.first_approach
         facts.insert(
-            0, (percent(late), f"mean time of {first.name!r} above the optimum of the sail that flew")
+            0, (percent(late), f"mean excess of {first.name!r} over the optimum for the true sail parameters")
         )
-        facts.insert(1, (f"{home.count:,} of {home.of:,}", "home at the first approach"))
+        facts.insert(1, (f"{home.count:,} of {home.of:,}", "arrived without an extra revolution"))
         facts.insert(
-            2, (f"{first.behaviour.reversals.high:.0f}", "reversals or fewer in 99 % of the flights")
+            2, (f"{first.behaviour.reversals.high:.0f}", "attitude reversals or fewer in 99 % of the flights")
         )
     return facts
 

@@ -128,7 +128,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
             [
                 optimal("optimum_time", "optimum_left", "of the optimum"),
                 Curve("time", "left", "predicted", colour=NETWORK),
-                Curve("time", "left_reckoned", "by reckoning", "points", colour=second, width=4.0),
+                Curve("time", "left_reckoned", "by dead reckoning", "points", colour=second, width=4.0),
                 Curve("time", "left_outside", "outside the domain", "points", colour=third, width=4.0),
                 Curve("time", "left_unknown", "no state: faces the Sun", "points", colour=BAD, width=4.0),
             ],
@@ -142,7 +142,7 @@ def flight_templates(mission: Mission) -> list[Chart]:
             [
                 Curve("time", "beta", "real", "steps", colour=OPTIMUM, width=1.0),
                 Curve("time", "beta_estimate", "estimated", colour=NETWORK),
-                Curve("time", "beta_at_limit", "too low to keep a reserve", "points", colour=BAD, width=4.0),
+                Curve("time", "beta_at_limit", "no thrust margin left", "points", colour=BAD, width=4.0),
             ],
         ),
         Chart(

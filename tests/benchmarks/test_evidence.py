@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from benchmarks.evidence import Evidence, examine, load_declared
+from benchmarks.evidence import Evidence, code_of, examine, load_declared
 from tests.paths import ROOT
 
 pytestmark = pytest.mark.repository
@@ -62,6 +62,33 @@ def test_a_block_is_stale_once_a_source_of_its_figures_has_changed(repository: P
     assert not only(repository).valid
     write(repository, revision)
     assert only(repository).valid
+
+
+def test_a_comment_changes_no_figure(repository: Path) -> None:
+    (repository / "law.c").write_text("/* One. */\n1  // again\n")
+    commit(repository)
+    assert only(repository).state == "fresh"
+    (repository / "law.c").unlink()
+    commit(repository)
+    assert only(repository).state == "stale"
+
+
+@pytest.mark.parametrize(
+    ("name", "before", "same", "other"),
+    [
+        (
+            "a.py",
+            'X = 1\n"""One."""\n\n\ndef f():\n    """Of x."""\n    return X\n',
+            'X = 1  # one\n"""Another."""\ndef f():\n    return (X)\n',
+            'X = 2\n"""One."""\n\n\ndef f():\n    """Of x."""\n    return X\n',
+        ),
+        ("a.c", "int x; /* one\nline */ int y;", "int x;\n\nint y; // two", "int x; int z;"),
+        ("a.inc", "#define A 1", "#define  A 1 /* one */", "#define A 1u"),
+    ],
+)
+def test_code_is_what_is_left_without_texts(name: str, before: str, same: str, other: str) -> None:
+    assert code_of(name, before) == code_of(name, same)
+    assert code_of(name, before) != code_of(name, other)
 
 
 def test_what_does_not_name_a_clean_known_revision_is_not_valid(repository: Path) -> None:

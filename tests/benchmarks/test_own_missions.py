@@ -47,7 +47,7 @@ def test_a_line_a_mission_has_the_numbers_of_all_series() -> None:
     told, _, heads, _, bad, *rows = line_by_line(flown, [Own(7.0, 0.1, 60.0)])
     assert bad == "| to 7 AU, β 0.1, 60° | the pipeline fails |  |  |  |  |"
     assert told == "Of 1,000 flights each: nominal, noise."
-    assert heads.startswith("| mission | do not arrive | mean time above own optimum [%] | ")
+    assert heads.startswith("| mission | failed | mean excess over the optimum [%] | ")
     assert rows == [f"| {own.title} | 0, 3 | 0.123, 21 | 4, 4 | 0, 3 | 211 |" for own in OTHERS]
     every = (*MISSIONS, *OTHERS, *IN_SPACE)
     assert len({own.name for own in every}) == len({own.title for own in every}) == len(every)

@@ -44,13 +44,13 @@ def test_no_failure_in_many_says_how_many_there_may_be() -> None:
 def test_time_counts_first(score: Score) -> None:
     time, attitude, known, ends = score_tables([score])
     assert time.heads[3:6] == [
-        "mean time above own optimum", "home at the first approach: within 1.5 optima",
-        "reversals: median, 99 %, worst",
+        "mean excess over the optimum", "arrived without an extra revolution: within 1.5 optima",
+        "attitude reversals: median, 99 %, worst",
     ]  # fmt: skip
     row = dict(zip(time.heads, time.cells[0], strict=True))
     assert score.excess is not None
     above, days = score.excess.relative, score.excess.days
-    assert row["mean time above own optimum"] == f"{percent(above.mean)} ({plain(days.mean)} days)"
+    assert row["mean excess over the optimum"] == f"{percent(above.mean)} ({plain(days.mean)} days)"
     assert row["optimum unknown"] == "1"
     assert row["of the optimum as assumed"] == "2, 2, 2"
     assert row["period [TU]"] == "0.005 (7.0 h)"
@@ -102,7 +102,7 @@ def test_outages_and_what_is_reckoned_are_counted_apart() -> None:
     table = score_tables([cells])[2]
     row = dict(zip(table.heads, table.cells[0], strict=True))
     share = 100.0 * found.reckoned_periods / found.periods
-    assert row["steered by reckoning"] == f"{found.reckoned.count} ({share:.2f} % of all periods)"
+    assert row["steered by dead reckoning"] == f"{found.reckoned.count} ({share:.2f} % of all periods)"
     assert row["without navigation"].startswith(f"{found.unseen.count} (")
     assert behaviour_record(found)["reckoned_periods"] == found.reckoned_periods
 
@@ -124,8 +124,8 @@ def test_a_spread_is_mean_and_quantiles() -> None:
 
 
 def test_percents_have_the_digits_that_count() -> None:
-    assert [percent(x) for x in (0.00123, 0.0456, 0.41234, 4.567, -0.0003)] == [
-        "0.123 %", "4.56 %", "41.2 %", "457 %", "-0.030 %",
+    assert [percent(x) for x in (0.00123, 0.0456, 0.41234, 4.567, -0.0003, 5.7e-6, 0.0)] == [
+        "0.123 %", "4.56 %", "41.2 %", "457 %", "-0.030 %", "0.00057 %", "0.000 %",
     ]  # fmt: skip
 
 

@@ -181,13 +181,40 @@ def test_solve_reads_a_mission_file(tmp_path: Path) -> None:
     assert result["time_of_flight"] == pytest.approx(7.138440, abs=1e-6)
 
 
-def test_guide_prints_a_command() -> None:
-    result = _json("guide", "1.05", "0.15", "1.03")
-    assert set(result) == {"cone_angle", "time_of_flight", "status"}
-    assert result["status"] == "ok"
+@pytest.mark.parametrize(
+    ("state", "optimum"), [(("1", "0", "1"), 7.0181794), (("1.05", "0.15", "1.03"), 6.1552)]
+)
+def test_guide_prints_the_command_of_an_extremal(state: tuple[str, str, str], optimum: float) -> None:
+    result = _json("guide", *state)
+    assert set(result) == {"cone_angle", "time_of_flight", "status", "source"}
+    assert (result["status"], result["source"]) == ("ok", "plan")
+    assert result["time_of_flight"] == pytest.approx(optimum, abs=1e-3)
+    assert abs(result["cone_angle"]) <= 1.0471975512
+
+
+def test_guide_prints_the_command_of_the_networks_alone() -> None:
+    result = _json("guide", "1.05", "0.15", "1.03", "--law")
+    assert (result["status"], result["source"]) == ("ok", "networks")
     # Case 2 begins beside the starts that were learnt.
     assert result["time_of_flight"] == pytest.approx(6.1552, abs=0.1)
     assert abs(result["cone_angle"]) <= 1.0471975512
+
+
+def test_where_no_extremal_passes_through_the_state_guide_prints_the_command_of_the_networks() -> None:
+    """Nothing is known of a state without end."""
+    plan, law = (_json("guide", "1e300", "0", "1", *options) for options in ((), ("--law",)))
+    assert plan == law
+    assert plan["source"] == "networks"
+
+
+@pytest.mark.parametrize("deleted", ["tracker", "look-ahead", "look-ahead-home"])
+def test_deleted_guidances_are_refused_with_those_that_there_are(
+    deleted: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        main(["fly", "1", "0", "1", "--guidance", deleted])
+    said = capsys.readouterr().err
+    assert all(choice in said for choice in (deleted, "'networks'", "'expert'", "'expert-without-reserve'"))
 
 
 def test_guide_looks_at_the_sail() -> None:
@@ -235,7 +262,7 @@ def test_fly_counts_what_the_guidance_said() -> None:
 def test_guide_asks_the_expert() -> None:
     command = _json("guide", "1.05", "0.15", "1.03", "--guidance", "expert")
     assert command["time_of_flight"] == pytest.approx(6.15517, abs=1e-5)
-    assert command["status"] == "ok"
+    assert (command["status"], command["source"]) == ("ok", "expert")
 
 
 @pytest.mark.parametrize("option", [("--backend", "onnx"), ("--precision", "float32"), ("--networks", ".")])
@@ -243,7 +270,7 @@ def test_the_expert_takes_no_options_of_networks(
     option: tuple[str, str], capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["guide", "1", "0", "1", "--guidance", "expert", *option]) == 1
-    assert "the expert needs no networks" in capsys.readouterr().err
+    assert "needs no networks" in capsys.readouterr().err
 
 
 @pytest.mark.slow
@@ -301,8 +328,8 @@ def test_evaluate_can_leave_the_expert_alone() -> None:
         (("fly", "1", "0", "1", "--delay", "nan"), "delay must be a finite number"),
         (("fly", "1", "0", "1", "--optics", "mirror"), "jpl"),
         (
-            ("evaluate", "--campaign", "law", "--guidance", "look-ahead", "--precision", "both"),
-            "look-ahead flies in one precision at a time",
+            ("evaluate", "--campaign", "law", "--guidance", "expert", "--precision", "both"),
+            "computes in float64 alone",
         ),
         (("fly", "1", "0", "1", "--plot", "no/such/folder/x.html"), "no/such/folder is not"),
         (("optics", "ideal", "--output", "no/such/folder/x.html"), "no/such/folder is not"),

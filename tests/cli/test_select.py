@@ -8,7 +8,8 @@ import pytest
 from sailnet.cli import main
 from sailnet.cli.accept import MISSED, VERDICT
 from sailnet.cli.select import CANDIDATES, SELECTION
-from sailnet.networks.guidance_networks import load_guidance_networks
+from sailnet.networks.guidance_networks import NAMES, load_guidance_networks
+from sailnet.networks.plan_networks import ARRIVAL_NAMES
 from tests.toy_pipeline import python, toy_mission
 
 pytestmark = pytest.mark.slow
@@ -20,7 +21,7 @@ TOY = {
     **{"flights": "5", "trainings": "2"},
 }
 NEVER = "{ mean_excess = 0.0, without_extra_revolution = 100.0, failed = 0.0, reversals = 0.0 }"
-WEIGHTS = {"tau.safetensors", "alpha_pre.safetensors", "lambda_v.safetensors"}
+WEIGHTS = {f"{name}.safetensors" for name in (*NAMES, *ARRIVAL_NAMES[3])}
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from sailnet.cli.command_line import parser
+from sailnet.cli.command_line import main, parser
 from tests.paths import ROOT
 
 TEXTS = sorted(path for path in ROOT.glob("**/*.md") if not {".venv", "build"} & set(path.parts))
@@ -35,7 +35,29 @@ def test_the_readme_prints_commands_of_each_kind() -> None:
     assert sum(ours(line) is not None for line in lines) >= 6
     assert sum(line.startswith("make") for line in lines) >= 2
     assert sum("pip install" in line for line in lines) == 1
-    assert len(README.read_text("utf-8").splitlines()) <= 120
+    text = README.read_text("utf-8").splitlines()
+    assert len(text) <= 90
+    assert max(len(line) for line in text if not line.startswith("Written by")) <= 120
+
+
+@pytest.mark.slow
+def test_the_readme_s_first_flight_takes_as_long_as_it_says(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for line in commands(README)[1:3]:
+        assert main(ours(line)) == 0
+    said = re.search(r"the shortest flight: (\S+ days)", README.read_text("utf-8"))
+    assert said is not None
+    assert f"({said[1]})" in capsys.readouterr().out
+
+
+@pytest.mark.slow
+def test_the_readme_s_python_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (block,) = re.findall(r"```python\n(.*?)```", README.read_text("utf-8"), re.S)
+    exec(compile(block, str(README), "exec"), {})
+    assert (tmp_path / "flight.png").stat().st_size > 10_000
 
 
 @pytest.mark.parametrize("text", TEXTS, ids=lambda path: str(path.relative_to(ROOT)))
@@ -94,5 +116,5 @@ def test_after_the_install_line_of_the_readme_its_commands_run(tmp_path: Path) -
         )
         assert done.returncode == 0, f"`{line}` says:\n{done.stdout[-1000:]}{done.stderr[-2000:]}"
         assert "Traceback" not in done.stderr
-    for left in ("flight.html", "pictures/index.html", "campaigns/paper/index.html"):
+    for left in ("flight.html", "fly.html", "optimum.csv"):
         assert (checkout / left).stat().st_size > 10_000

@@ -15,7 +15,8 @@ from export.ship import main as ship
 from sailnet.campaign.results import open_results
 from sailnet.campaign.scores import scores_of
 from sailnet.mission.mission import load_mission
-from sailnet.networks.guidance_networks import load_guidance_networks
+from sailnet.networks.guidance_networks import NAMES, load_guidance_networks
+from sailnet.networks.plan_networks import ARRIVAL_NAMES
 from tests.few_graphs import no_graphs, only_whole_graphs
 from tests.toy_pipeline import python, toy_mission
 
@@ -65,9 +66,8 @@ def test_the_networks_read_approach_coordinates_and_know_their_sails(toy: Path) 
     assert networks.approach
     assert networks.beta_range == pytest.approx((0.8 * mission.sail.beta, 1.2 * mission.sail.beta))
     assert {path.stem for path in (toy / "networks").glob("*.safetensors")} == {
-        "tau",
-        "alpha_pre",
-        "lambda_v",
+        *NAMES,
+        *ARRIVAL_NAMES[3],
     }
     near = np.array([[1.5, -0.03, 0.82]])
     tau = [float(networks.command(near, beta)[1][0]) for beta in networks.beta_range]
@@ -138,7 +138,7 @@ def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(
     assert text.endswith("after\n")
     assert "stale figures" not in text
     assert "| unknown bias and white noise |" in text
-    assert "| flown | mean time above own optimum | home at the first approach" in text
+    assert "| flown | flights | mean excess |" in text
     whole = results.read_text()
     assert "stale figures" not in whole
     assert "| unknown bias and white noise | 6 |" in whole
@@ -149,7 +149,7 @@ def test_a_finished_run_ships_with_its_card_and_an_unfinished_one_does_not(
     assert f"{networks.lambda_v.provenance['test_mse']:.2e}" in card
     assert "exported C" in card
     assert "| nominal | 6 |" in card
-    assert "mean time above own optimum" in card
+    assert "mean excess over the optimum" in card
     assert (tmp_path / "shipped" / "sailnet_guidance.c").exists()
     done = python("-m", "export.ship", tmp_path, tmp_path / "nothing", *arguments, check=False)
     assert done.returncode != 0

@@ -37,21 +37,23 @@ def test_other_rules_by_the_same_networks() -> None:
     starts = [START]
     c, same, plain = (
         fly(MISSION, guidance, starts)
-        for guidance in (GUIDANCE, WithRules(GUIDANCE, RULES), WithRules(GUIDANCE, PLAIN))
+        for guidance in (GUIDANCE, WithRules(GUIDANCE, RULES), WithRules(GUIDANCE, PLAIN, plans=False))
     )
     np.testing.assert_allclose(same.time_of_flight, c.time_of_flight, rtol=1e-9)
-    np.testing.assert_allclose(same.command_slew, c.command_slew, rtol=1e-6)
+    # Where a correction of the plan ends, rounding decides.
+    np.testing.assert_allclose(same.command_slew, c.command_slew, rtol=1e-5)
     assert c.reversals[0] == 1
     assert plain.reversals[0] > c.reversals[0]
     assert plain.arrived[0]
 
 
 def test_the_page_shows_case_2_both_ways(flown: Results) -> None:
+    networks = WithRules(GUIDANCE, PLAIN, plans=False)
     both = fly_both_laws(flown, section5_of(flown).cases[CASE], GUIDANCE)
     rows = {row[0]: row[1:] for row in both_laws_table(both).cells}
     optimum = solve(MISSION.problem, START).time_of_flight
     assert rows["optimum"][0] == "1"
-    for name, guidance in (("the law that flies", GUIDANCE), ("the plain law", WithRules(GUIDANCE, PLAIN))):
+    for name, guidance in (("the law that flies", GUIDANCE), ("the plain law", networks)):
         flight = fly(MISSION, guidance, [START])
         slew = np.degrees(flight.command_slew[0])
         assert rows[name][:2] == [f"{flight.reversals[0]}", f"{slew:,.0f}"]

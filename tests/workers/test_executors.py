@@ -134,17 +134,24 @@ def dask(
         process.wait()
 
 
-@pytest.fixture(scope="module")
-def scheduler(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    folder = tmp_path_factory.mktemp("scheduler")
+@contextmanager
+def a_scheduler(folder: Path) -> Iterator[tuple["subprocess.Popen[bytes]", str]]:
+    """A scheduler, and its address."""
     facts = folder / "facts.json"
     arguments = ("--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(facts))
-    with dask("dask_scheduler", *arguments, folder=folder):
+    with dask("dask_scheduler", *arguments, folder=folder) as process:
         until = time.monotonic() + 60
-        while not facts.exists():
+        # The file is there before what it says: the scheduler writes it in place.
+        while not (said := facts.read_text() if facts.exists() else "").endswith("\n}"):
             assert time.monotonic() < until
             time.sleep(0.05)
-        yield json.loads(facts.read_text())["address"]
+        yield process, json.loads(said)["address"]
+
+
+@pytest.fixture(scope="module")
+def scheduler(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    with a_scheduler(tmp_path_factory.mktemp("scheduler")) as (_, address):
+        yield address
 
 
 def worker(address: str, folder: Path, *arguments: str, paths: str = str(ROOT)) -> Any:
@@ -341,24 +348,10 @@ def test_all_workers_are_lost_and_none_comes(
                 list(results)
 
 
-@contextmanager
-def a_scheduler(folder: Path) -> Iterator[tuple["subprocess.Popen[bytes]", str]]:
-    """One to be lost, and its address."""
-    folder.mkdir()
-    facts = folder / "facts.json"
-    arguments = ("--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(facts))
-    with dask("dask_scheduler", *arguments, folder=folder) as lost:
-        until = time.monotonic() + 60
-        while not facts.exists():
-            assert time.monotonic() < until
-            time.sleep(0.05)
-        yield lost, json.loads(facts.read_text())["address"]
-
-
 @pytest.mark.slow
 def test_the_scheduler_is_lost(tmp_path: Path) -> None:
     """A run of its own, which says so in a line and no more."""
-    with a_scheduler(tmp_path / "s") as (lost, address), worker(address, tmp_path):
+    with a_scheduler(tmp_path) as (lost, address), worker(address, tmp_path):
         command = [sys.executable, "-m", "tests.workers.on_a_cluster", address]
         with subprocess.Popen(
             command,
@@ -382,7 +375,7 @@ def test_the_scheduler_is_lost_while_workers_are_looked_at(
     from distributed import Client
 
     look = Client.run
-    with a_scheduler(tmp_path / "s") as (lost, address), worker(address, tmp_path):
+    with a_scheduler(tmp_path) as (lost, address), worker(address, tmp_path):
 
         def lose(client: Client, *arguments: Any, **options: Any) -> Any:
             lost.kill()

@@ -130,7 +130,7 @@ def fly(
     >>> import sailnet
     >>> flight = sailnet.fly("earth_mars", (1.05, 0.15, 1.03), beta_bias=-0.05)
     >>> flight.arrived, f"{flight.time_of_flight:.2f} TU"
-    (True, '6.26 TU')
+    (True, '6.25 TU')
     >>> flight.columns().units["attitude"]
     'rad'
     """
