@@ -17,9 +17,10 @@
 #define SEARCH_EVERY 0.1
 /* A faster plan saves at least so much of the time to go: what networks err by. */
 #define FASTER 0.01
-/* A plan that was not solved for the vehicle for so long [TU] has failed: its family of extremals has ended, and any other
-   is better. */
+/* A plan that was not solved for the vehicle for so long [TU], or for so much of its time to go, has failed: its family of
+   extremals has ended, and any other is better. */
 #define FAILED_AFTER 0.2
+#define FAILED_SHARE 0.5
 /* Extremals that a candidate may take until it is given up. */
 #define CANDIDATE_EXTREMALS 80
 /* A plan that misses the state by more [AU, AU/TU] is not flown. */
@@ -60,7 +61,10 @@ SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double he
 /* Whether there is no plan, or none that will be flown on. */
 static int32_t has_failed(const sailnet_tracker *tracker)
 {
-    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER)) ? 1 : 0;
+    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER) ||
+            !(tracker->since < FAILED_SHARE * tracker->plan.time_to_go))
+               ? 1
+               : 0;
 }
 
 /* Whether a plan of so long a time to go is better than the one that is flown. */

@@ -2005,72 +2005,11 @@ static void try_step(const sailnet_problem *problem, const double state[STATES],
     fly_back(problem, state, tried);
 }
 
-/* Take one damped step; 0 if it came no nearer. */
-static int32_t advance(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, trial *best,
-                       const double step[STATES], double share)
-{
-    static const double unchanged[2] = {0.0, 0.0};
-    trial tried;
-    try_step(problem, state, plan, best, step, share, &tried);
-    const int32_t nearer = tried.residual < best->residual ? 1 : 0;
-    if (nearer != 0) {
-        mend(plan, best, &tried, step, share, unchanged);
-        *best = tried;
-    }
-    return nearer;
-}
-
 static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
 {
     for (int32_t n = 0; n < STATES; n++) {
         plan->jacobian[n][TIME] = end->rate[n];
     }
-}
-
-/* The first trial: a whole step from where the plan is predicted to be now, or the plan as it is. Returned are the
-   extremals that were computed. */
-static int32_t begin(const sailnet_problem *problem, const double state[STATES], int32_t most, sailnet_plan *plan,
-                     trial *best)
-{
-    const double change[2] = {problem->beta - plan->beta, problem->across - plan->across};
-    const double floor = FLOOR * sailnet_plan_goal(plan->time_to_go);
-    int32_t count = 0;
-    (void)memcpy(best->direction, plan->direction, sizeof best->direction);
-    best->time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
-    choose_largest(plan);
-    if ((plan->differentiated != 0) && (most > 1)) {
-        trial tried;
-        double step[STATES];
-        sailnet_bring_up(problem, state, plan);
-        best->end = plan->end;
-        for (int32_t n = 0; n < STATES; n++) {
-            best->end.value[n] += plan->per_beta[n] * change[0] + plan->per_across[n] * change[1];
-        }
-        compare(state, best);
-        differentiate_by_time(plan, &best->end);
-        if (solve(plan, best->error, step) != 0) {
-            const double share = share_within(step);
-            try_step(problem, state, plan, best, step, share, &tried);
-            count = 1;
-            if (tried.residual <= floor) {
-                *best = tried;
-            } else if (tried.residual < best->residual) {
-                const int32_t stale = tried.residual > STALE * best->residual ? 1 : 0;
-                mend(plan, best, &tried, step, share, change);
-                plan->differentiated = stale != 0 ? 0 : plan->differentiated;
-                *best = tried;
-            } else {
-                plan->differentiated = 0;
-                fly_back(problem, state, best);
-                count = 2;
-            }
-        }
-    }
-    if (count == 0) {
-        fly_back(problem, state, best);
-        count = 1;
-    }
-    return count;
 }
 
 SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const double state[SAILNET_STATES],
@@ -2089,57 +2028,115 @@ SAILNET_TRACKER_API void sailnet_bring_up(const sailnet_problem *problem, const 
     plan->residual = steps > 0 ? now.residual : NOWHERE;
 }
 
+/* How far a correction has come. */
+typedef struct {
+    trial best;
+    double damped;
+    /* Whether `best` is where an extremal is predicted to end, and none that was flown; and then by how much the vehicle
+       changes, in beta and in the force along the surface. */
+    int32_t predicted;
+    double change[2];
+    /* Whether the derivatives are those of `best`. */
+    int32_t fresh;
+} search;
+
+/* The plan as it is predicted to be now, or as it is. Returned are the extremals that were computed. */
+static int32_t begin(const sailnet_problem *problem, const double state[STATES], int32_t most, sailnet_plan *plan,
+                     search *at)
+{
+    trial *const best = &at->best;
+    (void)memset(at, 0, sizeof *at);
+    (void)memcpy(best->direction, plan->direction, sizeof best->direction);
+    best->time_to_go = plan->time_to_go > LEAST_TIME ? plan->time_to_go : LEAST_TIME;
+    at->damped = 1.0;
+    choose_largest(plan);
+    at->predicted = ((plan->differentiated != 0) && (most > 1)) ? 1 : 0;
+    if (at->predicted != 0) {
+        at->change[0] = problem->beta - plan->beta;
+        at->change[1] = problem->across - plan->across;
+        sailnet_bring_up(problem, state, plan);
+        best->end = plan->end;
+        for (int32_t n = 0; n < STATES; n++) {
+            best->end.value[n] += plan->per_beta[n] * at->change[0] + plan->per_across[n] * at->change[1];
+        }
+        compare(state, best);
+    } else {
+        fly_back(problem, state, best);
+    }
+    return 1 - at->predicted;
+}
+
+/* Take one damped step; 0 if it came no nearer. Derivatives learn nothing from a residual in which integration errors are a
+   part. */
+static int32_t advance(const sailnet_problem *problem, const double state[STATES], sailnet_plan *plan, search *at)
+{
+    double step[STATES];
+    int32_t nearer = 0;
+    if (solve(plan, at->best.error, step) != 0) {
+        const double share = at->damped * share_within(step);
+        trial tried;
+        try_step(problem, state, plan, &at->best, step, share, &tried);
+        const int32_t within = tried.residual <= (FLOOR * sailnet_plan_goal(plan->time_to_go)) ? 1 : 0;
+        nearer = ((within != 0) || (tried.residual < at->best.residual)) ? 1 : 0;
+        if ((nearer != 0) && (within == 0)) {
+            const int32_t stale = tried.residual > (STALE * at->best.residual) ? 1 : 0;
+            mend(plan, &at->best, &tried, step, share, at->change);
+            plan->differentiated = ((stale != 0) && (at->fresh == 0)) ? 0 : plan->differentiated;
+        }
+        at->best = nearer != 0 ? tried : at->best;
+    }
+    return nearer;
+}
+
 SAILNET_TRACKER_API int32_t sailnet_correct_plan(const sailnet_problem *problem, const double state[SAILNET_STATES],
                                                  int32_t most, sailnet_plan *plan)
 {
-    trial best;
-    double step[STATES] = {0.0};
+    search at;
+    const trial *const best = &at.best;
     const double goal = sailnet_plan_goal(plan->time_to_go);
-    double damped = 1.0;
-    int32_t fresh = 0;
     int32_t going = 1;
     const int32_t limit = most < SAILNET_MOST_EXTREMALS ? most : SAILNET_MOST_EXTREMALS;
-    int32_t count = begin(problem, state, limit, plan, &best);
-    while ((going != 0) && (count < limit) && ((best.residual > goal) || (plan->differentiated == 0)) &&
-           (best.residual < NOWHERE)) {
+    int32_t count = begin(problem, state, limit, plan, &at);
+    while ((going != 0) && (count < limit) &&
+           ((at.predicted != 0) || ((best->residual < NOWHERE) && ((best->residual > goal) || (plan->differentiated == 0))))) {
         choose_largest(plan);
         const int32_t renewed = plan->differentiated == 0 ? TIME : 0;
         going = count < (limit - renewed) ? 1 : 0;
         if ((going != 0) && (renewed != 0)) {
-            differentiate(problem, state, plan, &best);
+            differentiate(problem, state, plan, best);
             count += TIME;
-            fresh = 1;
+            at.fresh = 1;
         }
-        differentiate_by_time(plan, &best.end);
-        if ((going != 0) && (plan->differentiated != 0)) {
-            going = solve(plan, best.error, step);
-            plan->differentiated = going != 0 ? plan->differentiated : 0;
-        }
+        differentiate_by_time(plan, &best->end);
         going = plan->differentiated != 0 ? going : 0;
         if (going != 0) {
-            const double before = best.residual;
-            const double share = damped * share_within(step);
             count++;
-            if (advance(problem, state, plan, &best, step, share) != 0) {
-                plan->differentiated = ((best.residual > STALE * before) && (fresh == 0)) ? 0 : plan->differentiated;
-                fresh = 0;
-                damped = damped < 0.5 ? 2.0 * damped : 1.0;
-            } else if (fresh == 0) {
+            if (advance(problem, state, plan, &at) != 0) {
+                at.fresh = 0;
+                at.damped = at.damped < 0.5 ? 2.0 * at.damped : 1.0;
+            } else if (at.fresh == 0) {
                 plan->differentiated = 0;
+                if (at.predicted != 0) {
+                    fly_back(problem, state, &at.best);
+                    count++;
+                }
             } else {
-                damped *= 0.25;
-                going = damped > SHORTEST_SHARE ? 1 : 0;
+                at.damped *= 0.25;
+                going = at.damped > SHORTEST_SHARE ? 1 : 0;
             }
+            at.predicted = 0;
+            at.change[0] = 0.0;
+            at.change[1] = 0.0;
         }
     }
-    (void)memcpy(plan->direction, best.direction, sizeof best.direction);
-    plan->time_to_go = best.time_to_go;
+    (void)memcpy(plan->direction, best->direction, sizeof best->direction);
+    plan->time_to_go = best->time_to_go;
     plan->beta = problem->beta;
     plan->across = problem->across;
-    plan->residual = best.residual;
-    plan->end = best.end;
+    plan->residual = best->residual;
+    plan->end = best->end;
     plan->age = 0.0;
-    plan->differentiated = best.residual < NOWHERE ? plan->differentiated : 0;
+    plan->differentiated = best->residual < NOWHERE ? plan->differentiated : 0;
     /* It is no more than the limit: the comparison shows that to an analyser. */
     return count < limit ? count : limit;
 }
@@ -2260,9 +2257,10 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
 #define SEARCH_EVERY 0.1
 /* A faster plan saves at least so much of the time to go: what networks err by. */
 #define FASTER 0.01
-/* A plan that was not solved for the vehicle for so long [TU] has failed: its family of extremals has ended, and any other
-   is better. */
+/* A plan that was not solved for the vehicle for so long [TU], or for so much of its time to go, has failed: its family of
+   extremals has ended, and any other is better. */
 #define FAILED_AFTER 0.2
+#define FAILED_SHARE 0.5
 /* Extremals that a candidate may take until it is given up. */
 #define CANDIDATE_EXTREMALS 80
 /* A plan that misses the state by more [AU, AU/TU] is not flown. */
@@ -2303,7 +2301,10 @@ SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double he
 /* Whether there is no plan, or none that will be flown on. */
 static int32_t has_failed(const sailnet_tracker *tracker)
 {
-    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER)) ? 1 : 0;
+    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER) ||
+            !(tracker->since < FAILED_SHARE * tracker->plan.time_to_go))
+               ? 1
+               : 0;
 }
 
 /* Whether a plan of so long a time to go is better than the one that is flown. */
@@ -3002,7 +3003,7 @@ SAILNET_INLINE sailnet_problem sailnet_own_problem(const sailnet_memory *memory,
 /* The networks know the mission's optics alone: beta of such a sail that is as fast. */
 SAILNET_INLINE sailnet_real sailnet_for_networks(const sailnet_memory *memory, sailnet_real beta)
 {
-    const sailnet_real tangential = sailnet_limited(&memory->estimate.tangential, SAILNET_OF_TANGENTIAL);
+    const sailnet_real tangential = memory->estimate.tangential;
     const sailnet_real lost = tangential > R(0.0) ? SAILNET_TANGENTIAL_LOSS * tangential : R(0.0);
     const sailnet_real asked = beta * (R(1.0) - lost);
     return sailnet_limited(&asked, SAILNET_OF_BETA);
@@ -3336,8 +3337,7 @@ sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_d
         double numbers[SAILNET_STATES];
         const sailnet_problem own = sailnet_own_problem(memory, plan->beta);
         sailnet_to_tracker(state, numbers);
-        if (sailnet_take_plan(&own, &memory->tracker, numbers, plan->direction, plan->time_to_go) !=
-            0) {
+        if (sailnet_take_plan(&own, &memory->tracker, numbers, plan->direction, plan->time_to_go) != 0) {
             status = SAILNET_OK;
         }
     }

@@ -264,7 +264,7 @@ MUTANTS = {
         "test", "sailnet_track", "if (moves <= 0) {", "if (moves == 0) {", "computed >= 1"
     ),
     "a derivative by the push aside that says nothing": Mutant(
-        "test", "begin", "plan->per_across[n] * change[1];", "0.0 * change[1];", "failed: enough > 5"
+        "test", "begin", "plan->per_across[n] * at->change[1];", "0.0 * at->change[1];", "failed: enough > 5"
     ),
     "a vehicle that moves aside at once": Mutant(
         "test",
@@ -288,7 +288,7 @@ MUTANTS = {
         "tracker.candidate.across == before",
     ),
     "a derivative by beta that says nothing": Mutant(
-        "test", "begin", "plan->per_beta[n] * change[0] +", "0.0 * change[0] +", "failed: enough > 5"
+        "test", "begin", "plan->per_beta[n] * at->change[0] +", "0.0 * at->change[0] +", "failed: enough > 5"
     ),
     "a correction that is not gone on with": Mutant(
         "test",
@@ -316,6 +316,9 @@ MUTANTS = {
     ),
     "a plan that has failed, kept": Mutant(
         "test", "has_failed", "!(tracker->since < FAILED_AFTER)", "(0 != 0)", "has_failed(tracker) =="
+    ),
+    "a plan that has failed near arrival, kept": Mutant(
+        "test", "has_failed", "!(tracker->since < FAILED_SHARE * tracker->plan.time_to_go)", "(0 != 0)", "has_failed("
     ),
     "a candidate that is hardly faster": Mutant(
         "test", "is_better", "((1.0 - FASTER) * ", "(1.0 * ", "is_better(tracker, 0.995"
