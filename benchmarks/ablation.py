@@ -75,7 +75,10 @@ MECHANISMS = {
     "on-its-way": Mechanism(
         "no plan for a stronger vehicle is flown", ((r"\(tracker->stride >= LARGEST_STRIDE\)", "(0 != 0)"),)
     ),
-    "failed": Mechanism("a plan that has failed stays", (constant("FAILED_AFTER", "1e9"),)),
+    "failed": Mechanism(
+        "a plan that has failed stays", (constant("FAILED_AFTER", "1e9"), constant("FAILED_SHARE", "1e9"))
+    ),
+    "weaker": Mechanism("no plan of a weaker vehicle is sought", (constant("ASKED", "1"),)),
     "optics": Mechanism(
         "plans are for the mission's optics",
         ((r"sailnet_push_aside\(&own, \(double\).*\);", "(void)memory;"),),

@@ -101,8 +101,8 @@ class ReferenceSteering:
             as_fast = 1.0 - rules.tangential_loss * np.maximum(memory.tangential, 0.0)
         limits = self._guidance.beta_range
         read, estimated = (np.clip(beta, *limits) for beta in (plan, own))
-        vehicles = Vehicles(read, estimated, memory.tangential, np.clip(read * as_fast, *limits))
-        command = self._command(known, vehicles.as_fast, hold, sails)
+        vehicles = Vehicles(read, estimated, memory.tangential, read * as_fast)
+        command = self._command(known, np.clip(vehicles.as_fast, *limits), hold, sails)
         valid = command.status != GuidanceStatus.INVALID_INPUT
         if change is not None:
             command, _ = self._tracking.commands(memory.tracker, known, vehicles, memory.held, hold, command)

@@ -9,11 +9,11 @@
 /* The guidance period of `held` [TU] is over. */
 SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
 
-/* Whether the networks are to be evaluated, for sailnet_propose. */
-SAILNET_TRACKER_API int32_t sailnet_needs_proposal(const sailnet_tracker *tracker);
+/* For what share of the vehicle's beta the networks are to be evaluated, for sailnet_propose; 0: not now. */
+SAILNET_TRACKER_API double sailnet_asks_for(const sailnet_tracker *tracker);
 
 /*
- * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time to go
+ * A plan of the networks for the vehicle of `problem`, or a weaker one that was asked for: the direction of the arrival costates, of any size, and the time to go
  * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
  */
 SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,

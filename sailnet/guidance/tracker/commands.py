@@ -90,16 +90,15 @@ class Tracking:
             )
         return commands, flown
 
-    def _propose(
-        self, trackers: NDArray[np.void], states: Array, vehicles: Vehicles, needs: NDArray[np.bool_]
-    ) -> None:
-        """Propose the networks' plans to the trackers that need one."""
-        if not needs.any() or not isinstance(self._guidance, FirstPlans):
+    def _propose(self, trackers: NDArray[np.void], states: Array, vehicles: Vehicles, asked: Array) -> None:
+        """Propose the networks' plans to the trackers that asked for one."""
+        if not asked.any() or not isinstance(self._guidance, FirstPlans):
             return
-        directions = self._guidance.arrival_directions(states, vehicles.as_fast)
+        beta = np.clip(asked * vehicles.as_fast, *self._guidance.beta_range)
+        directions = self._guidance.arrival_directions(states, beta)
         if directions is not None:
-            tau = self._guidance.command(states, vehicles.as_fast).time_of_flight
-            self._tracker.propose(self._problem, trackers, needs, directions, tau, vehicles)
+            tau = self._guidance.command(states, beta).time_of_flight
+            self._tracker.propose(self._problem, trackers, asked, directions, tau, vehicles)
 
 
 def planned_commands(

@@ -71,7 +71,7 @@ def tracker_type(components: int) -> np.dtype[np.void]:
             ("flown", attitude_type(components)),
             ("regret", "f8"),
         ]
-        + [(name, "i4") for name in ("planned", "searching", "computed")],
+        + [(name, "i4") for name in ("planned", "searching", "computed", "tried")],
         align=True,
     )
 
@@ -108,8 +108,7 @@ class Vehicles:
         estimated: the same without the thrust margin.
         tangential: force along the surface beyond that of the mission's optics, as a share of the force along
             the normal.
-        as_fast: beta of a vehicle of the mission's optics that is as fast: what the networks are asked for,
-            within their range.
+        as_fast: beta of a vehicle of the mission's optics that is as fast: what the networks are asked for.
     """
 
     beta: Array
@@ -252,40 +251,40 @@ class Tracker:
         self._functions.tracker_correct(problem.ctypes.data, len(plans), *places, most, computed.ctypes.data)
         return computed
 
-    def time_passes(self, trackers: NDArray[np.void], held: Array) -> NDArray[np.bool_]:
+    def time_passes(self, trackers: NDArray[np.void], held: Array) -> Array:
         """A period of (n,) ``held`` [TU] is over.
 
         Returns:
-            (n,) whether they need a proposal.
+            (n,) share of a vehicle's beta for which the networks are to be asked for a plan; 0 where they are
+            not.
         """
-        needs, times = np.zeros(len(trackers), np.int32), np.ascontiguousarray(held, float)
-        places = [array.ctypes.data for array in (trackers, times, needs)]
+        asked, times = np.zeros(len(trackers)), np.ascontiguousarray(held, float)
+        places = [array.ctypes.data for array in (trackers, times, asked)]
         self._functions.tracker_time_passes(len(trackers), *places)
-        return needs.astype(bool)
+        return asked
 
     def propose(
         self,
         problem: NDArray[np.void],
         trackers: NDArray[np.void],
-        needs: NDArray[np.bool_],
+        asked: Array,
         directions: ArrayLike,
         tau: ArrayLike,
         vehicles: Vehicles,
     ) -> None:
-        """Propose plans to the trackers that need one: see ``sailnet_propose``.
+        """Propose plans to the trackers that asked for one: see ``sailnet_propose``.
 
         Args:
             problem: of :func:`problem_of`, of the mission's optics; its beta is not used.
             trackers: (n,) of :func:`tracker_type`, changed in place.
-            needs: (n,) which of them.
+            asked: (n,) of :meth:`time_passes`.
             directions: (n, 3) or (n, 5) of the arrival costates, of any size.
             tau: (n,) times to go [TU].
-            vehicles: what they are for.
+            vehicles: of the sails, of whose beta a share was asked for.
         """
-        columns = directions, tau, vehicles.tangential, vehicles.beta
+        columns = asked, directions, tau, vehicles.tangential, vehicles.beta
         given = [np.ascontiguousarray(column, float) for column in columns]
-        chosen = np.ascontiguousarray(needs, np.int32)
-        places = [array.ctypes.data for array in (trackers, chosen, *given)]
+        places = [array.ctypes.data for array in (trackers, *given)]
         self._functions.tracker_propose(problem.ctypes.data, len(trackers), *places)
 
     def follow(

@@ -118,6 +118,7 @@ typedef struct {
     int32_t planned;        /* 0: there is no plan; 1: it was solved; 2: its correction goes on */
     int32_t searching;      /* extremals that are left to the candidate; 0: there is none */
     int32_t computed;       /* extremals in the last guidance period */
+    int32_t tried;          /* proposals since a plan was found */
 } sailnet_tracker;
 
 /* What a plan commands. */

@@ -318,7 +318,28 @@ MUTANTS = {
         "test", "has_failed", "!(tracker->since < FAILED_AFTER)", "(0 != 0)", "has_failed(tracker) =="
     ),
     "a plan that has failed near arrival, kept": Mutant(
-        "test", "has_failed", "!(tracker->since < FAILED_SHARE * tracker->plan.time_to_go)", "(0 != 0)", "has_failed("
+        "test",
+        "has_failed",
+        "!(tracker->since < FAILED_SHARE * tracker->plan.time_to_go)",
+        "(0 != 0)",
+        "has_failed(",
+    ),
+    "a weaker vehicle asked for while a plan is flown": Mutant(
+        "test",
+        "next_vehicle",
+        "has_failed(tracker) != 0 ? known : 0;",
+        "known;",
+        "sailnet_asks_for(&tracker) == 1.0",
+    ),
+    "a vehicle of any bits": Mutant(
+        "test",
+        "next_vehicle",
+        "((tracker->tried > 0) && (tracker->tried < ASKED)) ? tracker->tried : 0;",
+        "tracker->tried;",
+        "sailnet_asks_for(&tracker) == 1.0",
+    ),
+    "weaker vehicles once a plan was found": Mutant(
+        "test", "adopt", "    tracker->tried = 0;\n", "", "tracker.tried == 0"
     ),
     "a candidate that is hardly faster": Mutant(
         "test", "is_better", "((1.0 - FASTER) * ", "(1.0 * ", "is_better(tracker, 0.995"
