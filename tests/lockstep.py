@@ -39,8 +39,8 @@ MORE_NUDGES = 20
 """So many times as many where those miss a decision of rounding."""
 
 ODD = 3e-3
-"""Share of answers that may be like none that was asked for: networks round within, and what decides may be one
-rounding of theirs that no nudge of the numbers they are given repeats. In float 8 of 5,400 were seen."""
+"""Share of answers that may be like none that was asked for: networks round within, and what decides may be
+one rounding of theirs that no nudge of the numbers they are given repeats. In float 8 of 5,400 were seen."""
 
 OUTSIDE = ("tracker", "time_of_flight")
 """Of the reference's memory: what is no part of the estimate."""
