@@ -38,7 +38,7 @@ void prove_tracker(void)
     const double *const numbers = &direction[SAILNET_STATES];
     sailnet_time_passes(tracker, numbers[0]);
     const double asked = sailnet_asks_for(tracker);
-    /*@ assert asked: asked == 0.0 || 0.8 <= asked <= 1.0; */
+    /*@ assert asked: 0.0 <= asked <= 1.0; */
     if (asked > 0.0) {
         sailnet_propose(&problem_bits.value, tracker, direction, numbers[1]);
     }
