@@ -238,7 +238,7 @@ class Lockstep:
             vehicles, hold, most = given
             beta = vehicles.beta
             near = np.array(states)
-            # One that is dead reckoned the C rounds.
+            # One of dead reckoning the C rounds.
             rough = ~self._double.is_shown(near)
             near[rough] *= 1.0 + size * rng.uniform(-1.0, 1.0, near[rough].shape)
             for column in (near[:, 1],) if near.shape[1] > 3 else ():

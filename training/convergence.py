@@ -43,9 +43,6 @@ TITLES = {
     f"{LONGER:.0%} longer than predicted",
 }
 
-LARGEST_RESIDUAL, SMALLEST_SHARE = 4e-6, 1e-4
-"""``sailnet_plan_goal``: the residual of a converged plan [AU, AU/TU], and its least share near arrival."""
-
 
 @dataclass(frozen=True)
 class Share:
@@ -78,12 +75,6 @@ def first_plans(networks: PlanNetworks, tau: Network, given: States) -> NDArray[
     return tracker(networks.components).begun(directions, predicted, given.beta)
 
 
-def solved(plans: NDArray[np.void]) -> NDArray[np.bool_]:
-    """(n,) whether the plans pass through the states they were corrected for."""
-    share = np.clip(plans["time_to_go"] ** 2, SMALLEST_SHARE, 1.0)
-    return np.asarray(plans["residual"] <= LARGEST_RESIDUAL * share)
-
-
 def shares(transfer: Transfer, plans: NDArray[np.void], given: States, known: bool) -> list[Share]:
     """What becomes of plans, by bands of the time to go, the last one all; the plans are corrected in place.
 
@@ -94,27 +85,25 @@ def shares(transfer: Transfer, plans: NDArray[np.void], given: States, known: bo
         known: whether the optimum from them is.
     """
     problem = problem_of(transfer.optics, transfer.phi_max, transfer.beta, transfer.target_radius)
-    correct = tracker(given.states.shape[1]).correct
+    corrector = tracker(given.states.shape[1])
     predicted = plans["time_to_go"].copy()
     longest = (1.0 + SAME_OPTIMUM) * given.tau if known else (1.0 + LONGER) * predicted
     shortest = (1.0 - SAME_OPTIMUM) * given.tau if known else np.zeros(len(plans))
     reached = []
     for calls in CALLS.values():
         for most in calls:
-            rows = np.flatnonzero(~solved(plans))
+            rows = np.flatnonzero(~corrector.solved(plans))
             own = plans[rows]
-            correct(problem, own, given.states[rows], most)
+            corrector.correct(problem, own, given.states[rows], most)
             plans[rows] = own
-        tau = plans["time_to_go"]
-        reached.append((solved(plans), solved(plans) & (tau >= shortest) & (tau <= longest)))
+        tau, converged = plans["time_to_go"], corrector.solved(plans)
+        reached.append((converged, converged & (tau >= shortest) & (tau <= longest)))
     found = []
     for low, high in (*itertools.pairwise(BANDS), (BANDS[0], BANDS[-1])):
         here = (given.tau > low) & (given.tau <= high)
         if here.any():
-            converged, fastest = (
-                tuple(float(of[here].mean()) for of in kind) for kind in zip(*reached, strict=True)
-            )
-            found.append(Share((low, high), int(here.sum()), converged, fastest))
+            both = (tuple(float(of[here].mean()) for of in kind) for kind in zip(*reached, strict=True))
+            found.append(Share((low, high), int(here.sum()), *both))
     return found
 
 

@@ -30,6 +30,14 @@ def small_mission() -> Mission:
     return mission.model_copy(update={"generalisation": region, "dataset": recipes})
 
 
+def quickly_trained(epochs: int) -> Mission:
+    """The same, whose networks are trained for so many epochs on few samples."""
+    mission = small_mission()
+    samples = {"train_samples": 2000, "validation_samples": 500, "curvature_samples": 500}
+    wide = mission.training.wide.model_copy(update={**samples, "epochs": epochs})
+    return mission.model_copy(update={"training": mission.training.model_copy(update={"wide": wide})})
+
+
 def in_space(mission: Mission, path: Path) -> Path:
     """Its data set, written."""
     made = prepare(mission, "wide")

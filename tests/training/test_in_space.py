@@ -18,7 +18,7 @@ from sailnet.networks.guidance_in_space import (
 )
 from sailnet.networks.guidance_networks import APPROACH_SIGN_SCALE, load_guidance_networks
 from sailnet.networks.network import Network
-from tests.data.small_in_space import in_space, small_mission
+from tests.data.small_in_space import in_space, quickly_trained
 from training.fit_domain import ensure_domain
 from training.parallel import train_networks
 from training.targets import TARGETS
@@ -29,10 +29,7 @@ SPACE = TARGETS["wide in space"]
 
 @pytest.fixture(scope="module")
 def mission() -> Mission:
-    mission = small_mission()
-    recipe = {"train_samples": 2000, "validation_samples": 500, "curvature_samples": 500, "epochs": 40}
-    training = mission.training.model_copy(update={"wide": mission.training.wide.model_copy(update=recipe)})
-    return mission.model_copy(update={"training": training})
+    return quickly_trained(40)
 
 
 @pytest.fixture(scope="module")

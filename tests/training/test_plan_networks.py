@@ -22,11 +22,11 @@ from sailnet.networks.plan_networks import (
 )
 from sailnet.physics.arrays import Array
 from sailnet.physics.extremals import arrival_lambda_v
-from tests.data.small_in_space import in_space, small_mission
+from tests.data.small_in_space import in_space, quickly_trained, small_mission
 from tests.small_datasets import NOMINAL
 from training import convergence
 from training.arrival_targets import arrival_columns
-from training.convergence import CALLS, first_plans, shares, solved
+from training.convergence import CALLS, first_plans, shares
 from training.parallel import train_networks
 from training.plan_states import BANDS, DISPLACEMENT, States, displaced, states_of
 from training.samples import crossings, split_trajectories
@@ -40,10 +40,7 @@ MIRROR = np.array([1.0, -1.0, 1.0, 1.0, -1.0])
 
 @pytest.fixture(scope="module")
 def mission() -> Mission:
-    mission = small_mission()
-    recipe = {"train_samples": 2000, "validation_samples": 500, "curvature_samples": 500, "epochs": 30}
-    wide = mission.training.wide.model_copy(update=recipe)
-    return mission.model_copy(update={"training": mission.training.model_copy(update={"wide": wide})})
+    return quickly_trained(30)
 
 
 @pytest.fixture(scope="module")
@@ -167,7 +164,7 @@ def test_the_optimum_s_own_plans_converge_at_once_and_others_count_apart(
     rows = np.flatnonzero(tau > 0.01)[::40]
     given = States(states[rows], beta[rows], tau[rows])
     plans = first_plans(networks, load_network(folder / "tau.safetensors"), given)
-    assert not solved(plans).any()
+    assert not tracker(5).solved(plans).any()
     plans["direction"], plans["time_to_go"] = directions[rows], tau[rows]
     own = plans.copy()
     *_, whole = shares(mission.problem, own, given, known=True)

@@ -8,6 +8,7 @@ void tracker_extremals(const sailnet_problem *problem, uint64_t count, const dou
                        double tolerance, sailnet_end *ends, int32_t *steps);
 void tracker_correct(const sailnet_problem *problem, uint64_t count, sailnet_plan *plans, const double *states,
                      int32_t most, int32_t *computed);
+void tracker_solved(uint64_t count, const sailnet_plan *plans, int32_t *solved);
 void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double *held, double *asked);
 void tracker_propose(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers, const double *asked,
                      const double *directions, const double *tau, const double *tangential, const double *beta);
@@ -55,6 +56,13 @@ void tracker_correct(const sailnet_problem *problem, uint64_t count, sailnet_pla
         sailnet_problem own = *problem;
         own.beta = plans[i].beta;
         computed[i] = sailnet_correct_plan(&own, &states[i * SAILNET_STATES], most, &plans[i]);
+    }
+}
+
+void tracker_solved(uint64_t count, const sailnet_plan *plans, int32_t *solved)
+{
+    for (uint64_t i = 0; i < count; i++) {
+        solved[i] = sailnet_plan_is_solved(&plans[i]);
     }
 }
 

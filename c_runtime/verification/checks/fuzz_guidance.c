@@ -295,8 +295,8 @@ static void check_the_attitude(const sailnet_command *law, const sailnet_command
 #endif
 
 /*
- * Without a plan steering commands what the law does for the state that it steers by, shown or reckoned, but for the beta
- * that it plans with: that is known where there is no thrust margin, or all networks are for one beta.
+ * Without a plan steering commands what the law does for the state that it steers by, measured or by dead reckoning, but
+ * for the beta that it plans with: that is known where there is no thrust margin, or all networks are for one beta.
  */
 static void check_against_the_law(const sailnet_command *command, sailnet_status status, const sailnet_memory *after,
                                   sailnet_real period)

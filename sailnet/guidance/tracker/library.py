@@ -174,6 +174,7 @@ class Tracker:
             functions.tracker_extremals.argtypes = [pointer, number, pointer, pointer, real, pointer, pointer]
             most = ctypes.c_int32
             functions.tracker_correct.argtypes = [pointer, number, pointer, pointer, most, pointer]
+            functions.tracker_solved.argtypes = [number, *[pointer] * 2]
             functions.tracker_time_passes.argtypes = [number, *[pointer] * 3]
             functions.tracker_propose.argtypes = [pointer, number, *[pointer] * 6]
             functions.tracker_follow.argtypes = [pointer, number, *[pointer] * 6, most, *[pointer] * 2]
@@ -250,6 +251,12 @@ class Tracker:
         places = [array.ctypes.data for array in (plans, given)]
         self._functions.tracker_correct(problem.ctypes.data, len(plans), *places, most, computed.ctypes.data)
         return computed
+
+    def solved(self, plans: NDArray[np.void]) -> NDArray[np.bool_]:
+        """(n,) whether plans pass through the states they were corrected for: ``sailnet_plan_is_solved``."""
+        given, solved = np.ascontiguousarray(plans), np.zeros(len(plans), np.int32)
+        self._functions.tracker_solved(len(given), given.ctypes.data, solved.ctypes.data)
+        return solved.astype(bool)
 
     def time_passes(self, trackers: NDArray[np.void], held: Array) -> Array:
         """A period of (n,) ``held`` [TU] is over.
