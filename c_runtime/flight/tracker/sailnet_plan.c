@@ -238,16 +238,6 @@ static void mend(sailnet_plan *plan, const trial *before, const trial *after, co
     }
 }
 
-/* The next trial, and what comes of it. */
-static void try_step(const sailnet_problem *problem, const double state[STATES], const sailnet_plan *plan,
-                     const trial *from, const double step[STATES], double share, trial *tried)
-{
-    const double later = from->time_to_go + share * step[TIME];
-    tried->time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
-    turn_direction(from->direction, plan->largest, step, share, tried->direction);
-    fly_back(problem, state, tried);
-}
-
 static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
 {
     for (int32_t n = 0; n < STATES; n++) {
@@ -317,8 +307,11 @@ static int32_t advance(const sailnet_problem *problem, const double state[STATES
     int32_t nearer = 0;
     if (solve(plan, at->best.error, step) != 0) {
         const double share = at->damped * share_within(step);
+        const double later = at->best.time_to_go + share * step[TIME];
         trial tried;
-        try_step(problem, state, plan, &at->best, step, share, &tried);
+        tried.time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
+        turn_direction(at->best.direction, plan->largest, step, share, tried.direction);
+        fly_back(problem, state, &tried);
         const int32_t within = tried.residual <= (FLOOR * sailnet_plan_goal(plan->time_to_go)) ? 1 : 0;
         nearer = ((within != 0) || (tried.residual < at->best.residual)) ? 1 : 0;
         if ((nearer != 0) && (within == 0)) {
