@@ -3,6 +3,18 @@
 
 #include <stddef.h>
 
+static sailnet_state state_of(const sailnet_real *states, uint64_t i)
+{
+#if SAILNET_IN_SPACE
+    const sailnet_real *const given = &states[5 * i];
+    const sailnet_state state = {given[0], given[1], given[2], given[3], given[4]};
+#else
+    const sailnet_real *const given = &states[3 * i];
+    const sailnet_state state = {given[0], given[1], given[2]};
+#endif
+    return state;
+}
+
 #if SAILNET_IN_SPACE
 void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
                             sailnet_real *cone_angles, sailnet_real *clock_angles, sailnet_real *times_of_flight,
@@ -14,12 +26,7 @@ void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sa
 #endif
 {
     for (uint64_t i = 0; i < count; i++) {
-#if SAILNET_IN_SPACE
-        const sailnet_real *const given = &states[5 * i];
-        const sailnet_state state = {given[0], given[1], given[2], given[3], given[4]};
-#else
-        const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
-#endif
+        const sailnet_state state = state_of(states, i);
         sailnet_command command;
         statuses[i] = (int32_t)sailnet_guidance(&state, betas[i], &command);
         cone_angles[i] = command.cone_angle;
@@ -36,12 +43,7 @@ void sailnet_propose_plan_batch(uint64_t count, const sailnet_real *states, cons
                                 sailnet_arrival *arrivals, int32_t *statuses)
 {
     for (uint64_t i = 0; i < count; i++) {
-#if SAILNET_IN_SPACE
-        const sailnet_real *const given = &states[5 * i];
-        const sailnet_state state = {given[0], given[1], given[2], given[3], given[4]};
-#else
-        const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
-#endif
+        const sailnet_state state = state_of(states, i);
         statuses[i] = (int32_t)sailnet_propose_plan(&state, betas[i], &arrivals[i]);
     }
 }
@@ -61,12 +63,7 @@ void sailnet_steer_batch(uint64_t count, sailnet_memory *memories, const uint64_
     (void)attitudes;
 #endif
     for (uint64_t i = 0; i < count; i++) {
-#if SAILNET_IN_SPACE
-        const sailnet_real *const given = &states[5 * i];
-        const sailnet_state state = {given[0], given[1], given[2], given[3], given[4]};
-#else
-        const sailnet_state state = {states[3 * i], states[3 * i + 1], states[3 * i + 2]};
-#endif
+        const sailnet_state state = state_of(states, i);
 #if !SAILNET_IN_SPACE
         if (attitudes != NULL) {
             sailnet_measured(&memories[sails[i]], attitudes[i]);

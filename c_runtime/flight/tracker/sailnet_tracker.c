@@ -87,7 +87,10 @@ static int32_t next_vehicle(const sailnet_tracker *tracker)
 SAILNET_TRACKER_API double sailnet_asks_for(const sailnet_tracker *tracker)
 {
     const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
-    const double share = 1.0 - WEAKER * (double)next_vehicle(tracker);
+    double share = 1.0;
+    for (int32_t i = next_vehicle(tracker); i > 0; i--) {
+        share -= WEAKER;
+    }
     return ((tracker->searching <= 0) && (due != 0)) ? share : 0.0;
 }
 
