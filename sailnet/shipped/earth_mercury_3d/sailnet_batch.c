@@ -3,13 +3,19 @@
 
 #include <stddef.h>
 
+static sailnet_state state_of(const sailnet_real *states, uint64_t i)
+{
+    const sailnet_real *const given = &states[5 * i];
+    const sailnet_state state = {given[0], given[1], given[2], given[3], given[4]};
+    return state;
+}
+
 void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
                             sailnet_real *cone_angles, sailnet_real *clock_angles, sailnet_real *times_of_flight,
                             sailnet_real *lambda_vs, sailnet_real *lambda_ws, int32_t *statuses)
 {
     for (uint64_t i = 0; i < count; i++) {
-        const sailnet_real *const given = &states[5 * i];
-        const sailnet_state state = {given[0], given[1], given[2], given[3], given[4]};
+        const sailnet_state state = state_of(states, i);
         sailnet_command command;
         statuses[i] = (int32_t)sailnet_guidance(&state, betas[i], &command);
         cone_angles[i] = command.cone_angle;
@@ -24,8 +30,7 @@ void sailnet_propose_plan_batch(uint64_t count, const sailnet_real *states, cons
                                 sailnet_arrival *arrivals, int32_t *statuses)
 {
     for (uint64_t i = 0; i < count; i++) {
-        const sailnet_real *const given = &states[5 * i];
-        const sailnet_state state = {given[0], given[1], given[2], given[3], given[4]};
+        const sailnet_state state = state_of(states, i);
         statuses[i] = (int32_t)sailnet_propose_plan(&state, betas[i], &arrivals[i]);
     }
 }
@@ -43,8 +48,7 @@ void sailnet_steer_batch(uint64_t count, sailnet_memory *memories, const uint64_
 {
     (void)attitudes;
     for (uint64_t i = 0; i < count; i++) {
-        const sailnet_real *const given = &states[5 * i];
-        const sailnet_state state = {given[0], given[1], given[2], given[3], given[4]};
+        const sailnet_state state = state_of(states, i);
         statuses[i] = (int32_t)sailnet_steer(&memories[sails[i]], &state, period, &commands[i]);
     }
 }

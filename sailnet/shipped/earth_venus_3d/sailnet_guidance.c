@@ -1889,6 +1889,9 @@ static const double error_weights[STAGES] = {0.0012326388888888888,  0.0, -0.004
 #define GROW 4.0
 /* Halvings of the interval in which an event lies. */
 #define HALVINGS 20
+/* Newton's steps for the cone angle, and the tangent of the last one: what is left is its square. */
+#define MOST_TURNS 5
+#define LEAST_TURN 1e-5
 
 /* An extremal on its way: between two events the law is smooth. */
 typedef struct {
@@ -1947,53 +1950,46 @@ SAILNET_TRACKER_API void sailnet_push_aside(sailnet_problem *problem, double tan
 }
 
 /*
- * The cone angle inside the bound that makes lambda_u f_r - lateral f_t least: of an ideal sail in closed form, and from
- * there by Newton's steps, which of an ideal sail are none.
+ * The cone angle inside the bound that makes lambda_u f_r - lateral f_t least. Its slope, over the cube of the cosine, is of
+ * third degree in the tangent, and in sine and cosine whatever their size. First the root of the quadratic next to it, which
+ * for an ideal sail is the root; from there by Newton's steps.
  */
 static void inside_the_bound(const sailnet_problem *problem, double lambda_u, double lateral, double *cosine,
                              double *sine)
 {
-    const double x = -3.0 * lambda_u;
-    const double y = 2.8284271247461903 * lateral;
-    const double size = sailnet_root(x * x + y * y);
-    /* The tangent is (size - x) / (sqrt(2) y), or y / (sqrt(2) (size + x)): the larger of both numbers is exact. */
-    const double above = x > 0.0 ? y : size - x;
-    const double below = 1.4142135623730951 * (x > 0.0 ? size + x : y);
-    const double square2 = above * above + below * below;
-    const double whole = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
-    double c = whole > 0.0 ? below * whole : 1.0;
-    double s = above * whole;
     const double linear = problem->linear;
     const double across = problem->across;
-    if ((linear != 0.0) || (across != 0.0)) {
-        const double square = problem->square;
-        for (int32_t i = 0; i < 5; i++) {
-            const double c2 = c * c - s * s;
-            const double s2 = 2.0 * c * s;
-            /* Derivatives of the force by the cone angle, the first and the second. */
-            const double normal = square * c + linear;
-            const double f_r1 = -s * (3.0 * square * c * c + 2.0 * linear * c) + across * s * (2.0 * c * c - s * s);
-            const double f_t1 = c2 * (normal - across * c) - c * s * s * (square - across);
-            const double f_r2 = square * (6.0 * c * s * s - 3.0 * c * c * c) - 2.0 * linear * c2 +
-                                across * c * (2.0 * c * c - 7.0 * s * s);
-            const double f_t2 = -2.0 * s2 * (normal - across * c) - (square - across) * s * (c2 + 2.0 * c * c - s * s);
-            const double slope = lambda_u * f_r1 - lateral * f_t1;
-            const double bend = lambda_u * f_r2 - lateral * f_t2;
-            const double step = bend > 0.0 ? -slope / bend : 0.0;
-            /* A turn by arctan(step). */
-            const double turned = c - s * step;
-            const double rest = s + c * step;
-            const double per = sailnet_reciprocal_root(turned * turned + rest * rest);
-            c = turned * per;
-            s = rest * per;
-            /* What is left is its square. */
-            if (!(sailnet_absolute(step) > 1e-6)) {
-                break;
-            }
-        }
+    const double radial = 3.0 * problem->square - 2.0 * across;
+    const double aside = problem->square - across;
+    /* Near the cone angle of the largest force along, where tan^2 is 0.5. */
+    const double length = 1.2247448713915890 * linear;
+    const double x = -lambda_u * (radial + 0.5 * across + 2.0 * length);
+    const double first = 2.0 * lateral * (2.0 * aside + length);
+    const double last = 2.0 * lateral * (aside + length);
+    const double size = sailnet_root(x * x + first * last);
+    /* Of both forms of the root of first t^2 + 2 x t - last the exact one. */
+    double c = x > 0.0 ? size + x : first;
+    double s = x > 0.0 ? last : size - x;
+    const int32_t steps = ((linear != 0.0) || (across != 0.0)) ? MOST_TURNS : 0;
+    double step = 1.0;
+    for (int32_t i = 0; (i < steps) && (sailnet_absolute(step) > LEAST_TURN); i++) {
+        const double c2 = c * c;
+        const double s2 = s * s;
+        const double cubic = c * (c2 - 2.0 * s2);
+        const double scaled = linear != 0.0 ? linear * sailnet_root(c2 + s2) : 0.0;
+        const double slope = -lambda_u * (s * (radial * c2 + across * s2 + 2.0 * scaled * c)) -
+                             lateral * (aside * cubic + scaled * (c2 - s2));
+        const double bend = -lambda_u * (radial * cubic + 3.0 * across * c * s2 + 2.0 * scaled * (c2 - s2)) +
+                            lateral * (s * (aside * (7.0 * c2 - 2.0 * s2) + 4.0 * scaled * c));
+        step = bend > 0.0 ? -slope / bend : 0.0;
+        const double turned = c - s * step;
+        s += c * step;
+        c = turned;
     }
-    *cosine = c;
-    *sine = s;
+    const double square2 = c * c + s * s;
+    const double per = square2 > 0.0 ? sailnet_reciprocal_root(square2) : 0.0;
+    *cosine = per > 0.0 ? c * per : 1.0;
+    *sine = s * per;
 }
 
 /* Size of the costate across the Sun line. */
@@ -2608,16 +2604,6 @@ static void mend(sailnet_plan *plan, const trial *before, const trial *after, co
     }
 }
 
-/* The next trial, and what comes of it. */
-static void try_step(const sailnet_problem *problem, const double state[STATES], const sailnet_plan *plan,
-                     const trial *from, const double step[STATES], double share, trial *tried)
-{
-    const double later = from->time_to_go + share * step[TIME];
-    tried->time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
-    turn_direction(from->direction, plan->largest, step, share, tried->direction);
-    fly_back(problem, state, tried);
-}
-
 static void differentiate_by_time(sailnet_plan *plan, const sailnet_end *end)
 {
     for (int32_t n = 0; n < STATES; n++) {
@@ -2687,8 +2673,11 @@ static int32_t advance(const sailnet_problem *problem, const double state[STATES
     int32_t nearer = 0;
     if (solve(plan, at->best.error, step) != 0) {
         const double share = at->damped * share_within(step);
+        const double later = at->best.time_to_go + share * step[TIME];
         trial tried;
-        try_step(problem, state, plan, &at->best, step, share, &tried);
+        tried.time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
+        turn_direction(at->best.direction, plan->largest, step, share, tried.direction);
+        fly_back(problem, state, &tried);
         const int32_t within = tried.residual <= (FLOOR * sailnet_plan_goal(plan->time_to_go)) ? 1 : 0;
         nearer = ((within != 0) || (tried.residual < at->best.residual)) ? 1 : 0;
         if ((nearer != 0) && (within == 0)) {
@@ -2940,7 +2929,10 @@ static int32_t next_vehicle(const sailnet_tracker *tracker)
 SAILNET_TRACKER_API double sailnet_asks_for(const sailnet_tracker *tracker)
 {
     const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
-    const double share = 1.0 - WEAKER * (double)next_vehicle(tracker);
+    double share = 1.0;
+    for (int32_t i = next_vehicle(tracker); i > 0; i--) {
+        share -= WEAKER;
+    }
     return ((tracker->searching <= 0) && (due != 0)) ? share : 0.0;
 }
 
