@@ -1397,9 +1397,8 @@ static void inside_the_bound(const sailnet_problem *problem, double lambda_u, do
     /* Of both forms of the root of first t^2 + 2 x t - last the exact one. */
     double c = x > 0.0 ? size + x : first;
     double s = x > 0.0 ? last : size - x;
-    const int32_t steps = ((linear != 0.0) || (across != 0.0)) ? MOST_TURNS : 0;
-    double step = 1.0;
-    for (int32_t i = 0; (i < steps) && (sailnet_absolute(step) > LEAST_TURN); i++) {
+    double step = ((linear != 0.0) || (across != 0.0)) ? 1.0 : 0.0;
+    for (int32_t i = 0; (i < MOST_TURNS) && (sailnet_absolute(step) > LEAST_TURN); i++) {
         const double c2 = c * c;
         const double s2 = s * s;
         const double cubic = c * (c2 - 2.0 * s2);
@@ -2083,7 +2082,7 @@ static int32_t advance(const sailnet_problem *problem, const double state[STATES
     if (solve(plan, at->best.error, step) != 0) {
         const double share = at->damped * share_within(step);
         const double later = at->best.time_to_go + share * step[TIME];
-        trial tried;
+        trial tried = at->best;
         tried.time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
         turn_direction(at->best.direction, plan->largest, step, share, tried.direction);
         fly_back(problem, state, &tried);
