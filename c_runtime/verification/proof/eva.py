@@ -60,13 +60,16 @@ def analyse(exported: Path, build: Build, timeout: float = 300.0) -> list[str]:
     return [problem for entry in ENTRIES for problem in _unproved(DRIVER, entry, options, flags, timeout)]
 
 
-def analyse_tracker(folder: Path, in_space: bool, timeout: float = 300.0) -> list[str]:
+def analyse_tracker(
+    folder: Path, in_space: bool, timeout: float = 300.0, entries: Iterable[str] = TRACKER_ENTRIES
+) -> list[str]:
     """What Eva could not prove of the tracker, in the plane or in space: one line each, none if all is.
 
     Args:
         folder: of its C.
         in_space: in three dimensions.
         timeout: of the analysis [s].
+        entries: functions of the driver that are analysed.
 
     Raises:
         ProofError: Eva failed to analyse the files.
@@ -74,7 +77,7 @@ def analyse_tracker(folder: Path, in_space: bool, timeout: float = 300.0) -> lis
     flags = (f"-I{folder}", f"-DSAILNET_IN_SPACE={int(in_space)}")
     return [
         problem
-        for entry in TRACKER_ENTRIES
+        for entry in entries
         for problem in _unproved(TRACKER_DRIVER, entry, OF_THE_TRACKER, flags, timeout)
     ]
 

@@ -24,6 +24,9 @@ READY = 'document.getElementById("flight")?.dataset.ready === "yes"'
 DRAWN = 2e-3
 """By how much the optimum that is drawn may be off [AU, rad]: a third of a pixel."""
 
+MISSED = 4e-6
+"""Of a plan that counts as solved, at most [AU, AU/TU]; of times [TU] likewise."""
+
 INTERPOLATED = 2e-3
 """Of a shortest time between the stored values of beta, relative."""
 
@@ -68,12 +71,13 @@ def flown_by_command(tab: Tab, capsys: pytest.CaptureFixture[str]) -> tuple[list
 
 
 def assert_same(said: dict[str, Any], result: dict[str, Any]) -> None:
+    """The same flight, but for what a plan may miss: no browser fuses multiply and add, so corrections end elsewhere."""
     assert (said["arrived"] == "yes") == result["arrived"]
-    assert float(said["time"]) == pytest.approx(result["time_of_flight"], abs=1e-9)
+    assert float(said["time"]) == pytest.approx(result["time_of_flight"], abs=MISSED)
     errors = [float(error) for error in said["errors"].split()]
-    assert errors == pytest.approx(result["terminal_error"], abs=1e-9)
+    assert errors == pytest.approx(result["terminal_error"], abs=MISSED)
     assert int(said["reversals"]) == result["reversals"]
-    assert float(said["estimate"]) == pytest.approx(result["beta_estimate"], abs=1e-9)
+    assert float(said["estimate"]) == pytest.approx(result["beta_estimate"], abs=MISSED)
     assert int(said["periods"]) == sum(result["statuses"].values())
 
 
