@@ -10,7 +10,6 @@ from c_runtime.builds import Build
 FRAMA_C = "frama-c"
 DRIVER = Path(__file__).parent / "eva.c"
 TRACKER_DRIVER = Path(__file__).parent / "tracker.c"
-ENTRIES = ("prove_guidance", "prove_steering", "prove_plans", "prove_saving", "prove_null_pointers")
 TRACKER_ENTRIES = ("prove_tracker", "prove_take_plan")
 CONTRACTS = (
     "sailnet_fraction",
@@ -27,11 +26,21 @@ OF_LAYOUTS = {
     "host": ("sailnet_inverse_fourth_root",),
 }
 """With a contract, too, where networks need them."""
+LEAST = ("-eva-precision", "0")
 # Every loop is unrolled, so that each weight is seen with the interval of its own input.
-PRECISION = ("-eva-precision", "0", "-eva-auto-loop-unroll", "100", "-eva-slevel", "200")
+UNROLLED = (*LEAST, "-eva-auto-loop-unroll", "100", "-eva-slevel", "200")
+ENTRIES = {
+    "prove_guidance": UNROLLED,
+    "prove_steering": UNROLLED,
+    "prove_plans": UNROLLED,
+    "prove_saving": LEAST,
+    "prove_null_pointers": UNROLLED,
+}
+"""Functions of the driver that are analysed, and how precisely: a checksum needs no unrolling."""
 # What stages and states are written in is unrolled; where a plan is flown what it commands is written.
 OF_THE_TRACKER = (
-    *("-eva-precision", "0", "-eva-auto-loop-unroll", "12"),
+    *LEAST,
+    *("-eva-auto-loop-unroll", "12"),
     *("-eva-slevel-function", "sailnet_follow:20,keep_attitude:20,begin:20,prove_tracker:20"),
     *("-eva-split-return-function", "sailnet_follow:0"),
 )
@@ -55,9 +64,13 @@ def analyse(exported: Path, build: Build, timeout: float = 300.0) -> list[str]:
     contracts = ",".join([*CONTRACTS, *(name for name in own if f"{name}(" in source)])
     # What is written where a function succeeds is read only there.
     succeed = f"sailnet_follow:0,sailnet_tracks:0,sailnet_propose_plan_{build.suffix}:0"
-    options = (*PRECISION, "-eva-use-spec", contracts, "-eva-split-return-function", succeed)
+    options = ("-eva-use-spec", contracts, "-eva-split-return-function", succeed)
     flags = (f"-I{exported}", *build.analysed)
-    return [problem for entry in ENTRIES for problem in _unproved(DRIVER, entry, options, flags, timeout)]
+    return [
+        problem
+        for entry, precision in ENTRIES.items()
+        for problem in _unproved(DRIVER, entry, (*precision, *options), flags, timeout)
+    ]
 
 
 def analyse_tracker(

@@ -2060,7 +2060,8 @@ static int32_t advance(const sailnet_problem *problem, const double state[STATES
     if (solve(plan, at->best.error, step) != 0) {
         const double share = at->damped * share_within(step);
         const double later = at->best.time_to_go + share * step[TIME];
-        trial tried = at->best;
+        trial tried;
+        tried = at->best;
         tried.time_to_go = later > LEAST_TIME ? later : LEAST_TIME;
         turn_direction(at->best.direction, plan->largest, step, share, tried.direction);
         fly_back(problem, state, &tried);
