@@ -82,7 +82,7 @@ BROKEN_TRACKERS = {
         "    if (flown > 1) {\n",
     ),
 }
-"""Guards of the tracker taken away: the entry that needs it, the file, what stands there, and what in its place."""
+"""Guards of the tracker taken away: entry that needs it, file, what stands there, what in its place."""
 
 
 @with_frama_c

@@ -71,7 +71,7 @@ def flown_by_command(tab: Tab, capsys: pytest.CaptureFixture[str]) -> tuple[list
 
 
 def assert_same(said: dict[str, Any], result: dict[str, Any]) -> None:
-    """The same flight, but for what a plan may miss: no browser fuses multiply and add, so corrections end elsewhere."""
+    """The same flight, but for what a plan may miss: in a browser no multiply-add is fused."""
     assert (said["arrived"] == "yes") == result["arrived"]
     assert float(said["time"]) == pytest.approx(result["time_of_flight"], abs=MISSED)
     errors = [float(error) for error in said["errors"].split()]
