@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from c_runtime.verification.targets.golden import COMMANDS
 from c_runtime.verification.targets.measure import Measured, compiler_version
+from sailnet.artefacts.provenance import software
 
 BLOCK = "targets"
 """Of the text that the table goes into."""
@@ -17,7 +18,8 @@ HEAD = (
 )
 CAPTION = """\
 {commands:,} golden commands and {steps} golden calls of steering on each, in emulation; written by
-`make targets-table`. *Law* is the tier `sailnet_guidance`, as compiled with `-DSAILNET_LAW_ONLY`; *steer* is
+`make targets-table` on {machine}, {date}, revision {revision}.
+*Law* is the tier `sailnet_guidance`, as compiled with `-DSAILNET_LAW_ONLY`; *steer* is
 `sailnet_steer`. *Instructions*: of a call with valid input on average, and in brackets the most
 of any call, which in steering is a first plan by the networks and the eight extremals of a guidance period.
 *Code*, *constants* and *static* memory (which is written) are of the flight file alone.
@@ -102,7 +104,13 @@ def table(measured: Sequence[Measured]) -> str:
     rows = [HEAD, "|---" * (HEAD.count("|") - 1) + "|", *map(_row, deployed(measured))]
     steps = max((len(m.run.steering.status) for m in measured), default=0)
     differs = any(m.other_bits for m in measured if not m.contract)
-    caption = CAPTION.format(commands=COMMANDS, steps=steps, same="*not*" if differs else "equal to")
+    made = software()
+    caption = CAPTION.format(
+        commands=COMMANDS,
+        steps=steps,
+        same="*not*" if differs else "equal to",
+        **{name: made[name] for name in ("machine", "date", "revision")},
+    )
     return "\n".join([caption, "", *rows, "", *(f"- {limit}" for limit in limits(measured))])
 
 
