@@ -61,8 +61,8 @@ class ReferenceSteering:
 
     *The end.* The flight ends when the predicted time of flight is no longer than a period or the mission's
     threshold, the longer of both: the last command is held until, on the straight line of one such step, the
-    target is nearest. The networks' time is not as good as that. It also ends where it stands if the sail is
-    within the arrival tolerance and the predicted time no longer falls: it is past the nearest point.
+    target is nearest. Where no plan is solved the predicted time says nothing: there the flight ends within the
+    arrival tolerance in the period in which, on such a line, the target is nearest.
 
     Args:
         guidance: gives the commands.
@@ -104,11 +104,12 @@ class ReferenceSteering:
         vehicles = Vehicles(read, estimated, memory.tangential, read * as_fast)
         command = self._command(known, np.clip(vehicles.as_fast, *limits), hold, sails)
         valid = command.status != GuidanceStatus.INVALID_INPUT
+        flown = np.zeros(len(shown), bool)
         if change is not None:
-            command, _ = self._tracking.commands(memory.tracker, known, vehicles, memory.held, hold, command)
+            command, flown = self._tracking.commands(memory.tracker, known, vehicles, memory.held, hold, command)
         tilt, status = tilt_of(command.cone_angle, command.clock_angle), command.status.copy()
         if change is not None:
-            status, hold = self._end(memory, known, command, status, hold)
+            status, hold = self._end(command, status, hold)
         low, high = self._guidance.beta_range
         left = valid & (status != GuidanceStatus.ARRIVED)
         unseen = left & (memory.unseen > 0.0)
@@ -118,10 +119,15 @@ class ReferenceSteering:
         told = np.where(each, self._told(memory, tilt), tilt)
         self._remember(memory, known, tilt, hold, command.time_of_flight, valid)
         memory.attitude = np.where(each, told + memory.offset, memory.attitude)
-        last = valid & (status == GuidanceStatus.ARRIVED) & (hold > 0.0)
-        if last.any():
-            hold = np.where(last, self._until_nearest(memory), hold)
-            memory.held = np.where(last, hold, memory.held)
+        nearest = self._until_nearest(memory)
+        solved = flown & (memory.tracker["planned"] == 1)
+        error = np.abs((known - self._target) * self._lengths).max(axis=1)
+        past = valid & ~solved & (command.status <= GuidanceStatus.ARRIVED) & (nearest < hold)
+        past &= error <= self._guidance.mission.flight.arrival_tolerance
+        last = valid & ((status == GuidanceStatus.ARRIVED) | past)
+        status[last] = GuidanceStatus.ARRIVED
+        hold = np.where(last, nearest, hold)
+        memory.held = np.where(last, hold, memory.held)
         self._memory.put(sails, memory)
         cone, clock = angles_of(told)
         # A tilt has two components, of which the size is rounded.
@@ -220,19 +226,16 @@ class ReferenceSteering:
         return kept
 
     def _end(
-        self, memory: Memory, known: Array, command: Commands, status: NDArray[np.int32], hold: Array
+        self, command: Commands, status: NDArray[np.int32], hold: Array
     ) -> tuple[NDArray[np.int32], Array]:
-        """Status, ``ARRIVED`` where the flight ends, and for how long to hold at most."""
-        mission, tau = self._guidance.mission, command.time_of_flight
+        """Status, ``ARRIVED`` where the predicted time ends within a period, and for how long to hold at most."""
         inside = status <= GuidanceStatus.ARRIVED
+        longest = np.maximum(hold, self._guidance.mission.flight.arrival_threshold)
+        last = inside & (command.time_of_flight <= longest)
         status = np.where(inside, np.int32(GuidanceStatus.OK), status)
-        longest = np.maximum(hold, mission.flight.arrival_threshold)
-        last = inside & (tau <= longest)
-        error = np.abs((known - self._target) * self._lengths).max(axis=1)
-        past = inside & ~last & (error <= mission.flight.arrival_tolerance)
-        past &= (memory.periods > 0) & (tau >= memory.time_of_flight)
-        status = np.where(last | past, np.int32(GuidanceStatus.ARRIVED), status)
-        return status, np.where(last, np.minimum(longest, LARGEST_PERIOD), np.where(past, 0.0, hold))
+        return np.where(last, np.int32(GuidanceStatus.ARRIVED), status), np.where(
+            last, np.minimum(longest, LARGEST_PERIOD), hold
+        )
 
     def _until_nearest(self, memory: Memory) -> Array:
         """(n,) for how long to hold the command that is remembered [TU]: at most what is."""

@@ -31,7 +31,7 @@ int main(void)
 #endif
     test_batches();
     test_ageing();
-    test_a_flight_ends_at_once_where_the_sail_is_there_and_no_nearer();
+    test_without_a_plan_a_flight_ends_where_the_target_is_nearest();
     printf("%s, %s: %s\n", SAILNET_MISSION, sizeof(sailnet_real) == 8 ? "float64" : "float32",
            failures == 0 ? "all passed" : "FAILED");
     return failures == 0 ? 0 : 1;

@@ -141,6 +141,13 @@ MUTANTS = {
         "number = &number[300 * SAILNET_KNOTS];",
         "SUMMARY: ",
     ),
+    "a flight without an end": Mutant("test", "sailnet_steer", "(nearest < hold)", "(nearest < R(0.0))", "failed: "),
+    "a flight that ends somewhere": Mutant(
+        "test", "sailnet_steer", "((seen & SAILNET_THERE) != 0u)", "(seen < 9u)", "failed: "
+    ),
+    "a plan that is not flown to its end": Mutant(
+        "test", "sailnet_steer", "(solved == 0)", "(solved >= 0)", "failed: "
+    ),
     "held to the end of the period": Mutant(
         "test",
         "sailnet_until_nearest",

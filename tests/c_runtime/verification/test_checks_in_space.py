@@ -71,9 +71,6 @@ MUTANTS = {
         "R(0.0) * innovation_north",
         "failed: ",
     ),
-    "a flight without an end": Mutant(
-        "test", "sailnet_ends", "(tau >= memory->time_of_flight)", "(tau >= R(9.0))", "failed: "
-    ),
 }
 
 
