@@ -3468,10 +3468,6 @@ SAILNET_INLINE sailnet_status sailnet_ends(const sailnet_memory *memory, uint32_
     if ((inside != 0) && (tau <= longest)) {
         *hold = sailnet_limited(&longest, SAILNET_OF_PERIOD);
         status = SAILNET_ARRIVED;
-    } else if ((inside != 0) && ((seen & SAILNET_THERE) != 0u) && (memory->estimate.periods > 0u) &&
-               (tau >= memory->time_of_flight)) {
-        *hold = R(0.0);
-        status = SAILNET_ARRIVED;
     } else if (memory->estimate.unseen > R(0.0)) {
         status = SAILNET_RECKONED;
     } else if ((SAILNET_READS_BETA != 0) && (inside != 0) && (plan < SAILNET_BETA_MIN)) {
@@ -3599,8 +3595,12 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
             estimate->normal[i] = sailnet_limited(&normal[i], SAILNET_OF_SHARE);
         }
         estimate->held = hold;
-        if ((status == SAILNET_ARRIVED) && (hold > R(0.0))) {
-            hold = sailnet_until_nearest(estimate);
+        const sailnet_real nearest = sailnet_until_nearest(estimate);
+        /* A time to go that no plan reaches the target in says nothing: within the tolerance it is nearest that counts. */
+        const int32_t solved = ((memory->source == (uint32_t)SAILNET_FROM_PLAN) && (memory->tracker.planned == 1)) ? 1 : 0;
+        if ((status == SAILNET_ARRIVED) || ((solved == 0) && ((seen & SAILNET_THERE) != 0u) && (nearest < hold))) {
+            status = SAILNET_ARRIVED;
+            hold = nearest;
             estimate->held = hold;
         }
         memory->time_of_flight = command->time_of_flight;
