@@ -61,8 +61,8 @@ class ReferenceSteering:
 
     *The end.* The flight ends when the predicted time of flight is no longer than a period or the mission's
     threshold, the longer of both: the last command is held until, on the straight line of one such step, the
-    target is nearest. Where no plan is solved the predicted time says nothing: there the flight ends within the
-    arrival tolerance in the period in which, on such a line, the target is nearest.
+    target is nearest. Where no plan is solved the predicted time says nothing: there the flight ends, within
+    the arrival tolerance, in the period in which the target is nearest on such a line.
 
     Args:
         guidance: gives the commands.
@@ -106,7 +106,9 @@ class ReferenceSteering:
         valid = command.status != GuidanceStatus.INVALID_INPUT
         flown = np.zeros(len(shown), bool)
         if change is not None:
-            command, flown = self._tracking.commands(memory.tracker, known, vehicles, memory.held, hold, command)
+            command, flown = self._tracking.commands(
+                memory.tracker, known, vehicles, memory.held, hold, command
+            )
         tilt, status = tilt_of(command.cone_angle, command.clock_angle), command.status.copy()
         if change is not None:
             status, hold = self._end(command, status, hold)
@@ -228,7 +230,7 @@ class ReferenceSteering:
     def _end(
         self, command: Commands, status: NDArray[np.int32], hold: Array
     ) -> tuple[NDArray[np.int32], Array]:
-        """Status, ``ARRIVED`` where the predicted time ends within a period, and for how long to hold at most."""
+        """Status, ``ARRIVED`` where the predicted time ends in a period, and for how long to hold at most."""
         inside = status <= GuidanceStatus.ARRIVED
         longest = np.maximum(hold, self._guidance.mission.flight.arrival_threshold)
         last = inside & (command.time_of_flight <= longest)

@@ -141,7 +141,9 @@ MUTANTS = {
         "number = &number[300 * SAILNET_KNOTS];",
         "SUMMARY: ",
     ),
-    "a flight without an end": Mutant("test", "sailnet_steer", "(nearest < hold)", "(nearest < R(0.0))", "failed: "),
+    "a flight without an end": Mutant(
+        "test", "sailnet_steer", "(nearest < hold)", "(nearest < R(0.0))", "failed: "
+    ),
     "a flight that ends somewhere": Mutant(
         "test", "sailnet_steer", "((seen & SAILNET_THERE) != 0u)", "(seen < 9u)", "failed: "
     ),
