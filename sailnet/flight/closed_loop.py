@@ -5,9 +5,9 @@ depends neither on its company nor on the number of workers. The loop is the pla
 guidance: the exported C is called by it directly, any other back end through a callback.
 
 How a flight ends. The guidance on board ends it, by what it knows: when its predicted time of flight is
-shorter than a period or the mission's threshold, the last command is held for that predicted time, and
-the sail is scored where it really is then; or at once, if by its navigation the sail is within the
-tolerance and the predicted time no longer falls. The truth is never looked at for the best moment; what
+shorter than a period or the mission's threshold, or when no plan is solved and by its navigation the sail
+is within the tolerance and will be nearest to the target in this period. The last command is held until
+then, and the sail is scored where it really is. The truth is never looked at for the best moment; what
 that would have given is reported beside it, as ``nearest_error``.
 """
 
