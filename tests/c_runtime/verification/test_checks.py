@@ -142,13 +142,17 @@ MUTANTS = {
         "SUMMARY: ",
     ),
     "a flight without an end": Mutant(
-        "test", "sailnet_steer", "(nearest < hold)", "(nearest < R(0.0))", "failed: "
+        "test", "sailnet_steer", "nearest < hold ?", "nearest < R(0.0) ?", "failed: "
     ),
     "a flight that ends somewhere": Mutant(
-        "test", "sailnet_steer", "((seen & SAILNET_THERE) != 0u)", "(seen < 9u)", "failed: "
+        "test", "sailnet_steer", "(seen & SAILNET_THERE) : 0u", "SAILNET_THERE : 0u", "failed: "
     ),
     "a plan that is not flown to its end": Mutant(
-        "test", "sailnet_steer", "(solved == 0)", "(solved >= 0)", "failed: "
+        "test",
+        "sailnet_steer",
+        "(memory->tracker.planned != 1)",
+        "(memory->tracker.planned != 7)",
+        "failed: ",
     ),
     "held to the end of the period": Mutant(
         "test",
