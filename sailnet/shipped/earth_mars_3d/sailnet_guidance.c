@@ -3597,8 +3597,9 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         estimate->held = hold;
         const sailnet_real nearest = sailnet_until_nearest(estimate);
         /* A time to go that no plan reaches the target in says nothing: within the tolerance it is nearest that counts. */
-        const int32_t solved = ((memory->source == (uint32_t)SAILNET_FROM_PLAN) && (memory->tracker.planned == 1)) ? 1 : 0;
-        if ((status == SAILNET_ARRIVED) || ((solved == 0) && ((seen & SAILNET_THERE) != 0u) && (nearest < hold))) {
+        const uint32_t near = nearest < hold ? (seen & SAILNET_THERE) : 0u;
+        if ((status == SAILNET_ARRIVED) || ((near != 0u) && ((memory->source != (uint32_t)SAILNET_FROM_PLAN) ||
+                                                             (memory->tracker.planned != 1)))) {
             status = SAILNET_ARRIVED;
             hold = nearest;
             estimate->held = hold;
