@@ -100,6 +100,14 @@ static sailnet_state predicted(const sailnet_memory *memory)
     return next;
 }
 
+/* After how much of a step of so long the model says that the target is nearest. */
+static sailnet_real nearest_within(const sailnet_memory *memory, sailnet_real step)
+{
+    sailnet_estimate then = memory->estimate;
+    then.held = step;
+    return sailnet_until_nearest(&then);
+}
+
 /* The same but for contraction, which may differ where the law is put into steering. */
 static int is_near(sailnet_real a, sailnet_real b)
 {
