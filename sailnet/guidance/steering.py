@@ -121,15 +121,17 @@ class ReferenceSteering:
         told = np.where(each, self._told(memory, tilt), tilt)
         self._remember(memory, known, tilt, hold, command.time_of_flight, valid)
         memory.attitude = np.where(each, told + memory.offset, memory.attitude)
-        nearest = self._until_nearest(memory)
-        solved = flown & (memory.tracker["planned"] == 1)
+        ends = valid & (status == GuidanceStatus.ARRIVED)
         error = np.abs((known - self._target) * self._lengths).max(axis=1)
-        past = valid & ~solved & (command.status <= GuidanceStatus.ARRIVED) & (nearest < hold)
-        past &= error <= self._guidance.mission.flight.arrival_tolerance
-        last = valid & ((status == GuidanceStatus.ARRIVED) | past)
-        status[last] = GuidanceStatus.ARRIVED
-        hold = np.where(last, nearest, hold)
-        memory.held = np.where(last, hold, memory.held)
+        there = valid & (command.status <= GuidanceStatus.ARRIVED)
+        there &= error <= self._guidance.mission.flight.arrival_tolerance
+        there &= ~(flown & (memory.tracker["planned"] == 1))
+        if (ends | there).any():
+            nearest = self._until_nearest(memory)
+            ends |= there & (nearest < hold)
+            status[ends] = GuidanceStatus.ARRIVED
+            hold = np.where(ends, nearest, hold)
+            memory.held = np.where(ends, hold, memory.held)
         self._memory.put(sails, memory)
         cone, clock = angles_of(told)
         # A tilt has two components, of which the size is rounded.
