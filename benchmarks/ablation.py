@@ -64,10 +64,13 @@ MECHANISMS = {
     "kept": Mechanism(
         "corrections go on while an attitude is kept", ((r"!\(tracker->regret > 0\.0\) &&\s+", ""),)
     ),
-    "near": Mechanism("an attitude is kept however far off", (constant("STILL_NEAR", "1e9"),)),
+    "near": Mechanism(
+        "an attitude is kept however far off",
+        ((r"(\(regret < share\)) && \(has_failed\(tracker\) == 0\)", r"\1"),),
+    ),
     "spent": Mechanism(
         "the thrust margin is never spent",
-        ((r"\(tracker->planned > 1\) && \(plan->residual > STILL_NEAR\)", "(0 != 0)"),),
+        ((r"\(tracker->planned > 1\) && \(has_failed\(tracker\) != 0\)", "(0 != 0)"),),
     ),
     "reach": Mechanism(
         "a plan for a stronger vehicle is flown", ((r"\(plan->beta <= stronger\)", "(0 == 0)"),)
@@ -76,7 +79,8 @@ MECHANISMS = {
         "no plan for a stronger vehicle is flown", ((r"\(tracker->stride >= LARGEST_STRIDE\)", "(0 != 0)"),)
     ),
     "failed": Mechanism(
-        "a plan that has failed stays", (constant("FAILED_AFTER", "1e9"), constant("FAILED_SHARE", "1e9"))
+        "a plan that has failed stays",
+        ((r"\(\(has_failed\(tracker\) != 0\) \|\| (\(time_to_go .*\))\) \? 1 : 0;", r"\1 ? 1 : 0;"),),
     ),
     "weaker": Mechanism("no plan of a weaker vehicle is sought", (constant("ASKED", "1"),)),
     "optics": Mechanism(
