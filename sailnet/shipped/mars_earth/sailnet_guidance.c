@@ -2382,25 +2382,22 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
 #define LONGER 2.0
 /* The networks are evaluated for a plan once in so long [TU]. */
 #define SEARCH_EVERY 0.1
-/* Where no plan is found the networks are asked for weaker vehicles too, in steps of so much of beta: near an edge between
-   families of extremals, which networks blur, the plan of such a one is found, and moves to the vehicle. */
+/* Until a first plan is found the networks are asked for weaker vehicles too, in steps of so much of beta: near an edge
+   between families of extremals, which networks blur, the plan of such a one is found, and moves to the vehicle. */
 #define WEAKER 0.06
 #define ASKED 4
 /* A faster plan saves at least so much of the time to go: what networks err by. */
 #define FASTER 0.01
-/* A plan that was not solved for the vehicle for so long [TU], or for so much of its time to go, has failed: its family of
-   extremals has ended, and any other is better. */
-#define FAILED_AFTER 0.2
-#define FAILED_SHARE 0.5
+/* A plan that misses the state by more [AU, AU/TU] has failed: its family of extremals has ended. Any other is better, no
+   attitude is kept for it, and while it is not solved it spends the thrust margin. */
+#define FAILED 4e-4
 /* Extremals that a candidate may take until it is given up. */
 #define CANDIDATE_EXTREMALS 80
 /* A plan that misses the state by more [AU, AU/TU] is not flown. */
 #define USABLE 1e-3
 #define UNSOLVED 1e9
-/* Hysteresis: an attitude is kept until that has lost so much of the time to go, and not while the plan misses the state by
-   more [AU, AU/TU]. A plan that misses by more and is not solved spends the thrust margin. */
+/* Hysteresis: an attitude is kept until that has lost so much of the time to go. */
 #define OF_TIME_TO_GO 1.6e-2
-#define STILL_NEAR 4e-4
 /* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
    the side of the thrust. */
 #define TURN_COSINE 0.939
@@ -2429,13 +2426,10 @@ SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double he
     tracker->searched = passed(tracker->searched, held);
 }
 
-/* Whether there is no plan, or none that will be flown on. */
+/* Whether there is no plan, or one that has failed. */
 static int32_t has_failed(const sailnet_tracker *tracker)
 {
-    return ((tracker->planned == 0) || !(tracker->plan.residual <= USABLE) || !(tracker->since < FAILED_AFTER) ||
-            !(tracker->since < FAILED_SHARE * tracker->plan.time_to_go))
-               ? 1
-               : 0;
+    return ((tracker->planned == 0) || !(tracker->plan.residual < FAILED)) ? 1 : 0;
 }
 
 /* Whether a plan of so long a time to go is better than the one that is flown. */
@@ -2448,7 +2442,7 @@ static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
 static int32_t next_vehicle(const sailnet_tracker *tracker)
 {
     const int32_t known = ((tracker->tried > 0) && (tracker->tried < ASKED)) ? tracker->tried : 0;
-    return has_failed(tracker) != 0 ? known : 0;
+    return tracker->planned == 0 ? known : 0;
 }
 
 SAILNET_TRACKER_API double sailnet_asks_for(const sailnet_tracker *tracker)
@@ -2492,7 +2486,6 @@ static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
     tracker->since = 0.0;
     tracker->stride = LARGEST_STRIDE;
     tracker->planned = 1;
-    tracker->tried = 0;
 }
 
 SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
@@ -2556,8 +2549,7 @@ static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *track
         regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
     }
     const double share = OF_TIME_TO_GO * planned->time_to_go;
-    const int32_t near = tracker->plan.residual < STILL_NEAR ? 1 : 0;
-    const int32_t keep = ((regret > 0.0) && (regret < share) && (near != 0)) ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (has_failed(tracker) == 0)) ? 1 : 0;
     tracker->regret = keep != 0 ? regret : 0.0;
     if (keep != 0) {
         *attitude = *before;
@@ -2587,7 +2579,7 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
     if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
         const sailnet_problem before = sailnet_problem_of(problem, plan);
         int32_t corrected = 1;
-        if ((tracker->planned > 1) && (plan->residual > STILL_NEAR)) {
+        if ((tracker->planned > 1) && (has_failed(tracker) != 0)) {
             /* What no plan for less leads through, one for all that the vehicle has may. */
             sailnet_problem all = *problem;
             all.beta = estimated;
