@@ -348,7 +348,11 @@ MUTANTS = {
         "test", "is_better", "((1.0 - FASTER) * ", "(1.0 * ", "is_better(tracker, 0.995"
     ),
     "a failed plan that takes the budget": Mutant(
-        "test", "sailnet_follow", " && (has_failed(tracker) == 0)", "", "residual < residual) == (first == 0)"
+        "test",
+        "sailnet_follow",
+        "(tracker->planned == 1) && (has_failed(tracker) == 0)",
+        "tracker->planned == 1",
+        "residual < residual) == (first == 0)",
     ),
     "a plan for a stronger vehicle, seldom corrected": Mutant(
         "test", "sailnet_follow", " && (plan->beta <= estimated)", "", "tracker->since == (i == 0"
@@ -397,7 +401,11 @@ MUTANTS = {
         "test", "sailnet_follow", "!(tracker->regret > 0.0)", "(0 == 0)", "tracker->computed == 0"
     ),
     "an attitude kept however far off": Mutant(
-        "test", "keep_attitude", " && (has_failed(tracker) == 0)", "", "(i < 2)"
+        "test",
+        "keep_attitude",
+        "(regret < share) && (has_failed(tracker) == 0)",
+        "(regret < share)",
+        "(i < 2)",
     ),
     "a plan that is corrected hardly ever": Mutant(
         "test", "sailnet_follow", "!(tracker->since < CORRECT_AT_LATEST)", "(0 != 0)", "failed: "
