@@ -82,7 +82,6 @@ MECHANISMS = {
         "a plan that has failed stays",
         ((r"\(\(has_failed\(tracker\) != 0\) \|\| (\(time_to_go .*\))\) \? 1 : 0;", r"\1 ? 1 : 0;"),),
     ),
-    "weaker": Mechanism("no plan of a weaker vehicle is sought", (constant("ASKED", "1"),)),
     "optics": Mechanism(
         "plans are for the mission's optics",
         ((r"sailnet_push_aside\(&own, \(double\).*\);", "(void)memory;"),),

@@ -15,10 +15,6 @@
 #define LONGER 2.0
 /* The networks are evaluated for a plan once in so long [TU]. */
 #define SEARCH_EVERY 0.1
-/* Until a first plan is found the networks are asked for weaker vehicles too, in steps of so much of beta: near an edge
-   between families of extremals, which networks blur, the plan of such a one is found, and moves to the vehicle. */
-#define WEAKER 0.06
-#define ASKED 4
 /* A faster plan saves at least so much of the time to go: what networks err by. */
 #define FASTER 0.01
 /* A plan that misses the state by more [AU, AU/TU] has failed: its family of extremals has ended. Any other is better, no
@@ -71,21 +67,10 @@ static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
     return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
 }
 
-/* Which of the vehicles is asked for next. */
-static int32_t next_vehicle(const sailnet_tracker *tracker)
-{
-    const int32_t known = ((tracker->tried > 0) && (tracker->tried < ASKED)) ? tracker->tried : 0;
-    return tracker->planned == 0 ? known : 0;
-}
-
-SAILNET_TRACKER_API double sailnet_asks_for(const sailnet_tracker *tracker)
+SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker)
 {
     const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
-    double share = 1.0;
-    for (int32_t i = next_vehicle(tracker); i > 0; i--) {
-        share -= WEAKER;
-    }
-    return ((tracker->searching <= 0) && (due != 0)) ? share : 0.0;
+    return tracker->searching <= 0 ? due : 0;
 }
 
 /* A plan that is not corrected yet. */
@@ -105,7 +90,6 @@ SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet
                                          const double direction[STATES], double time_to_go)
 {
     tracker->searched = 0.0;
-    tracker->tried = next_vehicle(tracker) + 1;
     if (is_better(tracker, time_to_go) != 0) {
         begin_plan(problem, direction, time_to_go, &tracker->candidate);
         tracker->searching = CANDIDATE_EXTREMALS;

@@ -9,12 +9,12 @@
 /* The guidance period of `held` [TU] is over. */
 SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
 
-/* For what share of the vehicle's beta the networks are to be evaluated, for sailnet_propose; 0: not now. */
-SAILNET_TRACKER_API double sailnet_asks_for(const sailnet_tracker *tracker);
+/* 1 if the networks are to be evaluated, for sailnet_propose. */
+SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker);
 
 /*
- * A plan of the networks for the vehicle of `problem`, or a weaker one that was asked for: the direction of the arrival costates, of any size, and the time to go
- * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time
+ * to go [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
  */
 SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
                                          const double direction[SAILNET_STATES], double time_to_go);

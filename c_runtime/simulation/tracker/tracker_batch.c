@@ -9,9 +9,10 @@ void tracker_extremals(const sailnet_problem *problem, uint64_t count, const dou
 void tracker_correct(const sailnet_problem *problem, uint64_t count, sailnet_plan *plans, const double *states,
                      int32_t most, int32_t *computed);
 void tracker_solved(uint64_t count, const sailnet_plan *plans, int32_t *solved);
-void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double *held, double *asked);
-void tracker_propose(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers, const double *asked,
-                     const double *directions, const double *tau, const double *tangential, const double *beta);
+void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double *held, int32_t *asked);
+void tracker_propose(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers,
+                     const double *directions, const double *tau, const double *tangential,
+                     const double *beta);
 void tracker_follow(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers, const double *states,
                     const double *tangential, const double *beta, const double *estimated, const double *hold,
                     int32_t most, sailnet_planned *planned, int32_t *flown);
@@ -66,24 +67,22 @@ void tracker_solved(uint64_t count, const sailnet_plan *plans, int32_t *solved)
     }
 }
 
-/* And for what share of its beta each then asks for a proposal, 0: for none. */
-void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double *held, double *asked)
+/* And which of them then ask for a proposal. */
+void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double *held, int32_t *asked)
 {
     for (uint64_t i = 0; i < count; i++) {
         sailnet_time_passes(&trackers[i], held[i]);
-        asked[i] = sailnet_asks_for(&trackers[i]);
+        asked[i] = sailnet_asks(&trackers[i]);
     }
 }
 
-/* To those that asked for one. */
-void tracker_propose(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers, const double *asked,
-                     const double *directions, const double *tau, const double *tangential, const double *beta)
+void tracker_propose(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers,
+                     const double *directions, const double *tau, const double *tangential,
+                     const double *beta)
 {
     for (uint64_t i = 0; i < count; i++) {
-        if (asked[i] > 0.0) {
-            const sailnet_problem weaker = of_vehicle(problem, tangential[i], asked[i] * beta[i]);
-            sailnet_propose(&weaker, &trackers[i], &directions[i * SAILNET_STATES], tau[i]);
-        }
+        const sailnet_problem own = of_vehicle(problem, tangential[i], beta[i]);
+        sailnet_propose(&own, &trackers[i], &directions[i * SAILNET_STATES], tau[i]);
     }
 }
 

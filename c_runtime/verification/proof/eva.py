@@ -2,7 +2,7 @@
 
 import re
 import subprocess
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from c_runtime.builds import Build
@@ -51,7 +51,12 @@ class ProofError(Exception):
 
 
 def analyse(exported: Path, build: Build, timeout: float = 300.0) -> list[str]:
-    """What Eva could not prove of a build: one line each, none if all is proved.
+    """What Eva could not prove of a build: one line each, none if all is proved; see :func:`unproved`."""
+    return list(unproved(exported, build, timeout))
+
+
+def unproved(exported: Path, build: Build, timeout: float = 300.0) -> Iterator[str]:
+    """What Eva cannot prove of a build, one entry of the driver after the other.
 
     NaN and infinity are values like others (``-warn-special-float none``): that none reaches a command
     is asserted in the driver.
@@ -66,11 +71,8 @@ def analyse(exported: Path, build: Build, timeout: float = 300.0) -> list[str]:
     succeed = f"sailnet_follow:0,sailnet_tracks:0,sailnet_propose_plan_{build.suffix}:0"
     options = ("-eva-use-spec", contracts, "-eva-split-return-function", succeed)
     flags = (f"-I{exported}", *build.analysed)
-    return [
-        problem
-        for entry, precision in ENTRIES.items()
-        for problem in _unproved(DRIVER, entry, (*precision, *options), flags, timeout)
-    ]
+    for entry, precision in ENTRIES.items():
+        yield from _unproved(DRIVER, entry, (*precision, *options), flags, timeout)
 
 
 def analyse_tracker(

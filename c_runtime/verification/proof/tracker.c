@@ -37,9 +37,7 @@ void prove_tracker(void)
     const double *const direction = &state[SAILNET_STATES];
     const double *const numbers = &direction[SAILNET_STATES];
     sailnet_time_passes(tracker, numbers[0]);
-    const double asked = sailnet_asks_for(tracker);
-    /*@ assert asked: 0.0 <= asked <= 1.0; */
-    if (asked > 0.0) {
+    if (sailnet_asks(tracker) != 0) {
         sailnet_propose(&problem_bits.value, tracker, direction, numbers[1]);
     }
     const int32_t flown =

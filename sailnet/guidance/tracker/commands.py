@@ -59,7 +59,10 @@ class Tracking:
         if not known.any():
             return networks, flown
         mine, own, flying = trackers[known], states[known], vehicles.rows(known)
-        self._propose(mine, own, flying, self._tracker.time_passes(mine, held[known]))
+        asked = self._tracker.time_passes(mine, held[known])
+        asking = mine[asked]
+        self._propose(asking, own[asked], flying.rows(asked))
+        mine[asked] = asking
         planned = self._tracker.follow(self._problem, mine, own, flying, hold[known], EXTREMALS_PER_PERIOD)
         trackers[known] = mine
         rows, use = np.flatnonzero(known)[planned.flown], planned.flown
@@ -90,15 +93,15 @@ class Tracking:
             )
         return commands, flown
 
-    def _propose(self, trackers: NDArray[np.void], states: Array, vehicles: Vehicles, asked: Array) -> None:
-        """Propose the networks' plans to the trackers that asked for one."""
-        if not asked.any() or not isinstance(self._guidance, FirstPlans):
+    def _propose(self, trackers: NDArray[np.void], states: Array, vehicles: Vehicles) -> None:
+        """Propose the networks' plans."""
+        if not len(trackers) or not isinstance(self._guidance, FirstPlans):
             return
-        beta = np.clip(asked * vehicles.as_fast, *self._guidance.beta_range)
+        beta = np.clip(vehicles.as_fast, *self._guidance.beta_range)
         directions = self._guidance.arrival_directions(states, beta)
         if directions is not None:
             tau = self._guidance.command(states, beta).time_of_flight
-            self._tracker.propose(self._problem, trackers, asked, directions, tau, vehicles)
+            self._tracker.propose(self._problem, trackers, directions, tau, vehicles)
 
 
 def planned_commands(

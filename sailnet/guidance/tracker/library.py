@@ -71,7 +71,7 @@ def tracker_type(components: int) -> np.dtype[np.void]:
             ("flown", attitude_type(components)),
             ("regret", "f8"),
         ]
-        + [(name, "i4") for name in ("planned", "searching", "computed", "tried")],
+        + [(name, "i4") for name in ("planned", "searching", "computed")],
         align=True,
     )
 
@@ -176,7 +176,7 @@ class Tracker:
             functions.tracker_correct.argtypes = [pointer, number, pointer, pointer, most, pointer]
             functions.tracker_solved.argtypes = [number, *[pointer] * 2]
             functions.tracker_time_passes.argtypes = [number, *[pointer] * 3]
-            functions.tracker_propose.argtypes = [pointer, number, *[pointer] * 6]
+            functions.tracker_propose.argtypes = [pointer, number, *[pointer] * 5]
             functions.tracker_follow.argtypes = [pointer, number, *[pointer] * 6, most, *[pointer] * 2]
         except (OSError, AttributeError, ValueError) as error:
             raise GuidanceError(f"cannot load {file}: {error}; install sailnet again") from error
@@ -258,38 +258,35 @@ class Tracker:
         self._functions.tracker_solved(len(given), given.ctypes.data, solved.ctypes.data)
         return solved.astype(bool)
 
-    def time_passes(self, trackers: NDArray[np.void], held: Array) -> Array:
+    def time_passes(self, trackers: NDArray[np.void], held: Array) -> NDArray[np.bool_]:
         """A period of (n,) ``held`` [TU] is over.
 
         Returns:
-            (n,) share of a vehicle's beta for which the networks are to be asked for a plan; 0 where they are
-            not.
+            (n,) whether the networks are to be asked for a plan.
         """
-        asked, times = np.zeros(len(trackers)), np.ascontiguousarray(held, float)
+        asked, times = np.zeros(len(trackers), np.int32), np.ascontiguousarray(held, float)
         places = [array.ctypes.data for array in (trackers, times, asked)]
         self._functions.tracker_time_passes(len(trackers), *places)
-        return asked
+        return asked.astype(bool)
 
     def propose(
         self,
         problem: NDArray[np.void],
         trackers: NDArray[np.void],
-        asked: Array,
         directions: ArrayLike,
         tau: ArrayLike,
         vehicles: Vehicles,
     ) -> None:
-        """Propose plans to the trackers that asked for one: see ``sailnet_propose``.
+        """Propose plans: see ``sailnet_propose``.
 
         Args:
             problem: of :func:`problem_of`, of the mission's optics; its beta is not used.
             trackers: (n,) of :func:`tracker_type`, changed in place.
-            asked: (n,) of :meth:`time_passes`.
             directions: (n, 3) or (n, 5) of the arrival costates, of any size.
             tau: (n,) times to go [TU].
-            vehicles: of the sails, of whose beta a share was asked for.
+            vehicles: of the sails.
         """
-        columns = asked, directions, tau, vehicles.tangential, vehicles.beta
+        columns = directions, tau, vehicles.tangential, vehicles.beta
         given = [np.ascontiguousarray(column, float) for column in columns]
         places = [array.ctypes.data for array in (trackers, *given)]
         self._functions.tracker_propose(problem.ctypes.data, len(trackers), *places)

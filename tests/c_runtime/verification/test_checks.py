@@ -330,20 +330,6 @@ MUTANTS = {
     "a plan that has failed, kept": Mutant(
         "test", "has_failed", "!(tracker->plan.residual < FAILED)", "(0 != 0)", "has_failed(tracker) =="
     ),
-    "a weaker vehicle asked for where there is a plan": Mutant(
-        "test",
-        "next_vehicle",
-        "tracker->planned == 0 ? known : 0;",
-        "known;",
-        "sailnet_asks_for(&tracker) == 1.0",
-    ),
-    "a vehicle of any bits": Mutant(
-        "test",
-        "next_vehicle",
-        "((tracker->tried > 0) && (tracker->tried < ASKED)) ? tracker->tried : 0;",
-        "tracker->tried;",
-        "sailnet_asks_for(&tracker) == 1.0",
-    ),
     "a candidate that is hardly faster": Mutant(
         "test", "is_better", "((1.0 - FASTER) * ", "(1.0 * ", "is_better(tracker, 0.995"
     ),
