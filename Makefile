@@ -233,7 +233,7 @@ tools:
 
 # Proof, fuzzing, memcheck, MISRA, coverage and warnings of the C that ships; a tool that is missing is named.
 checks: | $(READY)
-	$(MAKE) -C c_runtime check PYTHON=$(abspath $(PYTHON)) EXPORTED=$(abspath sailnet/shipped/$(NAME))
+	$(MAKE) -j $(JOBS) -C c_runtime check PYTHON=$(abspath $(PYTHON)) EXPORTED=$(abspath sailnet/shipped/$(NAME))
 
 clean:
 	rm -rf build

@@ -21,7 +21,7 @@ FAST = "-O3 -march=native -fno-trapping-math -fno-tree-vectorize -ffp-contract=f
 # Undefined behaviour ends the program; needs no library of the sanitizer.
 TRAPPING = "-O1 -fsanitize=undefined -fsanitize-undefined-trap-on-error"
 # Of every case with the flags that fly, of some with the others.
-SOME = "-DCASES=20000"
+SOME = "-DCASES=4000"
 every_build = pytest.mark.parametrize("build", BUILDS.values(), ids=BUILDS)
 
 

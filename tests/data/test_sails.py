@@ -16,7 +16,7 @@ from sailnet.physics.transfer import Transfer
 
 MISSION = load_mission("earth_mars")
 
-STARTS = 24
+STARTS = 12
 """In the fastest corner, where a weak sail flies out beyond Mars before it comes back."""
 
 

@@ -2,12 +2,12 @@
 # is missing is left out with a line that says so; with REQUIRE=1, or CI set, it fails instead.
 
 REQUIRE ?= $(CI)
-FUZZ_RUNS ?= 40000
+FUZZ_RUNS ?= 10000
 # Pseudo-random inputs of the fuzz harness under memcheck and for coverage, and cases of the unit tests there.
-MEMCHECK_RUNS ?= 500
-MEMCHECK_CASES ?= 1000
-COVERAGE_RUNS ?= 20000
-COVERAGE_CASES ?= 10000
+MEMCHECK_RUNS ?= 200
+MEMCHECK_CASES ?= 100
+COVERAGE_RUNS ?= 4000
+COVERAGE_CASES ?= 2000
 CLANG ?= clang
 GCC ?= gcc
 
