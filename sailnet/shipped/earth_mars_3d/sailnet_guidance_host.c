@@ -2285,12 +2285,12 @@ SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem
 /* The guidance period of `held` [TU] is over. */
 SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
 
-/* For what share of the vehicle's beta the networks are to be evaluated, for sailnet_propose; 0: not now. */
-SAILNET_TRACKER_API double sailnet_asks_for(const sailnet_tracker *tracker);
+/* 1 if the networks are to be evaluated, for sailnet_propose. */
+SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker);
 
 /*
- * A plan of the networks for the vehicle of `problem`, or a weaker one that was asked for: the direction of the arrival costates, of any size, and the time to go
- * [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time
+ * to go [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
  */
 SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
                                          const double direction[SAILNET_STATES], double time_to_go);
@@ -2330,10 +2330,6 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
 #define LONGER 2.0
 /* The networks are evaluated for a plan once in so long [TU]. */
 #define SEARCH_EVERY 0.1
-/* Until a first plan is found the networks are asked for weaker vehicles too, in steps of so much of beta: near an edge
-   between families of extremals, which networks blur, the plan of such a one is found, and moves to the vehicle. */
-#define WEAKER 0.06
-#define ASKED 4
 /* A faster plan saves at least so much of the time to go: what networks err by. */
 #define FASTER 0.01
 /* A plan that misses the state by more [AU, AU/TU] has failed: its family of extremals has ended. Any other is better, no
@@ -2386,21 +2382,10 @@ static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
     return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
 }
 
-/* Which of the vehicles is asked for next. */
-static int32_t next_vehicle(const sailnet_tracker *tracker)
-{
-    const int32_t known = ((tracker->tried > 0) && (tracker->tried < ASKED)) ? tracker->tried : 0;
-    return tracker->planned == 0 ? known : 0;
-}
-
-SAILNET_TRACKER_API double sailnet_asks_for(const sailnet_tracker *tracker)
+SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker)
 {
     const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
-    double share = 1.0;
-    for (int32_t i = next_vehicle(tracker); i > 0; i--) {
-        share -= WEAKER;
-    }
-    return ((tracker->searching <= 0) && (due != 0)) ? share : 0.0;
+    return tracker->searching <= 0 ? due : 0;
 }
 
 /* A plan that is not corrected yet. */
@@ -2420,7 +2405,6 @@ SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet
                                          const double direction[STATES], double time_to_go)
 {
     tracker->searched = 0.0;
-    tracker->tried = next_vehicle(tracker) + 1;
     if (is_better(tracker, time_to_go) != 0) {
         begin_plan(problem, direction, time_to_go, &tracker->candidate);
         tracker->searching = CANDIDATE_EXTREMALS;
@@ -3620,12 +3604,10 @@ SAILNET_PART int32_t sailnet_tracks(sailnet_memory *memory, const sailnet_state 
     sailnet_to_tracker(known, state);
     sailnet_time_passes(tracker, (double)memory->estimate.held);
     const sailnet_problem own = sailnet_own_problem(memory, (double)beta);
-    const double asked = (double)beta * sailnet_asks_for(tracker);
     sailnet_arrival arrival;
-    if ((asked > 0.0) &&
-        (sailnet_propose_plan(known, sailnet_for_networks(memory, (sailnet_real)asked), &arrival) == SAILNET_OK)) {
-        const sailnet_problem weaker = sailnet_own_problem(memory, asked);
-        sailnet_propose(&weaker, tracker, arrival.direction, arrival.time_to_go);
+    if ((sailnet_asks(tracker) != 0) &&
+        (sailnet_propose_plan(known, sailnet_for_networks(memory, beta), &arrival) == SAILNET_OK)) {
+        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go);
     }
     int32_t flown = sailnet_follow(&own, tracker, state, (double)estimated, (double)hold,
                                    SAILNET_EXTREMALS_PER_PERIOD, &planned);

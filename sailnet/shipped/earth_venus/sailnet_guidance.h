@@ -110,7 +110,7 @@ typedef struct {
 typedef struct {
     sailnet_plan plan;      /* that is flown */
     sailnet_plan candidate; /* begun from the networks, which may replace it */
-    double since;           /* time since the plan was solved for the vehicle, or for a weaker one [TU] */
+    double since;           /* time since the plan was solved for the vehicle [TU] */
     double stride;          /* by how much the plan's beta moves in a correction at most, as a share of it */
     double searched;        /* time since the networks were last evaluated for a plan [TU] */
     sailnet_attitude flown; /* commanded last */
@@ -118,7 +118,6 @@ typedef struct {
     int32_t planned;        /* 0: there is no plan; 1: it was solved; 2: its correction goes on */
     int32_t searching;      /* extremals that are left to the candidate; 0: there is none */
     int32_t computed;       /* extremals in the last guidance period */
-    int32_t tried;          /* proposals since a plan was found */
 } sailnet_tracker;
 
 /* What a plan commands. */
