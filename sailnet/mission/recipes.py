@@ -89,12 +89,12 @@ Emphasis = Annotated[float, Field(ge=0.0, le=1.0)]
 
 
 PLAN_EPOCHS, PLAN_SAMPLES = 120, 60_000
-"""Most epochs and training samples of the networks of the arrival costates, where those of the command have
-no recipe of their own (docs/notebook/arrival-costates.md)."""
+"""Most epochs and training samples of the networks of the arrival costates
+(docs/notebook/arrival-costates.md)."""
 
 
 class CommandRecipe(Grown):
-    """What the networks of |alpha|, its side and plans have of their own: their errors lose the fastest way.
+    """What the networks of |alpha| and of its side have of their own: their errors lose the fastest way.
 
     No networks that ship are of their size: they begin with random weights.
     """
@@ -133,15 +133,10 @@ class TrainingRecipe(Grown):
 
     @property
     def of_plan(self) -> "TrainingRecipe":
-        """The recipe of the networks of the arrival costates, which begin with random weights.
-
-        Those of the command, where these have one of their own: what is hard for them is hard for a plan.
-        """
-        if self.command is not None:
-            return self.of_command
+        """The recipe of the networks of the arrival costates, which begin with random weights."""
         most = {"epochs": PLAN_EPOCHS, "train_samples": PLAN_SAMPLES}
         less = {name: min(getattr(self, name), number) for name, number in most.items()}
-        return self.model_copy(update={**less, "start": None})
+        return self.model_copy(update={**less, "start": None, "command": None})
 
 
 class Training(Section):
