@@ -11,8 +11,7 @@ void tracker_correct(const sailnet_problem *problem, uint64_t count, sailnet_pla
 void tracker_solved(uint64_t count, const sailnet_plan *plans, int32_t *solved);
 void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double *held, int32_t *asked);
 void tracker_propose(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers,
-                     const double *directions, const double *tau, const double *tangential,
-                     const double *beta);
+                     const double *directions, const double *tau, const double *tangential, const double *beta);
 void tracker_follow(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers, const double *states,
                     const double *tangential, const double *beta, const double *estimated, const double *hold,
                     int32_t most, sailnet_planned *planned, int32_t *flown);
@@ -67,7 +66,7 @@ void tracker_solved(uint64_t count, const sailnet_plan *plans, int32_t *solved)
     }
 }
 
-/* And which of them then ask for a proposal. */
+/* A period is over: which of them then ask for a proposal. */
 void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double *held, int32_t *asked)
 {
     for (uint64_t i = 0; i < count; i++) {
@@ -77,8 +76,7 @@ void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double
 }
 
 void tracker_propose(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers,
-                     const double *directions, const double *tau, const double *tangential,
-                     const double *beta)
+                     const double *directions, const double *tau, const double *tangential, const double *beta)
 {
     for (uint64_t i = 0; i < count; i++) {
         const sailnet_problem own = of_vehicle(problem, tangential[i], beta[i]);

@@ -2,7 +2,7 @@
 
 import re
 import subprocess
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
 
 from c_runtime.builds import Build
@@ -50,16 +50,19 @@ class ProofError(Exception):
     """The analysis did not run."""
 
 
-def analyse(exported: Path, build: Build, timeout: float = 300.0) -> list[str]:
-    """What Eva could not prove of a build: one line each, none if all is proved; see :func:`unproved`."""
-    return list(unproved(exported, build, timeout))
-
-
-def unproved(exported: Path, build: Build, timeout: float = 300.0) -> Iterator[str]:
-    """What Eva cannot prove of a build, one entry of the driver after the other.
+def analyse(
+    exported: Path, build: Build, timeout: float = 300.0, entries: Iterable[str] = tuple(ENTRIES)
+) -> list[str]:
+    """What Eva could not prove of a build: one line each, none if all is proved.
 
     NaN and infinity are values like others (``-warn-special-float none``): that none reaches a command
     is asserted in the driver.
+
+    Args:
+        exported: folder of its C.
+        build: that is analysed.
+        timeout: of the analysis of an entry [s].
+        entries: functions of the driver that are analysed.
 
     Raises:
         ProofError: Eva failed to analyse the file.
@@ -71,8 +74,11 @@ def unproved(exported: Path, build: Build, timeout: float = 300.0) -> Iterator[s
     succeed = f"sailnet_follow:0,sailnet_tracks:0,sailnet_propose_plan_{build.suffix}:0"
     options = ("-eva-use-spec", contracts, "-eva-split-return-function", succeed)
     flags = (f"-I{exported}", *build.analysed)
-    for entry, precision in ENTRIES.items():
-        yield from _unproved(DRIVER, entry, (*precision, *options), flags, timeout)
+    return [
+        problem
+        for entry in entries
+        for problem in _unproved(DRIVER, entry, (*ENTRIES[entry], *options), flags, timeout)
+    ]
 
 
 def analyse_tracker(

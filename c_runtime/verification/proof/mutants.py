@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from c_runtime.builds import HEADER, LAYOUTS, Build
-from c_runtime.verification.proof.eva import ProofError, unproved
+from c_runtime.verification.proof.eva import ENTRIES, ProofError, analyse
 from c_runtime.verification.proof.lemmas import check_lemmas
 
 
@@ -268,7 +268,7 @@ def caught(folder: Path, build: Build) -> bool:
         CompilerError: there is no compiler.
         ProofError: Eva failed to analyse the file.
     """
-    if any(unproved(folder, build)):
+    if any(analyse(folder, build, entries=[entry]) for entry in ENTRIES):
         return True
     try:
         check_lemmas(folder, build)

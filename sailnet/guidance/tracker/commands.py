@@ -60,9 +60,10 @@ class Tracking:
             return networks, flown
         mine, own, flying = trackers[known], states[known], vehicles.rows(known)
         asked = self._tracker.time_passes(mine, held[known])
-        asking = mine[asked]
-        self._propose(asking, own[asked], flying.rows(asked))
-        mine[asked] = asking
+        if asked.any():
+            asking = mine[asked]
+            self._propose(asking, own[asked], flying.rows(asked))
+            mine[asked] = asking
         planned = self._tracker.follow(self._problem, mine, own, flying, hold[known], EXTREMALS_PER_PERIOD)
         trackers[known] = mine
         rows, use = np.flatnonzero(known)[planned.flown], planned.flown
@@ -95,7 +96,7 @@ class Tracking:
 
     def _propose(self, trackers: NDArray[np.void], states: Array, vehicles: Vehicles) -> None:
         """Propose the networks' plans."""
-        if not len(trackers) or not isinstance(self._guidance, FirstPlans):
+        if not isinstance(self._guidance, FirstPlans):
             return
         beta = np.clip(vehicles.as_fast, *self._guidance.beta_range)
         directions = self._guidance.arrival_directions(states, beta)
