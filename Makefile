@@ -44,7 +44,7 @@ fly_campaign = $(SAILNET) evaluate --overwrite --mission $(MISSION) --workers 2 
 # Where the tables of campaigns stand: those of other missions beside their networks.
 campaign_tables := $(if $(filter earth_mars,$(NAME)),sailnet/campaign,sailnet/shipped/$(NAME))/RESULTS.md
 
-.PHONY: all paper papers setup dataset coverage train released export evaluate accept campaigns others missions bench benchmarks bad-days report ship quick test test-tools tools peers docs mutation evidence checks lint clean
+.PHONY: all paper papers setup dataset coverage train released export evaluate accept campaigns others missions bench benchmarks bad-days report ship quick test test-tools test-long tools peers docs docs-packages mutation evidence checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -190,7 +190,8 @@ peers: | $(READY)
 	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[benchmarks,mutation]'
 
 # The documentation, its cells executed where they have changed; without a network once its packages are there.
-docs: $(VENV)/.docs-ready
+docs-packages: $(VENV)/.docs-ready
+docs: docs-packages
 	$(PYTHON) -m sphinx -W -n --keep-going -q -b html docs build/docs
 	@echo
 	@echo "The documentation: build/docs/index.html"
@@ -215,15 +216,19 @@ lint: | $(READY)
 
 # For someone at work: lint, and of every package the tests that take no second.
 quick: lint
-	$(PYTEST) -m "not (slow or $(TOOLS))"
+	$(PYTEST) -m "not (slow or long or $(TOOLS))"
 
 # Every test that needs no more than Python, make, a C compiler and ten seconds.
 test: lint
-	$(PYTEST) -m "not ($(TOOLS))"
+	$(PYTEST) -m "not (long or $(TOOLS))"
 
 # The others, and the exhaustive ones. A tool that is missing is named with the line that installs it; where CI=true that fails.
 test-tools: | $(READY)
-	$(PYTEST) -m "$(TOOLS)"
+	$(PYTEST) -m "($(TOOLS)) and not long"
+
+# Minutes each, by independent methods or from whole sets of starts: after changes of the optimal solver, data or examples.
+test-long: | $(READY)
+	$(PYTEST) -m long
 
 # Debian's packages that test-tools and checks call: apt-get install $(make -s tools).
 tools:

@@ -47,7 +47,7 @@ def test_a_bare_machine_compiles_and_has_this_python(tmp_path: Path) -> None:
 def test_what_continuous_integration_runs_apart_is_every_marker_of_a_tool() -> None:
     markers = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["pytest"]["ini_options"]["markers"]
     (left_out,) = re.findall(r"^TOOLS +:= (.*)$", (ROOT / "Makefile").read_text(), re.MULTILINE)
-    assert ["slow", *left_out.split(" or ")] == [text.split(":")[0] for text in markers]
+    assert ["slow", "long", *left_out.split(" or ")] == [text.split(":")[0] for text in markers]
 
 
 A_TEST = """

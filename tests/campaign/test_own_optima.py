@@ -51,7 +51,7 @@ def test_a_real_sail_is_compared_with_what_a_real_sail_can_do() -> None:
     assert times[0] == pytest.approx(7.4397331, abs=1e-6)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_what_the_search_of_a_region_misses_neighbours_show() -> None:
     """Fast starts to 2.77 AU: of one the search of the region takes an extremal 1.66 TU slower."""
     ceres = load_mission("earth_ceres")

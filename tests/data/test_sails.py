@@ -20,7 +20,7 @@ STARTS = 12
 """In the fastest corner, where a weak sail flies out beyond Mars before it comes back."""
 
 
-@pytest.mark.exhaustive
+@pytest.mark.long
 def test_what_neighbours_leave_out_is_searched_for_and_led_on(monkeypatch: pytest.MonkeyPatch) -> None:
     weak = [replace(MISSION.problem, beta=share * MISSION.sail.beta) for share in (0.95, 0.9667)]
     rng = np.random.default_rng(5)

@@ -117,7 +117,7 @@ def test_flights_from_around_the_target_are_made_before_the_others(narrow: Missi
 
 
 @pytest.mark.exhaustive
-@pytest.mark.parametrize("within", [0.05, 0.2])
+@pytest.mark.parametrize("within", [pytest.param(0.05, marks=pytest.mark.long), 0.2])
 def test_flights_from_around_the_target_are_the_fastest_of_every_sail(narrow: Mission, within: float) -> None:
     """From every direction, near and far; the expert, which searches for each alone, knows none faster."""
     wide = narrow.dataset.wide.model_copy(update={"around": 12, "around_within": within})

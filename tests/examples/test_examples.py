@@ -156,7 +156,14 @@ def names_by_install_line() -> dict[str, list[str]]:
 
 
 @pytest.mark.install
-@pytest.mark.parametrize("names", names_by_install_line().values(), ids=" ".join)
+@pytest.mark.parametrize(
+    "names",
+    [
+        pytest.param(names, marks=pytest.mark.long if "[fmi]" in line else ())
+        for line, names in names_by_install_line().items()
+    ],
+    ids=" ".join,
+)
 def test_from_nothing_to_a_first_output(names: list[str], tmp_path: Path) -> None:
     """In a clean checkout and an environment with nothing in it, `pip install` and all."""
     path = bare_checkout(tmp_path, "of-examples")
@@ -174,6 +181,7 @@ def basilisk(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
     return folder, path
 
 
+@pytest.mark.long
 @pytest.mark.install
 def test_basilisk_flies_what_the_plant_does(basilisk: tuple[Path, str]) -> None:
     """Its commands end with an error unless every verdict is the plant's, and every end within 1e-6."""
@@ -181,6 +189,7 @@ def test_basilisk_flies_what_the_plant_does(basilisk: tuple[Path, str]) -> None:
     assert run(commands(APART)[1:], folder, path).strip()
 
 
+@pytest.mark.long
 @pytest.mark.install
 def test_a_sail_on_wheels_follows_the_guidance_in_basilisk(basilisk: tuple[Path, str]) -> None:
     folder, path = basilisk

@@ -69,7 +69,9 @@ def confirm(transfer: Transfer, found: Extremal, golden: float) -> None:
 
 
 @pytest.mark.exhaustive
-@pytest.mark.parametrize("name", NOMINALS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.long) if name == "ceres" else name for name in NOMINALS]
+)
 def test_the_nominal_is_the_fastest_transfer(name: str) -> None:
     title, changes, golden = NOMINALS[name]
     mission = exact(title, **changes)

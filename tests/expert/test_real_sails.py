@@ -103,7 +103,7 @@ def test_what_cannot_be_followed_is_solved_anew(
     np.testing.assert_array_equal(own.complete, anew)
 
 
-@pytest.mark.exhaustive
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["jpl", "nasa"])
 def test_random_states_of_the_generalisation_set_are_solved(mission: Mission, name: str) -> None:
     real = mission.with_optics(OPTICS[name])

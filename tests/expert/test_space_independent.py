@@ -17,7 +17,9 @@ STARTS = [NODE, (1.08, 0.05, 0.06, 0.92, -0.03), (1.02, -0.03, 0.03, 1.1, -0.045
 
 
 @pytest.mark.exhaustive
-@pytest.mark.parametrize("state", STARTS)
+@pytest.mark.parametrize(
+    "state", [STARTS[0], *(pytest.param(state, marks=pytest.mark.long) for state in STARTS[1:])]
+)
 def test_the_expert_s_transfer_is_the_fastest(state: tuple[float, ...]) -> None:
     found, crude = solve(EXACT, state), minimise(EXACT, np.array(state))
     # Constant controls in every interval are a little slower.
@@ -25,14 +27,14 @@ def test_the_expert_s_transfer_is_the_fastest(state: tuple[float, ...]) -> None:
     assert crude.agreeing >= 2
 
 
-@pytest.mark.exhaustive
+@pytest.mark.long
 def test_of_a_sail_that_is_not_ideal_too() -> None:
     real = dataclasses.replace(EXACT, optics=OPTICS["jpl"])
     found, crude = solve(real, NODE), minimise(real, np.array(NODE))
     assert 0.0 < crude.time_of_flight / found.time_of_flight - 1.0 < 1e-3
 
 
-@pytest.mark.exhaustive
+@pytest.mark.long
 def test_the_methods_can_disagree() -> None:
     """Half a percent of beta, or a tenth of the inclination, is told apart: agreement means something."""
     found = solve(EXACT, NODE).time_of_flight

@@ -46,7 +46,7 @@ def test_of_too_many_for_a_search_a_few_are_sought(monkeypatch: pytest.MonkeyPat
     assert len(sought) == 2
 
 
-@pytest.mark.exhaustive
+@pytest.mark.long
 def test_fast_starts_to_far_targets_are_found_once_they_are_sought_alone() -> None:
     """Among 200 starts to 4 AU a search runs out of directions before it comes to the fastest ones."""
     rng = np.random.default_rng(3)

@@ -15,7 +15,7 @@ static sailnet_state far_from_the_target(sailnet_real beta)
 {
     sailnet_state found = middle_of_domain();
     sailnet_real most = R(0.0);
-    for (int i = 0; i < 1000; i++) {
+    for (int i = 0; i < 200; i++) {
         const sailnet_state state = state_in_domain();
         sailnet_command command;
         const int departs = sailnet_guidance(&state, SAILNET_BETA, &command) == SAILNET_OK;
