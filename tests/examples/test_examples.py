@@ -155,15 +155,9 @@ def names_by_install_line() -> dict[str, list[str]]:
     return lines
 
 
+@pytest.mark.long
 @pytest.mark.install
-@pytest.mark.parametrize(
-    "names",
-    [
-        pytest.param(names, marks=pytest.mark.long if "[fmi]" in line else ())
-        for line, names in names_by_install_line().items()
-    ],
-    ids=" ".join,
-)
+@pytest.mark.parametrize("names", names_by_install_line().values(), ids=" ".join)
 def test_from_nothing_to_a_first_output(names: list[str], tmp_path: Path) -> None:
     """In a clean checkout and an environment with nothing in it, `pip install` and all."""
     path = bare_checkout(tmp_path, "of-examples")
