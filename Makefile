@@ -226,7 +226,7 @@ test: lint
 test-tools: | $(READY)
 	$(PYTEST) -m "($(TOOLS)) and not long"
 
-# Minutes each, by independent methods or from whole sets of starts: after changes of the optimal solver, data or examples.
+# Minutes each, by independent methods or from whole sets of starts: after changes of the optimal solver, data, tracker or examples.
 test-long: | $(READY)
 	$(PYTEST) -m long
 

@@ -93,7 +93,7 @@ def test_without_inclination_the_answers_are_the_plane_s(delta: float) -> None:
     the_plane_in_space(dataclasses.replace(EXACT, delta=delta), states, (low, high))
 
 
-@pytest.mark.exhaustive
+@pytest.mark.long
 def test_without_inclination_a_thousand_answers_are_the_plane_s(space: Mission) -> None:
     low, high = space.generalisation.corners
     states = np.random.default_rng(9).uniform(low, high, (1000, 3))
