@@ -44,7 +44,7 @@ fly_campaign = $(SAILNET) evaluate --overwrite --mission $(MISSION) --workers 2 
 # Where the tables of campaigns stand: those of other missions beside their networks.
 campaign_tables := $(if $(filter earth_mars,$(NAME)),sailnet/campaign,sailnet/shipped/$(NAME))/RESULTS.md
 
-.PHONY: all paper papers setup dataset coverage train released export evaluate accept campaigns others missions bench benchmarks bad-days report ship quick test test-tools test-long tools peers docs docs-packages mutation evidence checks lint clean
+.PHONY: all paper papers setup dataset coverage train released export evaluate accept campaigns others missions bench benchmarks bad-days report ship quick test test-tools test-long tools peers docs mutation evidence checks lint clean
 .DELETE_ON_ERROR:
 
 all: accept
@@ -190,8 +190,7 @@ peers: | $(READY)
 	$(PYTHON) -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[benchmarks,mutation]'
 
 # The documentation, its cells executed where they have changed; without a network once its packages are there.
-docs-packages: $(VENV)/.docs-ready
-docs: docs-packages
+docs: $(VENV)/.docs-ready
 	$(PYTHON) -m sphinx -W -n --keep-going -q -b html docs build/docs
 	@echo
 	@echo "The documentation: build/docs/index.html"

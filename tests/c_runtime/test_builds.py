@@ -30,6 +30,7 @@ every_build = pytest.mark.parametrize("build", BUILDS.values(), ids=BUILDS)
     "flags",
     [
         FAST,
+        pytest.param(f"-O2 {SOME}", marks=pytest.mark.long),
         pytest.param(f"{TRAPPING} {SOME}", marks=pytest.mark.exhaustive),
     ],
 )

@@ -32,7 +32,14 @@ def exported(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFa
     return export_c(random_guidance_in_space(mission=mission), tmp_path_factory.mktemp("space"))
 
 
-@pytest.mark.parametrize("build", [BUILDS["f32"], BUILDS["f64_host"]], ids=["f32", "f64_host"])
+@pytest.mark.parametrize(
+    "build",
+    [
+        pytest.param(build, marks=() if name in ("f32", "f64_host") else pytest.mark.long)
+        for name, build in BUILDS.items()
+    ],
+    ids=BUILDS,
+)
 def test_the_reference_steers_as_the_c(exported: CInSpace, build: Build) -> None:
     """Period by period, each from the same memory; half of the sails begin with plans."""
     rng, mission, count = np.random.default_rng(21), exported.mission, 40

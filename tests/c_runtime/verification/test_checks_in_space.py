@@ -17,8 +17,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize("target", [pytest.param(name, marks=needs_tools_of(name)) for name in TARGETS])
-def test_nothing_is_found(folder: Path, tmp_path: Path, target: str) -> None:
-    run = make(target, folder, tmp_path, "BUILDS=f64")
+@pytest.mark.parametrize("build", ["f64", pytest.param("f32_host", marks=pytest.mark.long)])
+def test_nothing_is_found(folder: Path, tmp_path: Path, target: str, build: str) -> None:
+    run = make(target, folder, tmp_path, f"BUILDS={build}")
     assert run.returncode == 0, run.stdout + run.stderr
 
 

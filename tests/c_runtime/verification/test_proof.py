@@ -1,5 +1,6 @@
 """The proof of bounded, finite commands holds for every form of networks, and guards taken away break it."""
 
+import itertools
 import shutil
 from collections.abc import Iterable
 from pathlib import Path
@@ -32,17 +33,25 @@ def in_space(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return write_in_space(AGEING, tmp_path_factory.mktemp("space"))
 
 
-# The form that ships is proved in every build by `make checks`, and so is the tracker.
+# The form that ships is proved in every build by `make checks`, and so is the tracker: the others are long.
 @with_frama_c
 @pytest.mark.parametrize(
-    ("exported_of_any_sail", "build"), [("paper", "f32"), ("jpl", "f64")], indirect=["exported_of_any_sail"]
+    ("exported_of_any_sail", "build"),
+    [
+        pytest.param(*pair, marks=() if pair in (("paper", "f32"), ("jpl", "f64")) else pytest.mark.long)
+        for pair in itertools.product(("paper", "approach", "jpl"), ("f32", "f64", "f32_host"))
+    ],
+    indirect=["exported_of_any_sail"],
 )
 def test_commands_are_bounded_and_finite(exported_of_any_sail: Exported, build: str) -> None:
     assert analyse(exported_of_any_sail.folder, BUILDS[build]) == []
 
 
 @with_frama_c
-@pytest.mark.parametrize("build", ["f32", "f64_host"])
+@pytest.mark.parametrize(
+    "build",
+    [pytest.param(name, marks=() if name in ("f32", "f64_host") else pytest.mark.long) for name in BUILDS],
+)
 def test_commands_in_space_are_bounded_and_finite(in_space: Path, build: str) -> None:
     assert analyse(in_space, BUILDS[build]) == []
 
@@ -89,7 +98,7 @@ BROKEN_TRACKERS = {
 
 
 IN_BRIEF = "no budget", "a search that begins anywhere"
-"""One of each entry; the others are long."""
+"""Of each entry one; the others are long."""
 
 
 @with_frama_c
