@@ -22,6 +22,7 @@ from sailnet.campaign.tables import Table
 from sailnet.errors import SailnetError
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_networks import NAMES
+from sailnet.networks.known_plans import FILE
 from sailnet.networks.network import Network, load_network, save_network
 from sailnet.physics.arrays import Array
 from sailnet.workers.executors import workers
@@ -76,6 +77,10 @@ def completed(given: Path, first: Path, folder: Path) -> None:
         else:
             network = load_network(first / file)
             save_network(in_ranges(network, tau.input_min, tau.input_max), folder / file)
+    for place in (given, first):
+        if (place / FILE).exists():
+            shutil.copy(place / FILE, folder / FILE)
+            break
 
 
 def errors_of(folder: Path) -> str:

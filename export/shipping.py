@@ -17,6 +17,7 @@ from sailnet.campaign.results import open_results
 from sailnet.campaign.scores import scores_of
 from sailnet.mission.mission import Mission
 from sailnet.networks.guidance_in_space import load_networks_of
+from sailnet.networks.known_plans import FILE
 from sailnet.networks.plan_networks import load_plan_networks
 
 REPRODUCTION = "reproduction.json"
@@ -78,6 +79,9 @@ def ship(
     export(folder, package, mission)
     for network in (*networks.all, *(() if plan is None else plan.all)):
         _copy(folder / f"{network.name}.safetensors", package)
+    (package / FILE).unlink(missing_ok=True)
+    if plan is not None and plan.known is not None:
+        _copy(folder / FILE, package)
     card = model_card(networks, accepted, timings, agreement, plan)
     with writing(package / "MODEL_CARD.md", ExportError):
         write_text(package / "MODEL_CARD.md", card)

@@ -18,7 +18,7 @@ FOLDERS = (
 """Where templates, and the parts they include, are looked for, in this order."""
 
 _INCLUDE = re.compile(
-    r'^#include "(\w+\.inc|sailnet_(?:extremal|plan|tracker|tracker_types)\.[ch])"$', re.MULTILINE
+    r'^#include "(\w+\.inc|sailnet_(?:extremal|plan|candidate|tracker|tracker_types)\.[ch])"$', re.MULTILINE
 )
 _PLACE = re.compile(r"@([A-Z_0-9]+)@")
 

@@ -4,7 +4,7 @@ The order in which the text is put together is that of the templates: ``flight/s
 ``simulation/sailnet_guidance_host.c.in``.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 from pathlib import Path
 
@@ -19,7 +19,7 @@ from export.numbers import literal
 from export.templates import filled
 from sailnet.guidance.facts import GuidanceFacts, round_down
 from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
-from sailnet.guidance.tracker.library import PROBLEM, problem_of
+from sailnet.guidance.tracker.library import PROBLEM, known_plans, problem_of
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
 from sailnet.networks.plan_networks import PlanNetworks
 from sailnet.networks.steepness import LOG2_E
@@ -75,6 +75,7 @@ def _header(
             "PROVENANCE": _provenance(facts),
             "IN_SPACE": str(int(facts.components > 3)),
             "PLANS": str(int(plan is not None)),
+            "KNOWN_PLANS": str(len(facts.known_plans)),
             "VERSION": facts.version,
             "MISSION": facts.mission,
             "MISSION_DIGEST": facts.mission_digest,
@@ -131,7 +132,27 @@ def _parts(facts: GuidanceFacts) -> dict[str, str]:
     return {
         "AGEING": '\n#include "ageing.inc"\n' if facts.degradation.loss > 0.0 else "",
         "PROBLEM": "\n".join(rows),
+        "KNOWN_PLANS_TABLE": _known_plans(facts),
     }
+
+
+def _known_plans(facts: GuidanceFacts) -> str:
+    """Of each the state as the tracker has it, beta, the direction and the time to go."""
+    if not facts.known_plans:
+        return ""
+    known = known_plans(facts.known)
+    rows = [
+        f"    {{{{{_floats(plan['state'])}}}, {_floats([plan['beta']])}, "
+        f"{{{_floats(plan['direction'])}}}, {_floats([plan['time_to_go']])}}},"
+        for plan in known
+    ]
+    return "\n".join(
+        ["", "const sailnet_known_plan sailnet_known_plans[SAILNET_KNOWN_PLANS] = {", *rows, "};", ""]
+    )
+
+
+def _floats(values: Iterable[float]) -> str:
+    return ", ".join(f"{np.float32(value)}f" for value in values)
 
 
 def _days(time: float) -> str:

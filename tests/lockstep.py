@@ -45,10 +45,10 @@ one rounding of theirs that no nudge of the numbers they are given repeats. In f
 OUTSIDE = ("tracker", "time_of_flight")
 """Of the reference's memory: what is no part of the estimate."""
 
-KINDS = ("planned",)
+KINDS = ("planned", "untried")
 """Of a tracker: what is no matter of degree."""
 
-DEGREES = ("since", "stride", "searched", "regret")
+DEGREES = ("since", "stride", "searched", "promised", "tried", "regret")
 """Of a tracker: numbers that are compared, beside those of its plans."""
 
 OF_PLAN = ("direction", "time_to_go", "beta", "across", "residual", "age")
@@ -91,6 +91,7 @@ class Nudged:
 
     def __post_init__(self) -> None:
         self.mission, self.beta_range = self.guidance.mission, self.guidance.beta_range
+        self.known_plans = self.guidance.known_plans
 
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
         asked = np.asarray(states, float)

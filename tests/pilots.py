@@ -29,6 +29,10 @@ class Pilot:
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
         raise NotImplementedError
 
+    @property
+    def known_plans(self) -> Array:
+        return np.empty((0, 0))
+
     def steering(self, count: int) -> Steering:
         return ReferenceSteering(self, count)
 

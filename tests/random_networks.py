@@ -10,10 +10,12 @@ from sailnet import Mission, load_mission
 from sailnet.networks.approach import APPROACH_INPUTS, APPROACH_INPUTS_IN_SPACE, LATERAL_INPUTS
 from sailnet.networks.guidance_in_space import NAMES, AnyGuidanceNetworks, GuidanceNetworksInSpace
 from sailnet.networks.guidance_networks import COMMAND_INPUTS, STATE_INPUTS, GuidanceNetworks
+from sailnet.networks.known_plans import KnownPlans, save_known_plans
 from sailnet.networks.network import Network, save_network
 from sailnet.networks.plan_networks import ARRIVAL_NAMES, PlanNetworks, factors_of_arrival
 from sailnet.networks.trained_domain import AXES, DIRECTIONS, KNOTS, ORBITS
 from sailnet.physics.arrays import Array
+from tests.guidance.tracker.plans import planned_starts
 
 STATE_MIN, STATE_MAX = (0.35, -0.45, 0.59), (1.56, 0.45, 1.85)
 WIDE = [[100.0] * (len(AXES) + 2)] * KNOTS
@@ -166,17 +168,27 @@ def random_guidance_in_space(
 
 
 def random_plan_networks(seed: int = 0, mission: Mission | None = None) -> PlanNetworks:
-    """Random networks of the arrival costates, of the plane or of space as the mission is."""
+    """Random networks of the arrival costates, of the mission's dimensions, and known plans."""
     mission = mission or load_mission("earth_mars")
     names = ARRIVAL_NAMES[mission.components]
     if mission.inclined:
-        return PlanNetworks(tuple(random_network_in_space(n, seed=seed, mission=mission) for n in names))
-    return PlanNetworks(
-        tuple(random_network(name, seed=seed, mission=mission, approach=True) for name in names)
-    )
+        networks = tuple(random_network_in_space(n, seed=seed, mission=mission) for n in names)
+    else:
+        networks = tuple(random_network(n, seed=seed, mission=mission, approach=True) for n in names)
+    return PlanNetworks(networks, random_known_plans(mission, 40, seed))
+
+
+def random_known_plans(mission: Mission, count: int, seed: int = 0) -> KnownPlans:
+    """Extremals that are true, and not always the fastest."""
+    states, trackers = planned_starts(mission, count, np.random.default_rng(seed))
+    plans = trackers["plan"]
+    shares, provenance = np.ones(count), {"dataset": "none"}
+    return KnownPlans(states, shares, plans["direction"], plans["time_to_go"], mission, provenance)
 
 
 def save_guidance(networks: AnyGuidanceNetworks | PlanNetworks, folder: Path) -> None:
     """Write the files that ``load_networks_of`` or ``load_plan_networks`` reads."""
     for network in networks.all:
         save_network(network, folder / f"{network.name}.safetensors")
+    if isinstance(networks, PlanNetworks) and networks.known is not None:
+        save_known_plans(networks.known, folder)

@@ -84,6 +84,7 @@ def _names(chosen: list[str] | None, known: Collection[str], kind: str) -> list[
 def _train(options: argparse.Namespace) -> "list[Network]":
     # Torch takes seconds to load: whoever comes second into a folder has been sent away by now.
     from training.fit_domain import ensure_domain
+    from training.known_plans import ensure_known_plans
     from training.parallel import train_networks
     from training.targets import TARGETS
 
@@ -101,6 +102,8 @@ def _train(options: argparse.Namespace) -> "list[Network]":
         quiet=options.quiet,
     )
     ensure_domain(networks, options.dataset, options.output, quiet=options.quiet)
+    if (options.output / "tau.safetensors").exists():
+        ensure_known_plans(options.dataset, options.output, quiet=options.quiet)
     return networks
 
 

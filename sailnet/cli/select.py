@@ -203,19 +203,25 @@ def _record(mission: Mission, candidates: Sequence[Candidate]) -> dict[str, obje
 
 def _keep(candidate: Candidate, output: Path, record: dict[str, object]) -> None:
     """Copy a candidate's networks, which carry the record of the choice, and their histories."""
+    from sailnet.networks.known_plans import FILE
     from sailnet.networks.network import load_network, save_network
 
     text = json.dumps(record, indent=1) + "\n"
     if (output / SELECTION).exists() and (output / SELECTION).read_text() == text:
         return  # written last: all of it is there
     (output / SELECTION).unlink(missing_ok=True)
+    copied = sorted((candidate.folder / "networks").glob("*.history.json"))
     for path in sorted((candidate.folder / "networks").glob("*.safetensors")):
+        if path.name == FILE:
+            copied.append(path)
+            continue
         network = load_network(path)
         chosen = {key: record[key] for key in ("flights", "seed", "chosen", "candidates")}
         save_network(
             replace(network, provenance={**network.provenance, "selection": chosen}), output / path.name
         )
-    for path in sorted((candidate.folder / "networks").glob("*.history.json")):
+    (output / FILE).unlink(missing_ok=True)
+    for path in copied:
         with writing(output / path.name, NetworkError):
             write_whole(output / path.name, partial(shutil.copyfile, path), size=path.stat().st_size)
     with writing(output / SELECTION, NetworkError):

@@ -62,6 +62,11 @@ class NetworksInSpace:
         """See ``sailnet.guidance.interface.Guidance``."""
         return None if self.plan is None else self.plan.direction(states, beta)
 
+    @property
+    def known_plans(self) -> Array:
+        """See :class:`sailnet.guidance.interface.FirstPlans`."""
+        return self._facts.known
+
     def steering(self, count: int) -> Steering:
         """Steering of ``count`` sails; see ``sailnet.guidance.interface.Guidance``."""
         return ReferenceSteering(self, count)

@@ -86,6 +86,7 @@ class CGuidance:
             self._propose = _declared(
                 loaded, f"sailnet_propose_plan_batch_{suffix}", None, count, *[pointer] * 4
             )
+            known = _declared(loaded, f"sailnet_known_plan_rows_{suffix}", count, pointer)
             self._start = _declared(loaded, f"sailnet_start_batch_{suffix}", None, count, pointer)
             self._steer = _declared(
                 loaded, f"sailnet_steer_batch_{suffix}", None, count, *[pointer] * 4, real, *[pointer] * 2
@@ -107,6 +108,7 @@ class CGuidance:
         self._memory_size: int = functions["memory_size"]()
         self.networks_digest: str = functions["networks_digest"]().decode()
         self.precision: Precision = precision
+        self.known_plans = _known_plans(known, self._components)
         self.beta_range: tuple[float, float] = (functions["beta_min"](), functions["beta_max"]())
 
     def __reduce__(self) -> tuple[type["CGuidance"], tuple[Mission, Path]]:
@@ -206,6 +208,15 @@ class CSteering:
     ) -> Steered:
         """See :class:`sailnet.guidance.interface.Steering`."""
         return self._guidance.steer(self.memories, states, period, sails, attitudes)
+
+
+def _known_plans(function: "ctypes._NamedFuncPointer", components: int) -> Array:
+    """What ``sailnet_known_plan_rows`` tells, in the numbers of Python's states."""
+    rows = np.empty((function(None), 2 * components + 2))
+    function(rows.ctypes.data)
+    if components == 5:  # the C has the tangent of the latitude
+        rows[:, 1] = np.arctan(rows[:, 1])
+    return rows
 
 
 def _declared(

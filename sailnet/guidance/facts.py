@@ -40,7 +40,7 @@ class GuidanceFacts:
         version: of the sailnet that exported it.
         mission: name of the mission.
         mission_digest: ``Mission.digest()``; another digest is another problem.
-        networks_digest: SHA-256 over the weights and scaling of all networks, hex.
+        networks_digest: SHA-256 over the weights and scaling of all networks, and the known plans, hex.
         datasets: digest of the data set of each network, as its trainer recorded it.
         phi_max: bound on the cone angle [rad], Eq. (3).
         arrival_threshold: a shorter predicted time of flight is an arrival [TU].
@@ -56,6 +56,7 @@ class GuidanceFacts:
         domain: the tube of trained states within it.
         optics: of the sail that was trained for and flies; ideal where nothing was said.
         degradation: how that sail is known to age; not at all where nothing was said.
+        known_plans: rows of :attr:`sailnet.networks.known_plans.KnownPlans.rows`, if there are any.
     """
 
     version: str
@@ -78,6 +79,7 @@ class GuidanceFacts:
     domain: TrainedDomain
     optics: Optics = OPTICS["ideal"]
     degradation: Degradation = NO_DEGRADATION
+    known_plans: tuple[tuple[float, ...], ...] = ()
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
@@ -87,6 +89,10 @@ class GuidanceFacts:
                 raise GuidanceError(f"{name} is {value!r:.60}, not {self.components} finite numbers")
             if name in _NUMBERS and not (_is_finite(value) and value > 0.0):
                 raise GuidanceError(f"{name} is {value!r:.40}, not a finite number above 0")
+        of_a_plan = 2 * self.components + 2
+        for row in self.known_plans:
+            if not (len(row) == of_a_plan and all(map(_is_finite, row))):
+                raise GuidanceError(f"a known plan is {row!r:.60}, not {of_a_plan} finite numbers")
         if not isinstance(self.datasets, Mapping) or not all(
             isinstance(value, str) for value in self.datasets.values()
         ):
@@ -96,6 +102,11 @@ class GuidanceFacts:
     def components(self) -> int:
         """Of a state: 3, or 5 in space."""
         return self.domain.components
+
+    @property
+    def known(self) -> Array:
+        """(k, 2 components + 2) the known plans."""
+        return np.array(self.known_plans, float).reshape(-1, 2 * self.components + 2)
 
     @property
     def tolerances(self) -> Array:
@@ -182,6 +193,7 @@ class GuidanceFacts:
             content = table_of(text)
             for name in _STATES:
                 content[name] = tuple(content[name])
+            content["known_plans"] = tuple(map(tuple, content.get("known_plans", ())))
             content["domain"] = TrainedDomain.parse(content["domain"])
             content["optics"] = optics_from(content.get("optics", "ideal"))
             content["degradation"] = Degradation(**content.get("degradation", {}))
@@ -209,13 +221,14 @@ def describe(
     """
     flown = networks.all if alpha is None else (networks.tau, alpha)
     flown = (*flown, *(() if plan is None else plan.all))
+    known = None if plan is None else plan.known
     lowest, highest = networks.state_range
     beta_min, beta_max = networks.beta_range
     return GuidanceFacts(
         version=__version__,
         mission=mission.name,
         mission_digest=mission.digest(),
-        networks_digest=weights_digest(flown),
+        networks_digest=weights_digest(flown, None if plan is None else plan.tables),
         datasets={n.name: str(n.provenance.get("dataset", "not recorded")) for n in flown},
         phi_max=mission.problem.phi_max,
         arrival_threshold=mission.flight.arrival_threshold,
@@ -232,6 +245,7 @@ def describe(
         domain=networks.domain,
         optics=mission.sail.optics,
         degradation=mission.degradation,
+        known_plans=() if known is None else tuple(map(tuple, known.rows.tolist())),
     )
 
 

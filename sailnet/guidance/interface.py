@@ -170,6 +170,10 @@ class FirstPlans(Protocol):
             (n, 3), in space (n, 5), of any size; None if it has no networks for it.
         """
 
+    @property
+    def known_plans(self) -> Array:
+        """(k, 8) known plans, in space (k, 12): see :attr:`sailnet.networks.known_plans.KnownPlans.rows`."""
+
 
 def as_states(states: ArrayLike, precision: Precision, components: int = 3) -> NDArray[np.floating]:
     """(n, 3) contiguous array of one precision, in space (n, 5); numbers beyond its range become infinite.

@@ -89,6 +89,11 @@ class OnnxGuidance:
         finite = np.isfinite(array).all(axis=1)
         return np.where(finite[:, None], directions, 0.0).astype(np.float64)
 
+    @property
+    def known_plans(self) -> Array:
+        """See :class:`sailnet.guidance.interface.FirstPlans`."""
+        return self._facts.known
+
     def _given(self, names: list[str], states: NDArray[Any], betas: NDArray[Any]) -> dict[str, NDArray[Any]]:
         """Some outputs of the graph, by their names."""
         valid = np.isfinite(states).all(axis=1)

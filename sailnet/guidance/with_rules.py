@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from sailnet.guidance.interface import Commands, FirstPlans, Guidance, Steering
@@ -49,6 +50,11 @@ class WithRules:
         if not self.plans or not isinstance(self.guidance, FirstPlans):
             return None
         return self.guidance.arrival_directions(states, beta)
+
+    @property
+    def known_plans(self) -> Array:
+        """The guidance's."""
+        return self.guidance.known_plans if isinstance(self.guidance, FirstPlans) else np.empty((0, 0))
 
     def steering(self, count: int) -> Steering:
         """Steering of ``count`` sails by these rules."""

@@ -12,19 +12,24 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
-from safetensors import SafetensorError, safe_open
-from safetensors.numpy import save
 from scipy.special import expit
 
-from sailnet.artefacts.files import write_bytes, writing
 from sailnet.artefacts.untrusted import table_of
-from sailnet.errors import MissionError, NetworkError, reason
+from sailnet.errors import MissionError, NetworkError
 from sailnet.mission.mission import Mission
 from sailnet.mission.stored import stored_mission
-from sailnet.networks.tensor_checks import FACTORS, MOST_BYTES, TEXTS, faults
+from sailnet.networks.stored_tensors import Kind, Tensors, read_tensors, write_tensors
+from sailnet.networks.tensor_checks import FACTORS, faults
 from sailnet.physics.arrays import Array
 
-SCHEMA = "sailnet-network/1"
+KIND = Kind(
+    "network",
+    "sailnet-network/1",
+    ("name", "inputs", "mission", "provenance"),
+    faults,
+    "train or copy it again",
+    frozenset({FACTORS}),
+)
 
 EXTRAPOLATION = 2.0
 """Inputs are clamped to the trained range widened on each side by this many times its width.
@@ -132,7 +137,7 @@ def save_network(network: Network, path: Path) -> None:
     Raises:
         NetworkError: it cannot be written (full disk, no permission).
     """
-    tensors = {
+    tensors: Tensors = {
         "input_min": network.input_min,
         "input_max": network.input_max,
         "output_range": np.array([network.output_min, network.output_max]),
@@ -140,19 +145,15 @@ def save_network(network: Network, path: Path) -> None:
     for i, (weight, bias) in enumerate(zip(network.weights, network.biases, strict=True)):
         tensors[f"weight{i}"], tensors[f"bias{i}"] = weight, bias
     tensors = {name: np.ascontiguousarray(value, dtype="<f8") for name, value in tensors.items()}
-    metadata = {
-        "schema": SCHEMA,
+    texts = {
         "name": network.name,
         "inputs": ",".join(network.inputs),
         "mission": network.mission.to_json(),
         "provenance": json.dumps(dict(network.provenance), sort_keys=True),
     }
     if network.factors:
-        metadata[FACTORS] = ",".join(network.factors)
-    metadata["sha256"] = _digest(tensors, metadata)
-    content = save(tensors, metadata)
-    with writing(f"network {path}", NetworkError):
-        write_bytes(path, content)
+        texts[FACTORS] = ",".join(network.factors)
+    write_tensors(KIND, path, tensors, texts)
 
 
 def load_network(path: Path) -> Network:
@@ -161,9 +162,7 @@ def load_network(path: Path) -> Network:
     Raises:
         NetworkError: the file is missing, damaged, of another schema, or holds impossible values.
     """
-    tensors, metadata = _read(path)
-    if metadata.pop("sha256") != _digest(tensors, metadata):
-        raise NetworkError(f"{path} is damaged: its checksum does not match; train or copy it again")
+    tensors, metadata = read_tensors(KIND, path)
     layers = sum(name.startswith("weight") for name in tensors)
     try:
         return Network(
@@ -183,8 +182,13 @@ def load_network(path: Path) -> Network:
         raise NetworkError(f"{path} is not a complete network: {error}") from error
 
 
-def weights_digest(networks: Iterable[Network]) -> str:
-    """SHA-256 over weights and scaling of networks, whatever their order: equal means that the same fly."""
+def weights_digest(networks: Iterable[Network], tables: Mapping[str, Array] | None = None) -> str:
+    """SHA-256 over weights and scaling of networks, whatever their order: equal means that the same fly.
+
+    Args:
+        networks: any.
+        tables: what flies beside them, by name.
+    """
     content = hashlib.sha256()
     for network in sorted(networks, key=lambda network: network.name):
         scaling = np.array([network.output_min, network.output_max])
@@ -192,38 +196,7 @@ def weights_digest(networks: Iterable[Network]) -> str:
         for array in (*arrays, scaling):
             content.update(f"{network.name} {array.shape}".encode())
             content.update(np.ascontiguousarray(array, dtype="<f8").tobytes())
-    return content.hexdigest()
-
-
-def _read(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
-    """Tensors and metadata of a file that holds those of a network."""
-    try:
-        if path.exists() and not path.is_file():  # a pipe would be waited for
-            raise OSError("it is no file")
-        if path.stat().st_size > MOST_BYTES:
-            raise OSError(f"it is longer than {MOST_BYTES} bytes, which no network is")
-        with safe_open(path, framework="numpy") as stored:
-            metadata = dict(stored.metadata() or {})
-            if metadata.get("schema") != SCHEMA:
-                raise NetworkError(
-                    f"{path} has schema {metadata.get('schema')!r:.60}, this version reads {SCHEMA!r}"
-                )
-            if metadata.keys() - {FACTORS} != set(TEXTS):
-                raise NetworkError(
-                    f"{path} is not a complete network: its metadata is {', '.join(sorted(metadata)):.200}, "
-                    f"not {', '.join(TEXTS)}"
-                )
-            for fault in faults(stored):
-                raise NetworkError(f"{path} is not a complete network: {fault}; train or copy it again")
-            return {name: stored.get_tensor(name) for name in stored.keys()}, metadata  # noqa: SIM118
-    except (OSError, SafetensorError, UnicodeDecodeError) as error:
-        raise NetworkError(f"cannot read network {path}: {reason(error)}") from error
-
-
-def _digest(tensors: Mapping[str, Array], metadata: Mapping[str, str]) -> str:
-    content = hashlib.sha256(json.dumps(dict(metadata), sort_keys=True).encode())
-    for name in sorted(tensors):
-        content.update(name.encode())
-        content.update(str(tensors[name].shape).encode())
-        content.update(np.ascontiguousarray(tensors[name]).tobytes())
+    for name, table in sorted((tables or {}).items()):
+        content.update(f"{name} {table.shape}".encode())
+        content.update(np.ascontiguousarray(table, dtype="<f8").tobytes())
     return content.hexdigest()

@@ -18,6 +18,7 @@ from sailnet.errors import NetworkError
 from sailnet.mission.mission import Mission
 from sailnet.networks.approach import APPROACH_INPUTS, APPROACH_INPUTS_IN_SPACE, LATERAL_INPUTS
 from sailnet.networks.approach_inputs import LATERAL, approach_inputs
+from sailnet.networks.known_plans import KnownPlans, load_known_plans
 from sailnet.networks.network import Network, load_network, weights_digest
 from sailnet.physics.arrays import Array
 
@@ -59,9 +60,11 @@ class PlanNetworks:
 
     Attributes:
         all: the networks, in the order of ``ARRIVAL_NAMES``.
+        known: plans for where theirs leads nowhere, if there are any.
     """
 
     all: tuple[Network, ...]
+    known: KnownPlans | None = None
 
     def __post_init__(self) -> None:
         names = tuple(network.name for network in self.all)
@@ -77,6 +80,8 @@ class PlanNetworks:
                 )
             if network.mission.digest() != self.mission.digest():
                 raise NetworkError(f"networks do not belong together: {network.name} is of another mission")
+        if self.known is not None and self.known.mission.digest() != self.mission.digest():
+            raise NetworkError("networks and known plans do not belong together: they are of other missions")
 
     @property
     def mission(self) -> Mission:
@@ -91,7 +96,12 @@ class PlanNetworks:
     @property
     def digest(self) -> str:
         """See :func:`sailnet.networks.network.weights_digest`."""
-        return weights_digest(self.all)
+        return weights_digest(self.all, self.tables)
+
+    @property
+    def tables(self) -> dict[str, Array]:
+        """What flies beside the networks."""
+        return {} if self.known is None else {"known_plans": self.known.rows}
 
     def direction(self, states: ArrayLike, beta: ArrayLike | None = None) -> Array:
         """Direction of the arrival costates of the optima from some states: the reference in NumPy.
@@ -125,7 +135,7 @@ def unit_vectors(vectors: Array) -> Array:
 
 
 def load_plan_networks(folder: Path, mission: Mission) -> PlanNetworks | None:
-    """Read the networks of the arrival costates (``.safetensors``) from a folder.
+    """Read the networks of the arrival costates (``.safetensors``), and known plans, from a folder.
 
     Args:
         folder: of a mission's networks.
@@ -143,7 +153,8 @@ def load_plan_networks(folder: Path, mission: Mission) -> PlanNetworks | None:
         return None
     if missing:
         raise NetworkError(f"{folder} lacks {', '.join(missing)} of the networks of the arrival costates")
-    networks = PlanNetworks(tuple(load_network(file) for file in files.values()))
+    loaded = tuple(load_network(file) for file in files.values())
+    networks = PlanNetworks(loaded, load_known_plans(folder, loaded[0].mission))
     if networks.mission.digest() != mission.digest():
         raise NetworkError(
             f"the networks of the arrival costates in {folder} are of mission {networks.mission.name!r} with "

@@ -3,17 +3,11 @@
 from collections.abc import Iterator
 from typing import Any
 
-MOST_BYTES = 1 << 26
-"""Of a network's file: a thousand times what three layers of twenty take."""
-
 MOST_LAYERS = 16
 WIDEST = 4096
 
-TEXTS = ("schema", "name", "inputs", "mission", "provenance", "sha256")
-"""Metadata that a file has, all of them and no others but ``FACTORS``."""
-
 FACTORS, MOST_FACTORS = "factors", 16
-"""What the outputs are multiplied by, where there are several."""
+"""Optional metadata: what the outputs are multiplied by, where there are several."""
 
 
 def faults(stored: Any) -> Iterator[str]:

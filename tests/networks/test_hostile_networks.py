@@ -12,7 +12,8 @@ from safetensors import safe_open
 from safetensors.numpy import save_file
 
 from sailnet.errors import NetworkError
-from sailnet.networks.network import _digest, load_network, save_network
+from sailnet.networks.network import load_network, save_network
+from sailnet.networks.stored_tensors import tensors_digest
 from tests.random_networks import random_network
 
 
@@ -29,7 +30,7 @@ def read(path: Path) -> tuple[dict[str, str], dict[str, Any]]:
 
 def sign(path: Path, metadata: dict[str, str], tensors: dict[str, Any]) -> None:
     metadata.pop("sha256", None)
-    save_file(tensors, path, {**metadata, "sha256": _digest(tensors, metadata)})
+    save_file(tensors, path, {**metadata, "sha256": tensors_digest(tensors, metadata)})
 
 
 @pytest.mark.parametrize(

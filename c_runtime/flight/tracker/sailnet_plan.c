@@ -320,7 +320,9 @@ static int32_t advance(const sailnet_problem *problem, const double state[STATES
             mend(plan, &at->best, &tried, step, share, at->change);
             plan->differentiated = ((stale != 0) && (at->fresh == 0)) ? 0 : plan->differentiated;
         }
-        at->best = nearer != 0 ? tried : at->best;
+        if (nearer != 0) {
+            at->best = tried;
+        }
     }
     return nearer;
 }

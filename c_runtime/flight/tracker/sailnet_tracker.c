@@ -7,24 +7,13 @@
    by that. */
 #define CORRECT_AFTER 0.007
 #define CORRECT_AT_LATEST 0.1
-/* By how much a plan's vehicle moves in a correction, as a share of its force: at most, and at least. A step that fails
-   makes the next one shorter. */
-#define LARGEST_STRIDE 0.01
+/* By how much a plan's vehicle moves in a correction at least, as a share of its force. A step that fails makes the next one
+   shorter. */
 #define SMALLEST_STRIDE 1e-4
 #define SHORTER 0.25
 #define LONGER 2.0
-/* The networks are evaluated for a plan once in so long [TU]. */
-#define SEARCH_EVERY 0.1
-/* A faster plan saves at least so much of the time to go: what networks err by. */
-#define FASTER 0.01
-/* A plan that misses the state by more [AU, AU/TU] has failed: its family of extremals has ended. Any other is better, no
-   attitude is kept for it, and while it is not solved it spends the thrust margin. */
-#define FAILED 4e-4
-/* Extremals that a candidate may take until it is given up. */
-#define CANDIDATE_EXTREMALS 80
 /* A plan that misses the state by more [AU, AU/TU] is not flown. */
 #define USABLE 1e-3
-#define UNSOLVED 1e9
 /* Hysteresis: an attitude is kept until that has lost so much of the time to go. */
 #define OF_TIME_TO_GO 1.6e-2
 /* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
@@ -53,93 +42,7 @@ SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double he
     grow_older(&tracker->candidate, held);
     tracker->since = passed(tracker->since, held);
     tracker->searched = passed(tracker->searched, held);
-}
-
-/* Whether there is no plan, or one that has failed. */
-static int32_t has_failed(const sailnet_tracker *tracker)
-{
-    return ((tracker->planned == 0) || !(tracker->plan.residual < FAILED)) ? 1 : 0;
-}
-
-/* Whether a plan of so long a time to go is better than the one that is flown. */
-static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
-{
-    return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
-}
-
-SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker)
-{
-    const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
-    return tracker->searching <= 0 ? due : 0;
-}
-
-/* A plan that is not corrected yet. */
-static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
-                       sailnet_plan *plan)
-{
-    (void)memset(plan, 0, sizeof *plan);
-    (void)memcpy(plan->direction, direction, sizeof plan->direction);
-    plan->largest = -1;
-    plan->time_to_go = time_to_go;
-    plan->beta = problem->beta;
-    plan->across = problem->across;
-    plan->residual = UNSOLVED;
-}
-
-SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
-                                         const double direction[STATES], double time_to_go)
-{
-    tracker->searched = 0.0;
-    if (is_better(tracker, time_to_go) != 0) {
-        begin_plan(problem, direction, time_to_go, &tracker->candidate);
-        tracker->searching = CANDIDATE_EXTREMALS;
-    }
-}
-
-/* Fly by a plan that is solved. */
-static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
-{
-    tracker->plan = *plan;
-    tracker->since = 0.0;
-    tracker->stride = LARGEST_STRIDE;
-    tracker->planned = 1;
-}
-
-SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
-                                              const double state[STATES], const double direction[STATES],
-                                              double time_to_go)
-{
-    sailnet_plan plan;
-    begin_plan(problem, direction, time_to_go, &plan);
-    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
-    const int32_t solved = sailnet_plan_is_solved(&plan);
-    if (solved != 0) {
-        adopt(tracker, &plan);
-        tracker->searching = 0;
-    }
-    return solved;
-}
-
-/* Correct the candidate, and fly it if it is better. */
-static void advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
-                              int32_t most)
-{
-    const sailnet_problem own = sailnet_problem_of(problem, &tracker->candidate);
-    const int32_t computed = sailnet_correct_plan(&own, state, most, &tracker->candidate);
-    tracker->computed += computed;
-    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
-    tracker->searching = left - computed;
-    if (sailnet_plan_is_solved(&tracker->candidate) != 0) {
-        tracker->searching = 0;
-        if (is_better(tracker, tracker->candidate.time_to_go) != 0) {
-            adopt(tracker, &tracker->candidate);
-        }
-    } else if (!(tracker->candidate.residual < UNSOLVED)) {
-        /* It leads nowhere. */
-        tracker->searching = 0;
-    } else {
-        /* It goes on in the next period. */
-    }
+    tracker->promised -= held;
 }
 
 /* Keep the attitude while another hardly gains: noise would else turn the sail far again and again. */
@@ -166,7 +69,7 @@ static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *track
         regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
     }
     const double share = OF_TIME_TO_GO * planned->time_to_go;
-    const int32_t keep = ((regret > 0.0) && (regret < share) && (has_failed(tracker) == 0)) ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (sailnet_has_failed(tracker) == 0)) ? 1 : 0;
     tracker->regret = keep != 0 ? regret : 0.0;
     if (keep != 0) {
         *attitude = *before;
@@ -179,7 +82,7 @@ static void keep_stride(sailnet_tracker *tracker, int32_t moved)
 {
     const double next = (moved != 0 ? LONGER : SHORTER) * tracker->stride;
     tracker->stride = next > SMALLEST_STRIDE ? next : SMALLEST_STRIDE;
-    tracker->stride = tracker->stride < LARGEST_STRIDE ? tracker->stride : LARGEST_STRIDE;
+    tracker->stride = tracker->stride < SAILNET_LARGEST_STRIDE ? tracker->stride : SAILNET_LARGEST_STRIDE;
 }
 
 SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
@@ -192,15 +95,15 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
         sailnet_bring_up(problem, state, plan);
     }
     /* A plan that is not solved, or has failed, leaves the budget to the candidate. */
-    const int32_t first = ((tracker->planned == 1) && (has_failed(tracker) == 0)) ? 1 : 0;
+    const int32_t first = ((tracker->planned == 1) && (sailnet_has_failed(tracker) == 0)) ? 1 : 0;
     if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
         const sailnet_problem before = sailnet_problem_of(problem, plan);
         int32_t corrected = 1;
-        if ((tracker->planned > 1) && (has_failed(tracker) != 0)) {
+        if ((tracker->planned > 1) && (sailnet_has_failed(tracker) != 0)) {
             /* What no plan for less leads through, one for all that the vehicle has may. */
             sailnet_problem all = *problem;
             all.beta = estimated;
-            tracker->computed = sailnet_track(&all, state, LARGEST_STRIDE, most, plan);
+            tracker->computed = sailnet_track(&all, state, SAILNET_LARGEST_STRIDE, most, plan);
         } else if (tracker->planned > 1) {
             tracker->computed = sailnet_correct_plan(&before, state, most, plan);
         } else if (!(tracker->regret > 0.0) &&
@@ -221,11 +124,11 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
         }
     }
     if ((tracker->searching > 0) && (tracker->computed < (most - 1))) {
-        advance_candidate(problem, tracker, state, most - tracker->computed);
+        sailnet_advance_candidate(problem, tracker, state, most - tracker->computed);
     }
     /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
-    const double stronger = (1.0 + LARGEST_STRIDE) * estimated;
-    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= LARGEST_STRIDE)) ? 1 : 0;
+    const double stronger = (1.0 + SAILNET_LARGEST_STRIDE) * estimated;
+    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= SAILNET_LARGEST_STRIDE)) ? 1 : 0;
     const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
     if (flown != 0) {
         const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;

@@ -70,17 +70,28 @@ typedef struct {
     int32_t differentiated;           /* 0: no derivative is known; 1: those by the vehicle are not */
 } sailnet_plan;
 
+/* A plan that is known before the flight: from the state, of a vehicle of `beta`, the optimal extremal. */
+typedef struct {
+    float state[SAILNET_STATES];
+    float beta;                      /* as a share of the problem's */
+    float direction[SAILNET_STATES]; /* of the arrival costates, a unit vector */
+    float time_to_go;                /* [TU] */
+} sailnet_known_plan;
+
 /* What is remembered from one guidance period to the next. Zeros are a tracker without a plan. */
 typedef struct {
     sailnet_plan plan;      /* that is flown */
-    sailnet_plan candidate; /* begun from the networks, which may replace it */
+    sailnet_plan candidate; /* begun from the networks or from a known plan, which may replace it */
     double since;           /* time since the plan was solved for the vehicle [TU] */
     double stride;          /* by how much the plan's beta moves in a correction at most, as a share of it */
     double searched;        /* time since the networks were last evaluated for a plan [TU] */
+    double promised;        /* the time to go that they gave, less what has passed since [TU] */
+    double tried;           /* distance of the known plan that the candidate began from, squared; 0: of the networks */
     sailnet_attitude flown; /* commanded last */
     double regret;          /* time lost by keeping an attitude [TU] */
     int32_t planned;        /* 0: there is no plan; 1: it was solved; 2: its correction goes on */
     int32_t searching;      /* extremals that are left to the candidate; 0: there is none */
+    int32_t untried;        /* known plans that are still to be tried */
     int32_t computed;       /* extremals in the last guidance period */
 } sailnet_tracker;
 

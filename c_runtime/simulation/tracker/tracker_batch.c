@@ -11,7 +11,11 @@ void tracker_correct(const sailnet_problem *problem, uint64_t count, sailnet_pla
 void tracker_solved(uint64_t count, const sailnet_plan *plans, int32_t *solved);
 void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double *held, int32_t *asked);
 void tracker_propose(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers,
-                     const double *directions, const double *tau, const double *tangential, const double *beta);
+                     const double *directions, const double *tau, const double *tangential, const double *beta,
+                     int32_t known);
+void tracker_propose_known(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers,
+                           const double *states, const double *shares, const double *tangential, const double *beta,
+                           const sailnet_known_plan *known, int32_t of_known);
 void tracker_follow(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers, const double *states,
                     const double *tangential, const double *beta, const double *estimated, const double *hold,
                     int32_t most, sailnet_planned *planned, int32_t *flown);
@@ -66,7 +70,7 @@ void tracker_solved(uint64_t count, const sailnet_plan *plans, int32_t *solved)
     }
 }
 
-/* A period is over: which of them then ask for a proposal. */
+/* A period is over: what each of them then asks for. */
 void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double *held, int32_t *asked)
 {
     for (uint64_t i = 0; i < count; i++) {
@@ -76,11 +80,22 @@ void tracker_time_passes(uint64_t count, sailnet_tracker *trackers, const double
 }
 
 void tracker_propose(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers,
-                     const double *directions, const double *tau, const double *tangential, const double *beta)
+                     const double *directions, const double *tau, const double *tangential, const double *beta,
+                     int32_t known)
 {
     for (uint64_t i = 0; i < count; i++) {
         const sailnet_problem own = of_vehicle(problem, tangential[i], beta[i]);
-        sailnet_propose(&own, &trackers[i], &directions[i * SAILNET_STATES], tau[i]);
+        sailnet_propose(&own, &trackers[i], &directions[i * SAILNET_STATES], tau[i], known);
+    }
+}
+
+void tracker_propose_known(const sailnet_problem *problem, uint64_t count, sailnet_tracker *trackers,
+                           const double *states, const double *shares, const double *tangential, const double *beta,
+                           const sailnet_known_plan *known, int32_t of_known)
+{
+    for (uint64_t i = 0; i < count; i++) {
+        const sailnet_problem own = of_vehicle(problem, tangential[i], beta[i]);
+        sailnet_propose_known(&own, &trackers[i], &states[i * SAILNET_STATES], shares[i], known, of_known);
     }
 }
 

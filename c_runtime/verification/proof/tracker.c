@@ -8,6 +8,8 @@
 #undef STATES
 #include "sailnet_plan.c"
 #undef STATES
+#include "sailnet_candidate.c"
+#undef STATES
 #include "sailnet_tracker.c"
 
 typedef union {
@@ -25,6 +27,13 @@ typedef union {
 extern any_tracker_bits tracker_bits;
 extern any_problem_bits problem_bits;
 extern any_numbers_bits number_bits;
+/* However many there are, they are looked at one after the other. */
+#define KNOWN 3
+typedef union {
+    uint32_t bits[KNOWN * (2 * SAILNET_STATES + 2)];
+    sailnet_known_plan value[KNOWN];
+} any_known_bits;
+extern any_known_bits known_bits;
 
 /* Of a guidance period. */
 #define BUDGET 8
@@ -37,8 +46,13 @@ void prove_tracker(void)
     const double *const direction = &state[SAILNET_STATES];
     const double *const numbers = &direction[SAILNET_STATES];
     sailnet_time_passes(tracker, numbers[0]);
-    if (sailnet_asks(tracker) != 0) {
-        sailnet_propose(&problem_bits.value, tracker, direction, numbers[1]);
+    const int32_t asked = sailnet_asks(tracker);
+    if (asked == SAILNET_ASKS_NETWORKS) {
+        sailnet_propose(&problem_bits.value, tracker, direction, numbers[1], KNOWN);
+    } else if (asked == SAILNET_ASKS_KNOWN) {
+        sailnet_propose_known(&problem_bits.value, tracker, state, numbers[1], known_bits.value, KNOWN);
+    } else {
+        /*@ assert asked: asked == SAILNET_ASKS_NOTHING; */
     }
     const int32_t flown =
         sailnet_follow(&problem_bits.value, tracker, state, numbers[2], numbers[3], BUDGET, &planned);

@@ -57,6 +57,11 @@ class ReferenceGuidance:
         """See :class:`sailnet.guidance.interface.Guidance`."""
         return None if self.plan is None else self.plan.direction(states, beta)
 
+    @property
+    def known_plans(self) -> Array:
+        """See :class:`sailnet.guidance.interface.FirstPlans`."""
+        return self.facts.known
+
     def steering(self, count: int) -> Steering:
         """See :class:`sailnet.guidance.interface.Guidance`."""
         return ReferenceSteering(self, count)

@@ -9,6 +9,7 @@
 #include "learning.inc"
 #include "tracker.inc"
 #include "plans.inc"
+#include "known_plans.inc"
 #include "saving.inc"
 #if !SAILNET_IN_SPACE
 #include "measured_attitude.inc"
@@ -24,6 +25,7 @@ int main(void)
     test_reckoning();
     test_tracker();
     test_plans();
+    test_known_plans();
     test_saving();
     test_learning();
 #if !SAILNET_IN_SPACE

@@ -6,7 +6,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sailnet.guidance.interface import Commands, FirstPlans, Guidance, GuidanceStatus, as_betas, as_states
-from sailnet.guidance.tracker.library import Vehicles, problem_of, tracker, tracker_type
+from sailnet.guidance.tracker.library import (
+    ASKS_KNOWN,
+    ASKS_NETWORKS,
+    Vehicles,
+    known_plans,
+    problem_of,
+    tracker,
+    tracker_type,
+)
 from sailnet.physics.arrays import Array
 
 EXTREMALS_PER_PERIOD = 8
@@ -31,6 +39,8 @@ class Tracking:
         self._problem = problem_of(
             mission.sail.optics, mission.problem.phi_max, mission.sail.beta, mission.problem.target_radius
         )
+        known = guidance.known_plans if isinstance(guidance, FirstPlans) else np.empty(0)
+        self._known = known_plans(known.reshape(-1, 2 * mission.components + 2))
 
     def commands(
         self,
@@ -60,25 +70,27 @@ class Tracking:
             return networks, flown
         mine, own, flying = trackers[known], states[known], vehicles.rows(known)
         asked = self._tracker.time_passes(mine, held[known])
-        if asked.any():
-            asking = mine[asked]
-            self._propose(asking, own[asked], flying.rows(asked))
-            mine[asked] = asking
+        for wanted, propose in ((ASKS_NETWORKS, self._propose), (ASKS_KNOWN, self._propose_known)):
+            rows = asked == wanted
+            if rows.any():
+                asking = mine[rows]
+                propose(asking, own[rows], flying.rows(rows))
+                mine[rows] = asking
         planned = self._tracker.follow(self._problem, mine, own, flying, hold[known], EXTREMALS_PER_PERIOD)
         trackers[known] = mine
-        rows, use = np.flatnonzero(known)[planned.flown], planned.flown
-        flown[rows] = True
-        unit = (vehicles.beta / self._mission.problem.target_radius**2)[rows]
+        places, use = np.flatnonzero(known)[planned.flown], planned.flown
+        flown[places] = True
+        unit = (vehicles.beta / self._mission.problem.target_radius**2)[places]
         phi_max = self._mission.problem.phi_max
         first = 2 if networks.clock_angle is None else 3
 
         def put(column: Array, values: Array) -> Array:
             changed = np.array(column, float)
-            changed[rows] = values
+            changed[places] = values
             return changed
 
         status = np.array(networks.status, np.int32)
-        status[rows] = GuidanceStatus.OK
+        status[places] = GuidanceStatus.OK
         commands = replace(
             networks,
             cone_angle=put(networks.cone_angle, np.clip(planned.cone_angle[use], -phi_max, phi_max)),
@@ -102,7 +114,13 @@ class Tracking:
         directions = self._guidance.arrival_directions(states, beta)
         if directions is not None:
             tau = self._guidance.command(states, beta).time_of_flight
-            self._tracker.propose(self._problem, trackers, directions, tau, vehicles)
+            self._tracker.propose(self._problem, trackers, directions, tau, vehicles, len(self._known))
+
+    def _propose_known(self, trackers: NDArray[np.void], states: Array, vehicles: Vehicles) -> None:
+        """Propose the nearest known plans."""
+        beta = np.clip(vehicles.as_fast, *self._guidance.beta_range)
+        flown = replace(vehicles, as_fast=beta)
+        self._tracker.propose_known(self._problem, trackers, states, flown, self._known)
 
 
 def planned_commands(

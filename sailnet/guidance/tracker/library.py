@@ -22,6 +22,9 @@ from sailnet.physics.real_law import RealLaw, force_curve
 FOLDER = Path(__file__).parent / "native"
 NAMES = {3: "tracker_plane.so", 5: "tracker_space.so"}
 
+ASKS_NETWORKS, ASKS_KNOWN = 1, 2
+"""``SAILNET_ASKS_NETWORKS`` and ``SAILNET_ASKS_KNOWN``: what a tracker asks for, beside nothing."""
+
 PROBLEM = np.dtype(
     [(name, "f8") for name in ("beta", "target_radius", "square", "linear", "across")]
     + [(name, "f8") for name in ("bound_cosine", "bound_sine", "edge_radial", "edge_lateral")]
@@ -68,12 +71,35 @@ def tracker_type(components: int) -> np.dtype[np.void]:
             ("since", "f8"),
             ("stride", "f8"),
             ("searched", "f8"),
+            ("promised", "f8"),
+            ("tried", "f8"),
             ("flown", attitude_type(components)),
             ("regret", "f8"),
         ]
-        + [(name, "i4") for name in ("planned", "searching", "computed")],
+        + [(name, "i4") for name in ("planned", "searching", "untried", "computed")],
         align=True,
     )
+
+
+def known_type(components: int) -> np.dtype[np.void]:
+    """``sailnet_known_plan`` of states with so many components, 3 or 5."""
+    vector = "f4", (components,)
+    return np.dtype([("state", *vector), ("beta", "f4"), ("direction", *vector), ("time_to_go", "f4")])
+
+
+def known_plans(rows: Array) -> NDArray[np.void]:
+    """Known plans as the C reads them.
+
+    Args:
+        rows: (k, 8) or (k, 12): :attr:`sailnet.networks.known_plans.KnownPlans.rows`.
+    """
+    components = rows.shape[1] // 2 - 1
+    made = np.zeros(len(rows), known_type(components))
+    made["state"], made["beta"] = rows[:, :components], rows[:, components]
+    made["direction"], made["time_to_go"] = rows[:, components + 1 : -1], rows[:, -1]
+    if components == 5:  # the C has the tangent of the latitude
+        made["state"][:, 1] = np.tan(rows[:, 1])
+    return made
 
 
 def problem_of(optics: Optics, phi_max: float, beta: float, target_radius: float) -> NDArray[np.void]:
@@ -176,7 +202,8 @@ class Tracker:
             functions.tracker_correct.argtypes = [pointer, number, pointer, pointer, most, pointer]
             functions.tracker_solved.argtypes = [number, *[pointer] * 2]
             functions.tracker_time_passes.argtypes = [number, *[pointer] * 3]
-            functions.tracker_propose.argtypes = [pointer, number, *[pointer] * 5]
+            functions.tracker_propose.argtypes = [pointer, number, *[pointer] * 5, ctypes.c_int32]
+            functions.tracker_propose_known.argtypes = [pointer, number, *[pointer] * 6, ctypes.c_int32]
             functions.tracker_follow.argtypes = [pointer, number, *[pointer] * 6, most, *[pointer] * 2]
         except (OSError, AttributeError, ValueError) as error:
             raise GuidanceError(f"cannot load {file}: {error}; install sailnet again") from error
@@ -258,16 +285,16 @@ class Tracker:
         self._functions.tracker_solved(len(given), given.ctypes.data, solved.ctypes.data)
         return solved.astype(bool)
 
-    def time_passes(self, trackers: NDArray[np.void], held: Array) -> NDArray[np.bool_]:
+    def time_passes(self, trackers: NDArray[np.void], held: Array) -> NDArray[np.int32]:
         """A period of (n,) ``held`` [TU] is over.
 
         Returns:
-            (n,) whether the networks are to be asked for a plan.
+            (n,) what trackers ask for: ``ASKS_NETWORKS``, ``ASKS_KNOWN`` or nothing, 0.
         """
         asked, times = np.zeros(len(trackers), np.int32), np.ascontiguousarray(held, float)
         places = [array.ctypes.data for array in (trackers, times, asked)]
         self._functions.tracker_time_passes(len(trackers), *places)
-        return asked.astype(bool)
+        return asked
 
     def propose(
         self,
@@ -276,6 +303,7 @@ class Tracker:
         directions: ArrayLike,
         tau: ArrayLike,
         vehicles: Vehicles,
+        known: int = 0,
     ) -> None:
         """Propose plans: see ``sailnet_propose``.
 
@@ -285,11 +313,35 @@ class Tracker:
             directions: (n, 3) or (n, 5) of the arrival costates, of any size.
             tau: (n,) times to go [TU].
             vehicles: of the sails.
+            known: how many known plans there are.
         """
         columns = directions, tau, vehicles.tangential, vehicles.beta
         given = [np.ascontiguousarray(column, float) for column in columns]
         places = [array.ctypes.data for array in (trackers, *given)]
-        self._functions.tracker_propose(problem.ctypes.data, len(trackers), *places)
+        self._functions.tracker_propose(problem.ctypes.data, len(trackers), *places, known)
+
+    def propose_known(
+        self,
+        problem: NDArray[np.void],
+        trackers: NDArray[np.void],
+        states: Array,
+        vehicles: Vehicles,
+        known: NDArray[np.void],
+    ) -> None:
+        """Propose the nearest known plans that were not tried yet: see ``sailnet_propose_known``.
+
+        Args:
+            problem: of :func:`problem_of`, of the mission's optics and beta.
+            trackers: (n,) of :func:`tracker_type`, changed in place.
+            states: (n, 3) or (n, 5) to plan from.
+            vehicles: of the sails.
+            known: of :func:`known_plans`.
+        """
+        shares = vehicles.as_fast / float(problem["beta"])
+        columns = self._as_states(states), shares, vehicles.tangential, vehicles.beta
+        given = [np.ascontiguousarray(column, float) for column in columns]
+        places = [array.ctypes.data for array in (trackers, *given, known)]
+        self._functions.tracker_propose_known(problem.ctypes.data, len(trackers), *places, len(known))
 
     def follow(
         self,

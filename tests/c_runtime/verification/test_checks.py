@@ -327,10 +327,14 @@ MUTANTS = {
         "== (i != 1)",
     ),
     "a plan left on its way to another beta": Mutant(
-        "test", "sailnet_follow", "(tracker->stride >= LARGEST_STRIDE)", "(0 != 0)", "== (i != 1)"
+        "test", "sailnet_follow", "(tracker->stride >= SAILNET_LARGEST_STRIDE)", "(0 != 0)", "== (i != 1)"
     ),
     "a plan that has failed, kept": Mutant(
-        "test", "has_failed", "!(tracker->plan.residual < FAILED)", "(0 != 0)", "has_failed(tracker) =="
+        "test",
+        "sailnet_has_failed",
+        "!(tracker->plan.residual < FAILED)",
+        "(0 != 0)",
+        "sailnet_has_failed(tracker) ==",
     ),
     "a candidate that is hardly faster": Mutant(
         "test", "is_better", "((1.0 - FASTER) * ", "(1.0 * ", "is_better(tracker, 0.995"
@@ -338,7 +342,7 @@ MUTANTS = {
     "a failed plan that takes the budget": Mutant(
         "test",
         "sailnet_follow",
-        "(tracker->planned == 1) && (has_failed(tracker) == 0)",
+        "(tracker->planned == 1) && (sailnet_has_failed(tracker) == 0)",
         "tracker->planned == 1",
         "residual < residual) == (first == 0)",
     ),
@@ -348,14 +352,14 @@ MUTANTS = {
     "a thrust margin that is never spent": Mutant(
         "test",
         "sailnet_follow",
-        "(tracker->planned > 1) && (has_failed(tracker) != 0)",
+        "(tracker->planned > 1) && (sailnet_has_failed(tracker) != 0)",
         "(0 != 0)",
         "spent > TRIALS / 4",
     ),
     "a thrust margin spent at once": Mutant(
         "test",
         "sailnet_follow",
-        "(tracker->planned > 1) && (has_failed(tracker) != 0)",
+        "(tracker->planned > 1) && (sailnet_has_failed(tracker) != 0)",
         "tracker->planned > 1",
         "spent == 0",
     ),
@@ -391,7 +395,7 @@ MUTANTS = {
     "an attitude kept however far off": Mutant(
         "test",
         "keep_attitude",
-        "(regret < share) && (has_failed(tracker) == 0)",
+        "(regret < share) && (sailnet_has_failed(tracker) == 0)",
         "(regret < share)",
         "(i < 2)",
     ),
