@@ -54,11 +54,12 @@ MECHANISMS = {
             constant("CORRECT_AT_LATEST", "1e9"),
         ),
     ),
+    "known": Mechanism("no known plan is tried", (constant("SAILNET_KNOWN_TRIED", "0"),)),
     "search": Mechanism("no other plan is sought while one is flown", (constant("SEARCH_EVERY", "1e9"),)),
     "per-vehicle": Mechanism(
         "no derivatives by the vehicle", ((r"\(plan->differentiated == 1\) && \(moves > 3\)", "0"),)
     ),
-    "stride": Mechanism("the plan's vehicle moves at once", (constant("LARGEST_STRIDE", "1e9"),)),
+    "stride": Mechanism("the plan's vehicle moves at once", (constant("SAILNET_LARGEST_STRIDE", "1e9"),)),
     "hysteresis": Mechanism("no hysteresis", (constant("OF_TIME_TO_GO", "0.0"),)),
     "late": Mechanism("hysteresis of the side alone", (constant("LATE", "0.0"),)),
     "kept": Mechanism(
@@ -66,21 +67,22 @@ MECHANISMS = {
     ),
     "near": Mechanism(
         "an attitude is kept however far off",
-        ((r"(\(regret < share\)) && \(has_failed\(tracker\) == 0\)", r"\1"),),
+        ((r"(\(regret < share\)) && \(sailnet_has_failed\(tracker\) == 0\)", r"\1"),),
     ),
     "spent": Mechanism(
         "the thrust margin is never spent",
-        ((r"\(tracker->planned > 1\) && \(has_failed\(tracker\) != 0\)", "(0 != 0)"),),
+        ((r"\(tracker->planned > 1\) && \(sailnet_has_failed\(tracker\) != 0\)", "(0 != 0)"),),
     ),
     "reach": Mechanism(
         "a plan for a stronger vehicle is flown", ((r"\(plan->beta <= stronger\)", "(0 == 0)"),)
     ),
     "on-its-way": Mechanism(
-        "no plan for a stronger vehicle is flown", ((r"\(tracker->stride >= LARGEST_STRIDE\)", "(0 != 0)"),)
+        "no plan for a stronger vehicle is flown",
+        ((r"\(tracker->stride >= SAILNET_LARGEST_STRIDE\)", "(0 != 0)"),),
     ),
     "failed": Mechanism(
         "a plan that has failed stays",
-        ((r"\(\(has_failed\(tracker\) != 0\) \|\| (\(time_to_go .*\))\) \? 1 : 0;", r"\1 ? 1 : 0;"),),
+        ((r"\(\(sailnet_has_failed\(tracker\) != 0\) \|\| (\(time_to_go .*\))\) \? 1 : 0;", r"\1 ? 1 : 0;"),),
     ),
     "optics": Mechanism(
         "plans are for the mission's optics",

@@ -6,6 +6,7 @@ from typing import Any
 from sailnet.campaign.acceptance import acceptance_table
 from sailnet.campaign.results import Results
 from sailnet.networks.guidance_in_space import AnyGuidanceNetworks
+from sailnet.networks.known_plans import KnownPlans
 from sailnet.networks.network import Network
 from sailnet.networks.plan_networks import PlanNetworks
 from sailnet.physics.geometry import geometry_of
@@ -78,7 +79,19 @@ def _of_plan(plan: PlanNetworks | None) -> list[str]:
         "optimal extremal, which Newton's method corrects in flight. Their errors decide how often that "
         "converges, and not how near to the optimum the vehicle flies.",
         "",
+        _known(plan.known),
+        "",
     ]
+
+
+def _known(known: KnownPlans | None) -> str:
+    if known is None:
+        return "No known plans: where the plan of the networks leads nowhere, their law flies."
+    record = known.provenance
+    return (
+        f"Known plans: {len(known)}, which are tried where there is no plan and that of the networks leads "
+        f"nowhere, as from {record['failed']:,} of {record['tried']:,} samples of training trajectories."
+    )
 
 
 def _begun(networks: Sequence[Network]) -> str:

@@ -2,6 +2,7 @@
 
 import tempfile
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from tqdm import tqdm
@@ -86,8 +87,11 @@ def export(
             if flight_only:
                 return _moved(beside, target, compile_libraries(beside, beside, [BUILDS["f64"]]))
             compiled = compile_libraries(beside, beside)
+            # What steers has the known plans; a graph of one network does not.
+            own = {graph_name("float32"): facts, graph_name("float64"): facts}
+            alone = replace(facts, known_plans=())
             for graph in tqdm(_graphs(networks, facts, plan), "ONNX graphs", disable=not progress):
-                write_onnx(graph, facts, beside)
+                write_onnx(graph, own.get(graph.file, alone), beside)
             if alpha is not None:
                 pair = Graph("baseline_f64.onnx", TorchBaseline(networks.tau, alpha), STATE, COMMAND[:2])
                 write_onnx(pair, describe(networks, mission, alpha), beside)

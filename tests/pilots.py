@@ -24,14 +24,11 @@ class Pilot:
 
     mission = MISSION
     networks_digest = ""
+    known_plans = np.empty((0, 0))
     beta_range = (0.8 * MISSION.sail.beta, 1.2 * MISSION.sail.beta)
 
     def command(self, states: ArrayLike, beta: ArrayLike | None = None) -> Commands:
         raise NotImplementedError
-
-    @property
-    def known_plans(self) -> Array:
-        return np.empty((0, 0))
 
     def steering(self, count: int) -> Steering:
         return ReferenceSteering(self, count)

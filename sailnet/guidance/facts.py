@@ -245,8 +245,13 @@ def describe(
         domain=networks.domain,
         optics=mission.sail.optics,
         degradation=mission.degradation,
-        known_plans=() if known is None else tuple(map(tuple, known.rows.tolist())),
+        known_plans=() if known is None else tuple(map(_shortest, known.rows)),
     )
+
+
+def _shortest(row: Array) -> tuple[float, ...]:
+    """Numbers of single precision, by the shortest decimals that read back so."""
+    return tuple(float(str(number)) for number in row.astype(np.float32))
 
 
 def _is_finite(value: object) -> bool:

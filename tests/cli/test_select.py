@@ -21,7 +21,7 @@ TOY = {
     **{"flights": "5", "trainings": "2"},
 }
 NEVER = "{ mean_excess = 0.0, without_extra_revolution = 100.0, failed = 0.0, reversals = 0.0 }"
-WEIGHTS = {f"{name}.safetensors" for name in (*NAMES, *ARRIVAL_NAMES[3])}
+WEIGHTS = {f"{name}.safetensors" for name in (*NAMES, *ARRIVAL_NAMES[3], "known_plans")}
 
 
 @pytest.fixture(scope="module")

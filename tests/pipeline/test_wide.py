@@ -68,6 +68,7 @@ def test_the_networks_read_approach_coordinates_and_know_their_sails(toy: Path) 
     assert {path.stem for path in (toy / "networks").glob("*.safetensors")} == {
         *NAMES,
         *ARRIVAL_NAMES[3],
+        "known_plans",
     }
     near = np.array([[1.5, -0.03, 0.82]])
     tau = [float(networks.command(near, beta)[1][0]) for beta in networks.beta_range]

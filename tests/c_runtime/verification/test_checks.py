@@ -422,6 +422,43 @@ MUTANTS = {
     "a plan that was not converged": Mutant(
         "test", "sailnet_take_plan", "if (solved != 0) {", "if (solved >= 0) {", "memcmp(&after, memory"
     ),
+    "a known plan that was tried already": Mutant(
+        "test",
+        "sailnet_propose_known",
+        "(far > tracker->tried) && ",
+        "",
+        "next_of(&tracker, &state, turned) == i",
+    ),
+    "a known plan of a slower family begun": Mutant(
+        "test",
+        "sailnet_propose_known",
+        " && ((double)known[i].time_to_go < slowest)",
+        "",
+        "tracker.candidate.time_to_go",
+    ),
+    "a known plan of a slower family flown": Mutant(
+        "test",
+        "sailnet_advance_candidate",
+        " && ((slower == 0) || !(tracker->tried > 0.0))",
+        "",
+        "flown == (i != 2)",
+    ),
+    "a plan of the networks held to their promise": Mutant(
+        "test",
+        "sailnet_advance_candidate",
+        "(slower == 0) || !(tracker->tried > 0.0)",
+        "slower == 0",
+        "failed: ",
+    ),
+    "known plans tried while one is flown": Mutant(
+        "test", "sailnet_propose", "tracker->planned == 0 ? most : 0", "most", "tracker.untried == 0"
+    ),
+    "known plans without end": Mutant(
+        "test", "sailnet_propose_known", "next >= 0 ? (left - 1) : 0", "next >= 0 ? left : 0", "failed: "
+    ),
+    "a promise that does not grow shorter": Mutant(
+        "test", "sailnet_time_passes", "    tracker->promised -= held;\n", "", "tracker.promised - 0.4"
+    ),
     "a byte that is not summed": Mutant(
         "test", "sailnet_checksum", "for (uint32_t i = 0u;", "for (uint32_t i = 1u;", "sailnet_restore"
     ),
