@@ -139,7 +139,7 @@ def _parts(facts: GuidanceFacts) -> dict[str, str]:
 def _known_plans(facts: GuidanceFacts) -> str:
     """Of each the state as the tracker has it, beta, the direction and the time to go."""
     if not facts.known_plans:
-        return ""
+        return "\nstatic const sailnet_known_plan *const sailnet_known_plans = NULL;\n"
     known = known_plans(facts.known)
     rows = [
         f"    {{{{{_floats(plan['state'])}}}, {_floats([plan['beta']])}, "

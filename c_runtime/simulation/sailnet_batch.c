@@ -50,7 +50,7 @@ void sailnet_propose_plan_batch(uint64_t count, const sailnet_real *states, cons
 
 uint64_t sailnet_known_plan_rows(double *rows)
 {
-#if SAILNET_KNOWN_PLANS
+#if SAILNET_KNOWN_PLANS > 0
     for (uint64_t i = 0; (rows != NULL) && (i < SAILNET_KNOWN_PLANS); i++) {
         const sailnet_known_plan *const plan = &sailnet_known_plans[i];
         double *const row = &rows[(2 * SAILNET_STATES + 2) * i];

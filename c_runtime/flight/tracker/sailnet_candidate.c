@@ -76,7 +76,7 @@ SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet
 }
 
 /* How far the state of a known plan is from another, squared. */
-static double distance(const sailnet_known_plan *known, const double state[STATES], double share)
+static double squared_distance(const sailnet_known_plan *known, const double state[STATES], double share)
 {
     const double stronger = share - (double)known->beta;
     double square = stronger * stronger;
@@ -91,12 +91,12 @@ SAILNET_TRACKER_API void sailnet_propose_known(const sailnet_problem *problem, s
                                                const double state[STATES], double share,
                                                const sailnet_known_plan *known, int32_t count)
 {
-    const double slowest = SLOWEST * tracker->promised;
+    const double longest = SLOWEST * tracker->promised;
     double nearest = UNSOLVED;
     int32_t next = -1;
     for (int32_t i = 0; i < count; i++) {
-        const double far = distance(&known[i], state, share);
-        if ((far > tracker->tried) && (far < nearest) && ((double)known[i].time_to_go < slowest)) {
+        const double far = squared_distance(&known[i], state, share);
+        if ((far > tracker->tried) && (far < nearest) && ((double)known[i].time_to_go < longest)) {
             nearest = far;
             next = i;
         }
@@ -150,9 +150,10 @@ SAILNET_TRACKER_API void sailnet_advance_candidate(const sailnet_problem *proble
     const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
     tracker->searching = left - computed;
     if (sailnet_plan_is_solved(candidate) != 0) {
-        const int32_t slower = candidate->time_to_go < (SLOWEST * tracker->promised) ? 0 : 1;
+        const double longest = SLOWEST * tracker->promised;
         tracker->searching = 0;
-        if ((is_better(tracker, candidate->time_to_go) != 0) && ((slower == 0) || !(tracker->tried > 0.0))) {
+        if ((is_better(tracker, candidate->time_to_go) != 0) &&
+            ((candidate->time_to_go < longest) || !(tracker->tried > 0.0))) {
             adopt(tracker, candidate);
         }
     } else if (!(candidate->residual < UNSOLVED)) {
