@@ -138,21 +138,18 @@ def _parts(facts: GuidanceFacts) -> dict[str, str]:
 
 def _known_plans(facts: GuidanceFacts) -> str:
     """Of each the state as the tracker has it, beta, the direction and the time to go."""
-    if not facts.known_plans:
-        return "\nstatic const sailnet_known_plan *const sailnet_known_plans = NULL;\n"
-    known = known_plans(facts.known)
     rows = [
         f"    {{{{{_floats(plan['state'])}}}, {_floats([plan['beta']])}, "
         f"{{{_floats(plan['direction'])}}}, {_floats([plan['time_to_go']])}}},"
-        for plan in known
+        for plan in known_plans(facts.known)
     ]
-    return "\n".join(
-        ["", "const sailnet_known_plan sailnet_known_plans[SAILNET_KNOWN_PLANS] = {", *rows, "};", ""]
-    )
+    table = ["const sailnet_known_plan sailnet_known_plans[SAILNET_KNOWN_PLANS] = {", *rows, "};"]
+    none = ["static const sailnet_known_plan *const sailnet_known_plans = NULL;"]
+    return "\n".join(["", "#ifndef SAILNET_LAW_ONLY", *(table if rows else none), "#endif", ""])
 
 
 def _floats(values: Iterable[float]) -> str:
-    return ", ".join(f"{np.float32(value)}f" for value in values)
+    return ", ".join(f"{np.float32(value)!s}f" for value in values)
 
 
 def _days(time: float) -> str:

@@ -221,9 +221,9 @@ def test_precisions_do_not_link(exported: Exported, tmp_path: Path, build: Build
 
 
 def test_the_flight_file_is_what_a_reviewer_reads_in_a_morning() -> None:
-    """In the plane; half of the bytes are weights, half of the lines the tracker."""
+    """In the plane; most of the bytes are weights and known plans, half of the lines the tracker."""
     file = ROOT / "sailnet" / "shipped" / "earth_mars" / "sailnet_guidance.c"
-    assert file.stat().st_size <= 230_000
+    assert file.stat().st_size <= 265_000
     assert "immintrin" not in file.read_text()
     logic = file.read_text().split("= 3. Clamps =")[1].split("*/", 1)[1]
     code = re.sub(r"/\*.*?\*/", "", logic, flags=re.DOTALL)

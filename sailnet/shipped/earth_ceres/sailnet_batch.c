@@ -33,6 +33,25 @@ void sailnet_propose_plan_batch(uint64_t count, const sailnet_real *states, cons
     }
 }
 
+uint64_t sailnet_known_plan_rows(double *rows)
+{
+#if SAILNET_KNOWN_PLANS > 0
+    for (uint64_t i = 0; (rows != NULL) && (i < SAILNET_KNOWN_PLANS); i++) {
+        const sailnet_known_plan *const plan = &sailnet_known_plans[i];
+        double *const row = &rows[(2 * SAILNET_STATES + 2) * i];
+        for (int32_t n = 0; n < SAILNET_STATES; n++) {
+            row[n] = (double)plan->state[n];
+            row[SAILNET_STATES + 1 + n] = (double)plan->direction[n];
+        }
+        row[SAILNET_STATES] = (double)plan->beta;
+        row[2 * SAILNET_STATES + 1] = (double)plan->time_to_go;
+    }
+#else
+    (void)rows;
+#endif
+    return SAILNET_KNOWN_PLANS;
+}
+
 void sailnet_start_batch(uint64_t count, sailnet_memory *memories)
 {
     for (uint64_t i = 0; i < count; i++) {

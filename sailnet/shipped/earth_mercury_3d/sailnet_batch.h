@@ -10,6 +10,7 @@
 #ifdef SAILNET_FLOAT64
 #define sailnet_guidance_batch sailnet_guidance_batch_f64
 #define sailnet_propose_plan_batch sailnet_propose_plan_batch_f64
+#define sailnet_known_plan_rows sailnet_known_plan_rows_f64
 #define sailnet_start_batch sailnet_start_batch_f64
 #define sailnet_steer_batch sailnet_steer_batch_f64
 #define sailnet_api_version sailnet_api_version_f64
@@ -22,6 +23,7 @@
 #else
 #define sailnet_guidance_batch sailnet_guidance_batch_f32
 #define sailnet_propose_plan_batch sailnet_propose_plan_batch_f32
+#define sailnet_known_plan_rows sailnet_known_plan_rows_f32
 #define sailnet_start_batch sailnet_start_batch_f32
 #define sailnet_steer_batch sailnet_steer_batch_f32
 #define sailnet_api_version sailnet_api_version_f32
@@ -49,6 +51,9 @@ void sailnet_guidance_batch(uint64_t count, const sailnet_real *states, const sa
 /* Plans of the networks for `count` states, and whether there are any: see sailnet_propose_plan. */
 void sailnet_propose_plan_batch(uint64_t count, const sailnet_real *states, const sailnet_real *betas,
                                 sailnet_arrival *arrivals, int32_t *statuses);
+
+/* How many known plans there are. Unless it is null, `rows` gets of each the state, beta, the direction and the time to go. */
+uint64_t sailnet_known_plan_rows(double *rows);
 
 /* Start `count` memories. */
 void sailnet_start_batch(uint64_t count, sailnet_memory *memories);

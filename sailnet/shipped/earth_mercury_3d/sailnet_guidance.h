@@ -111,17 +111,28 @@ typedef struct {
     int32_t differentiated;           /* 0: no derivative is known; 1: those by the vehicle are not */
 } sailnet_plan;
 
+/* A plan that is known before the flight: from the state, of a vehicle of `beta`, the optimal extremal. */
+typedef struct {
+    float state[SAILNET_STATES];
+    float beta;                      /* as a share of the problem's */
+    float direction[SAILNET_STATES]; /* of the arrival costates, a unit vector */
+    float time_to_go;                /* [TU] */
+} sailnet_known_plan;
+
 /* What is remembered from one guidance period to the next. Zeros are a tracker without a plan. */
 typedef struct {
     sailnet_plan plan;      /* that is flown */
-    sailnet_plan candidate; /* begun from the networks, which may replace it */
+    sailnet_plan candidate; /* begun from the networks or from a known plan, which may replace it */
     double since;           /* time since the plan was solved for the vehicle [TU] */
     double stride;          /* by how much the plan's beta moves in a correction at most, as a share of it */
     double searched;        /* time since the networks were last evaluated for a plan [TU] */
+    double promised;        /* the time to go that they gave, less what has passed since [TU] */
+    double tried;           /* distance of the known plan that the candidate began from, squared; 0: of the networks */
     sailnet_attitude flown; /* commanded last */
     double regret;          /* time lost by keeping an attitude [TU] */
     int32_t planned;        /* 0: there is no plan; 1: it was solved; 2: its correction goes on */
     int32_t searching;      /* extremals that are left to the candidate; 0: there is none */
+    int32_t untried;        /* known plans that are still to be tried */
     int32_t computed;       /* extremals in the last guidance period */
 } sailnet_tracker;
 
@@ -146,6 +157,7 @@ typedef double sailnet_real;
 #define sailnet_steer sailnet_steer_f64
 #define sailnet_seal sailnet_seal_f64
 #define sailnet_propose_plan sailnet_propose_plan_f64
+#define sailnet_known_plans sailnet_known_plans_f64
 #define sailnet_restore sailnet_restore_f64
 #define sailnet_plan_upload sailnet_plan_upload_f64
 #define sailnet_report_plan sailnet_report_plan_f64
@@ -159,6 +171,7 @@ typedef float sailnet_real;
 #define sailnet_steer sailnet_steer_f32
 #define sailnet_seal sailnet_seal_f32
 #define sailnet_propose_plan sailnet_propose_plan_f32
+#define sailnet_known_plans sailnet_known_plans_f32
 #define sailnet_restore sailnet_restore_f32
 #define sailnet_plan_upload sailnet_plan_upload_f32
 #define sailnet_report_plan sailnet_report_plan_f32
@@ -185,6 +198,9 @@ typedef float sailnet_real;
 
 /* Whether the networks give a first plan; else it comes by sailnet_plan_upload alone. */
 #define SAILNET_PLANS 1
+
+/* Known plans, which are tried where there is no plan and the networks' leads nowhere. */
+#define SAILNET_KNOWN_PLANS 0
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.
    Networks that do not read it were trained on the mission's alone. */
@@ -389,6 +405,11 @@ sailnet_status sailnet_plan_upload(sailnet_memory *memory, const char *mission_d
  */
 sailnet_status sailnet_propose_plan(const sailnet_state *state, sailnet_real beta, sailnet_arrival *arrival);
 
+#if SAILNET_KNOWN_PLANS > 0
+/* In flight nothing but sailnet_steer reads them. */
+extern const sailnet_known_plan sailnet_known_plans[SAILNET_KNOWN_PLANS];
+
+#endif
 /* Telemetry. */
 void sailnet_report_plan(const sailnet_memory *memory, sailnet_plan_report *report);
 

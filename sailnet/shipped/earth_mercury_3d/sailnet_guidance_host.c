@@ -513,6 +513,10 @@ static const SAILNET_ALIGNED sailnet_real sailnet_tolerance[5] =
 #define SAILNET_LATERAL_BLUR2 R(0.0004)
 
 
+#ifndef SAILNET_LAW_ONLY
+static const sailnet_known_plan *const sailnet_known_plans = NULL;
+#endif
+
 /*
  * How far one of r, u, v, latitude and w is from the target. The target is stored in two parts, of which the larger is
  * exact in either precision: near it the difference is as exact as the state is.
@@ -2158,7 +2162,9 @@ static int32_t advance(const sailnet_problem *problem, const double state[STATES
             mend(plan, &at->best, &tried, step, share, at->change);
             plan->differentiated = ((stale != 0) && (at->fresh == 0)) ? 0 : plan->differentiated;
         }
-        at->best = nearer != 0 ? tried : at->best;
+        if (nearer != 0) {
+            at->best = tried;
+        }
     }
     return nearer;
 }
@@ -2275,7 +2281,228 @@ SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem
 }
 
 /*
- * The tracker: the plan that is flown, when it is corrected, and when a plan of the networks replaces it.
+ * The candidate: a plan that may replace the one that is flown, begun from the networks or from a known plan.
+ */
+#ifndef SAILNET_CANDIDATE_H
+#define SAILNET_CANDIDATE_H
+
+
+
+/* By how much a plan's vehicle moves in a correction at most, as a share of its force. */
+#define SAILNET_LARGEST_STRIDE 0.01
+
+/* Known plans that are tried where there is no plan and the networks' leads nowhere. */
+#define SAILNET_KNOWN_TRIED 8
+
+/* What a tracker asks for. */
+#define SAILNET_ASKS_NOTHING 0
+#define SAILNET_ASKS_NETWORKS 1
+#define SAILNET_ASKS_KNOWN 2
+
+/* Whether there is no plan, or one that has failed: its family of extremals has ended. */
+SAILNET_TRACKER_API int32_t sailnet_has_failed(const sailnet_tracker *tracker);
+
+/* SAILNET_ASKS_NETWORKS: the networks are to be evaluated, for sailnet_propose; SAILNET_ASKS_KNOWN: sailnet_propose_known is
+   to be called. */
+SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker);
+
+/*
+ * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time
+ * to go [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
+ *
+ * known: how many known plans there are. While there is no plan, they are tried if this one leads nowhere.
+ */
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[SAILNET_STATES], double time_to_go, int32_t known);
+
+/*
+ * Of the known plans that were not tried yet and are about as fast as the networks promise, that from the state nearest to
+ * this one becomes the candidate, for the vehicle of `problem`.
+ *
+ * share: beta of a vehicle of the mission's optics that is as fast, relative to the mission's.
+ * known: `count` of them.
+ */
+SAILNET_TRACKER_API void sailnet_propose_known(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                               const double state[SAILNET_STATES], double share,
+                                               const sailnet_known_plan *known, int32_t count);
+
+/* Fly by a plan from elsewhere, of the same numbers, if it converges to pass through the state; 0 if it does not. */
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[SAILNET_STATES],
+                                              const double direction[SAILNET_STATES], double time_to_go);
+
+/* Correct the candidate with at most `most` extremals, and fly it if it is better. */
+SAILNET_TRACKER_API void sailnet_advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                                   const double state[SAILNET_STATES], int32_t most);
+
+#endif
+
+#include <string.h>
+
+/* The networks are evaluated for a plan once in so long [TU]. */
+#define SEARCH_EVERY 0.1
+/* A faster plan saves at least so much of the time to go: what networks err by. */
+#define FASTER 0.01
+/* A plan that misses the state by more [AU, AU/TU] has failed. Any other is better, no attitude is kept for it, and while
+   it is not solved it spends the thrust margin. */
+#define FAILED 4e-4
+/* Extremals that a candidate may take until it is given up. */
+#define CANDIDATE_EXTREMALS 80
+/* A known plan, as it begins and as it is solved, takes at most so many times as long as the networks say: others are of
+   families that are slower. */
+#define SLOWEST 1.1
+/* A difference of a position [AU], of a tangent or of beta relative to the mission's counts as much as one of so many speeds
+   [AU/TU], inverted. */
+#define PER_SPEED (1.0 / 0.3)
+#define UNSOLVED 1e9
+
+#define STATES SAILNET_STATES
+
+SAILNET_TRACKER_API int32_t sailnet_has_failed(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned == 0) || !(tracker->plan.residual < FAILED)) ? 1 : 0;
+}
+
+/* Whether a plan of so long a time to go is better than the one that is flown. */
+static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
+{
+    const double faster = (1.0 - FASTER) * tracker->plan.time_to_go;
+    return ((sailnet_has_failed(tracker) != 0) || (time_to_go < faster)) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker)
+{
+    int32_t asked = SAILNET_ASKS_NOTHING;
+    if (tracker->searching <= 0) {
+        if (tracker->untried > 0) {
+            asked = SAILNET_ASKS_KNOWN;
+        } else if ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) {
+            asked = SAILNET_ASKS_NETWORKS;
+        } else {
+            /* It is too early. */
+        }
+    }
+    return asked;
+}
+
+/* A plan that is not corrected yet. */
+static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
+                       sailnet_plan *plan)
+{
+    (void)memset(plan, 0, sizeof *plan);
+    (void)memcpy(plan->direction, direction, sizeof plan->direction);
+    plan->largest = -1;
+    plan->time_to_go = time_to_go;
+    plan->beta = problem->beta;
+    plan->across = problem->across;
+    plan->residual = UNSOLVED;
+}
+
+SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                         const double direction[STATES], double time_to_go, int32_t known)
+{
+    tracker->searched = 0.0;
+    if (is_better(tracker, time_to_go) != 0) {
+        begin_plan(problem, direction, time_to_go, &tracker->candidate);
+        tracker->searching = CANDIDATE_EXTREMALS;
+        tracker->promised = time_to_go;
+        tracker->tried = 0.0;
+        const int32_t most = known < SAILNET_KNOWN_TRIED ? known : SAILNET_KNOWN_TRIED;
+        tracker->untried = tracker->planned == 0 ? most : 0;
+    }
+}
+
+/* How far the state of a known plan is from another, squared. */
+static double squared_distance(const sailnet_known_plan *known, const double state[STATES], double share)
+{
+    const double stronger = share - (double)known->beta;
+    double square = stronger * stronger;
+    for (int32_t n = 0; n < STATES; n++) {
+        const double apart = (n < (STATES / 2) ? 1.0 : PER_SPEED) * (state[n] - (double)known->state[n]);
+        square += apart * apart;
+    }
+    return square;
+}
+
+SAILNET_TRACKER_API void sailnet_propose_known(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                               const double state[STATES], double share,
+                                               const sailnet_known_plan *known, int32_t count)
+{
+    const double longest = SLOWEST * tracker->promised;
+    double nearest = UNSOLVED;
+    int32_t next = -1;
+    for (int32_t i = 0; i < count; i++) {
+        const double far = squared_distance(&known[i], state, share);
+        if ((far > tracker->tried) && (far < nearest) && ((double)known[i].time_to_go < longest)) {
+            nearest = far;
+            next = i;
+        }
+    }
+    /* The memory may have held any bits. */
+    const int32_t left = tracker->untried < SAILNET_KNOWN_TRIED ? tracker->untried : SAILNET_KNOWN_TRIED;
+    tracker->untried = next >= 0 ? (left - 1) : 0;
+    if (next >= 0) {
+        double direction[STATES];
+        for (int32_t n = 0; n < STATES; n++) {
+            direction[n] = (double)known[next].direction[n];
+        }
+        begin_plan(problem, direction, (double)known[next].time_to_go, &tracker->candidate);
+        tracker->searching = CANDIDATE_EXTREMALS;
+        tracker->tried = nearest;
+    }
+}
+
+/* Fly by a plan that is solved. */
+static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
+{
+    tracker->plan = *plan;
+    tracker->since = 0.0;
+    tracker->stride = SAILNET_LARGEST_STRIDE;
+    tracker->planned = 1;
+    tracker->untried = 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                              const double state[STATES], const double direction[STATES],
+                                              double time_to_go)
+{
+    sailnet_plan plan;
+    begin_plan(problem, direction, time_to_go, &plan);
+    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
+    const int32_t solved = sailnet_plan_is_solved(&plan);
+    if (solved != 0) {
+        adopt(tracker, &plan);
+        tracker->searching = 0;
+    }
+    return solved;
+}
+
+SAILNET_TRACKER_API void sailnet_advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker,
+                                                   const double state[STATES], int32_t most)
+{
+    sailnet_plan *const candidate = &tracker->candidate;
+    const sailnet_problem own = sailnet_problem_of(problem, candidate);
+    const int32_t computed = sailnet_correct_plan(&own, state, most, candidate);
+    tracker->computed += computed;
+    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
+    tracker->searching = left - computed;
+    if (sailnet_plan_is_solved(candidate) != 0) {
+        const double longest = SLOWEST * tracker->promised;
+        tracker->searching = 0;
+        if ((is_better(tracker, candidate->time_to_go) != 0) &&
+            ((candidate->time_to_go < longest) || !(tracker->tried > 0.0))) {
+            adopt(tracker, candidate);
+        }
+    } else if (!(candidate->residual < UNSOLVED)) {
+        /* It leads nowhere. */
+        tracker->searching = 0;
+    } else {
+        /* It goes on in the next period. */
+    }
+}
+
+/*
+ * The tracker: the plan that is flown, and when it is corrected.
  */
 #ifndef SAILNET_TRACKER_H
 #define SAILNET_TRACKER_H
@@ -2284,21 +2511,6 @@ SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem
 
 /* The guidance period of `held` [TU] is over. */
 SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double held);
-
-/* 1 if the networks are to be evaluated, for sailnet_propose. */
-SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker);
-
-/*
- * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time
- * to go [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
- */
-SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
-                                         const double direction[SAILNET_STATES], double time_to_go);
-
-/* Fly by a plan from elsewhere, of the same numbers, if it converges to pass through the state; 0 if it does not. */
-SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
-                                              const double state[SAILNET_STATES],
-                                              const double direction[SAILNET_STATES], double time_to_go);
 
 /*
  * Correct the plan, and the candidate, with at most `most` extremals in all; the command is the attitude in the middle
@@ -2322,24 +2534,13 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
    by that. */
 #define CORRECT_AFTER 0.007
 #define CORRECT_AT_LATEST 0.1
-/* By how much a plan's vehicle moves in a correction, as a share of its force: at most, and at least. A step that fails
-   makes the next one shorter. */
-#define LARGEST_STRIDE 0.01
+/* By how much a plan's vehicle moves in a correction at least, as a share of its force. A step that fails makes the next one
+   shorter. */
 #define SMALLEST_STRIDE 1e-4
 #define SHORTER 0.25
 #define LONGER 2.0
-/* The networks are evaluated for a plan once in so long [TU]. */
-#define SEARCH_EVERY 0.1
-/* A faster plan saves at least so much of the time to go: what networks err by. */
-#define FASTER 0.01
-/* A plan that misses the state by more [AU, AU/TU] has failed: its family of extremals has ended. Any other is better, no
-   attitude is kept for it, and while it is not solved it spends the thrust margin. */
-#define FAILED 4e-4
-/* Extremals that a candidate may take until it is given up. */
-#define CANDIDATE_EXTREMALS 80
 /* A plan that misses the state by more [AU, AU/TU] is not flown. */
 #define USABLE 1e-3
-#define UNSOLVED 1e9
 /* Hysteresis: an attitude is kept until that has lost so much of the time to go. */
 #define OF_TIME_TO_GO 1.6e-2
 /* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
@@ -2368,93 +2569,7 @@ SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double he
     grow_older(&tracker->candidate, held);
     tracker->since = passed(tracker->since, held);
     tracker->searched = passed(tracker->searched, held);
-}
-
-/* Whether there is no plan, or one that has failed. */
-static int32_t has_failed(const sailnet_tracker *tracker)
-{
-    return ((tracker->planned == 0) || !(tracker->plan.residual < FAILED)) ? 1 : 0;
-}
-
-/* Whether a plan of so long a time to go is better than the one that is flown. */
-static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
-{
-    return ((has_failed(tracker) != 0) || (time_to_go < ((1.0 - FASTER) * tracker->plan.time_to_go))) ? 1 : 0;
-}
-
-SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker)
-{
-    const int32_t due = ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) ? 1 : 0;
-    return tracker->searching <= 0 ? due : 0;
-}
-
-/* A plan that is not corrected yet. */
-static void begin_plan(const sailnet_problem *problem, const double direction[STATES], double time_to_go,
-                       sailnet_plan *plan)
-{
-    (void)memset(plan, 0, sizeof *plan);
-    (void)memcpy(plan->direction, direction, sizeof plan->direction);
-    plan->largest = -1;
-    plan->time_to_go = time_to_go;
-    plan->beta = problem->beta;
-    plan->across = problem->across;
-    plan->residual = UNSOLVED;
-}
-
-SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
-                                         const double direction[STATES], double time_to_go)
-{
-    tracker->searched = 0.0;
-    if (is_better(tracker, time_to_go) != 0) {
-        begin_plan(problem, direction, time_to_go, &tracker->candidate);
-        tracker->searching = CANDIDATE_EXTREMALS;
-    }
-}
-
-/* Fly by a plan that is solved. */
-static void adopt(sailnet_tracker *tracker, const sailnet_plan *plan)
-{
-    tracker->plan = *plan;
-    tracker->since = 0.0;
-    tracker->stride = LARGEST_STRIDE;
-    tracker->planned = 1;
-}
-
-SAILNET_TRACKER_API int32_t sailnet_take_plan(const sailnet_problem *problem, sailnet_tracker *tracker,
-                                              const double state[STATES], const double direction[STATES],
-                                              double time_to_go)
-{
-    sailnet_plan plan;
-    begin_plan(problem, direction, time_to_go, &plan);
-    (void)sailnet_correct_plan(problem, state, SAILNET_MOST_EXTREMALS, &plan);
-    const int32_t solved = sailnet_plan_is_solved(&plan);
-    if (solved != 0) {
-        adopt(tracker, &plan);
-        tracker->searching = 0;
-    }
-    return solved;
-}
-
-/* Correct the candidate, and fly it if it is better. */
-static void advance_candidate(const sailnet_problem *problem, sailnet_tracker *tracker, const double state[STATES],
-                              int32_t most)
-{
-    const sailnet_problem own = sailnet_problem_of(problem, &tracker->candidate);
-    const int32_t computed = sailnet_correct_plan(&own, state, most, &tracker->candidate);
-    tracker->computed += computed;
-    const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
-    tracker->searching = left - computed;
-    if (sailnet_plan_is_solved(&tracker->candidate) != 0) {
-        tracker->searching = 0;
-        if (is_better(tracker, tracker->candidate.time_to_go) != 0) {
-            adopt(tracker, &tracker->candidate);
-        }
-    } else if (!(tracker->candidate.residual < UNSOLVED)) {
-        /* It leads nowhere. */
-        tracker->searching = 0;
-    } else {
-        /* It goes on in the next period. */
-    }
+    tracker->promised -= held;
 }
 
 /* Keep the attitude while another hardly gains: noise would else turn the sail far again and again. */
@@ -2481,7 +2596,7 @@ static void keep_attitude(const sailnet_problem *problem, sailnet_tracker *track
         regret = tracker->regret + hold * tracker->plan.beta * per_r * per_r * loss;
     }
     const double share = OF_TIME_TO_GO * planned->time_to_go;
-    const int32_t keep = ((regret > 0.0) && (regret < share) && (has_failed(tracker) == 0)) ? 1 : 0;
+    const int32_t keep = ((regret > 0.0) && (regret < share) && (sailnet_has_failed(tracker) == 0)) ? 1 : 0;
     tracker->regret = keep != 0 ? regret : 0.0;
     if (keep != 0) {
         *attitude = *before;
@@ -2494,7 +2609,7 @@ static void keep_stride(sailnet_tracker *tracker, int32_t moved)
 {
     const double next = (moved != 0 ? LONGER : SHORTER) * tracker->stride;
     tracker->stride = next > SMALLEST_STRIDE ? next : SMALLEST_STRIDE;
-    tracker->stride = tracker->stride < LARGEST_STRIDE ? tracker->stride : LARGEST_STRIDE;
+    tracker->stride = tracker->stride < SAILNET_LARGEST_STRIDE ? tracker->stride : SAILNET_LARGEST_STRIDE;
 }
 
 SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
@@ -2507,15 +2622,15 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
         sailnet_bring_up(problem, state, plan);
     }
     /* A plan that is not solved, or has failed, leaves the budget to the candidate. */
-    const int32_t first = ((tracker->planned == 1) && (has_failed(tracker) == 0)) ? 1 : 0;
+    const int32_t first = ((tracker->planned == 1) && (sailnet_has_failed(tracker) == 0)) ? 1 : 0;
     if ((tracker->planned != 0) && ((first != 0) || (tracker->searching <= 0))) {
         const sailnet_problem before = sailnet_problem_of(problem, plan);
         int32_t corrected = 1;
-        if ((tracker->planned > 1) && (has_failed(tracker) != 0)) {
+        if ((tracker->planned > 1) && (sailnet_has_failed(tracker) != 0)) {
             /* What no plan for less leads through, one for all that the vehicle has may. */
             sailnet_problem all = *problem;
             all.beta = estimated;
-            tracker->computed = sailnet_track(&all, state, LARGEST_STRIDE, most, plan);
+            tracker->computed = sailnet_track(&all, state, SAILNET_LARGEST_STRIDE, most, plan);
         } else if (tracker->planned > 1) {
             tracker->computed = sailnet_correct_plan(&before, state, most, plan);
         } else if (!(tracker->regret > 0.0) &&
@@ -2536,11 +2651,11 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
         }
     }
     if ((tracker->searching > 0) && (tracker->computed < (most - 1))) {
-        advance_candidate(problem, tracker, state, most - tracker->computed);
+        sailnet_advance_candidate(problem, tracker, state, most - tracker->computed);
     }
     /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
-    const double stronger = (1.0 + LARGEST_STRIDE) * estimated;
-    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= LARGEST_STRIDE)) ? 1 : 0;
+    const double stronger = (1.0 + SAILNET_LARGEST_STRIDE) * estimated;
+    const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= SAILNET_LARGEST_STRIDE)) ? 1 : 0;
     const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
     if (flown != 0) {
         const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
@@ -3604,10 +3719,16 @@ SAILNET_PART int32_t sailnet_tracks(sailnet_memory *memory, const sailnet_state 
     sailnet_to_tracker(known, state);
     sailnet_time_passes(tracker, (double)memory->estimate.held);
     const sailnet_problem own = sailnet_own_problem(memory, (double)beta);
+    const sailnet_real as_fast = sailnet_for_networks(memory, beta);
+    const int32_t asked = sailnet_asks(tracker);
     sailnet_arrival arrival;
-    if ((sailnet_asks(tracker) != 0) &&
-        (sailnet_propose_plan(known, sailnet_for_networks(memory, beta), &arrival) == SAILNET_OK)) {
-        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go);
+    if (asked == SAILNET_ASKS_KNOWN) {
+        const double share = (double)as_fast / sailnet_transfer.beta;
+        sailnet_propose_known(&own, tracker, state, share, sailnet_known_plans, SAILNET_KNOWN_PLANS);
+    } else if ((asked == SAILNET_ASKS_NETWORKS) && (sailnet_propose_plan(known, as_fast, &arrival) == SAILNET_OK)) {
+        sailnet_propose(&own, tracker, arrival.direction, arrival.time_to_go, SAILNET_KNOWN_PLANS);
+    } else {
+        /* Nothing is asked for, or there are no networks of plans. */
     }
     int32_t flown = sailnet_follow(&own, tracker, state, (double)estimated, (double)hold,
                                    SAILNET_EXTREMALS_PER_PERIOD, &planned);
