@@ -227,4 +227,4 @@ def test_the_flight_file_is_what_a_reviewer_reads_in_a_morning() -> None:
     assert "immintrin" not in file.read_text()
     logic = file.read_text().split("= 3. Clamps =")[1].split("*/", 1)[1]
     code = re.sub(r"/\*.*?\*/", "", logic, flags=re.DOTALL)
-    assert len([line for line in code.splitlines() if line.strip()]) <= 1860
+    assert len([line for line in code.splitlines() if line.strip()]) <= 1930

@@ -350,7 +350,7 @@ MUTANTS = {
         "test", "sailnet_follow", " && (plan->beta <= estimated)", "", "tracker->since == (i == 0"
     ),
     "a thrust margin that is never spent": Mutant(
-        "test", "sailnet_steer", "spent != 0 ? own : ", "", "cases[i].spent == 0"
+        "test", "sailnet_steer", "spent != 0 ? own", "spent > 1 ? own", "cases[i].spent == 0"
     ),
     "a thrust margin spent at once": Mutant(
         "test", "sailnet_steer", " && (sailnet_has_failed(&memory->tracker) != 0)", "", "cases[i].spent == 0"
