@@ -37,12 +37,14 @@ ENTRIES = {
     "prove_null_pointers": UNROLLED,
 }
 """Functions of the driver that are analysed, and how precisely: a checksum needs no unrolling."""
+# What a tracker asks for says what it remembers: that known plans are left.
+ASKED = "sailnet_asks:0:1:2"
 # What stages and states are written in is unrolled; where a plan is flown what it commands is written.
 OF_THE_TRACKER = (
     *LEAST,
     *("-eva-auto-loop-unroll", "12"),
     *("-eva-slevel-function", "sailnet_follow:20,keep_attitude:20,begin:20,prove_tracker:20"),
-    *("-eva-split-return-function", "sailnet_follow:0"),
+    *("-eva-split-return-function", f"sailnet_follow:0,{ASKED}"),
 )
 
 
@@ -71,7 +73,7 @@ def analyse(
     own = OF_LAYOUTS[build.layout]
     contracts = ",".join([*CONTRACTS, *(name for name in own if f"{name}(" in source)])
     # What is written where a function succeeds is read only there.
-    succeed = f"sailnet_follow:0,sailnet_tracks:0,sailnet_propose_plan_{build.suffix}:0"
+    succeed = f"sailnet_follow:0,sailnet_tracks:0,sailnet_propose_plan_{build.suffix}:0,{ASKED}"
     options = ("-eva-use-spec", contracts, "-eva-split-return-function", succeed)
     flags = (f"-I{exported}", *build.analysed)
     return [
