@@ -7,7 +7,7 @@
 /* A faster plan saves at least so much of the time to go: what networks err by. */
 #define FASTER 0.01
 /* A plan that misses the state by more [AU, AU/TU] has failed. Any other is better, no attitude is kept for it, and while
-   it is not solved there is no thrust margin. */
+   it is not solved it spends the thrust margin. */
 #define FAILED 4e-4
 /* Extremals that a candidate may take until it is given up. */
 #define CANDIDATE_EXTREMALS 80

@@ -100,7 +100,10 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
         const sailnet_problem before = sailnet_problem_of(problem, plan);
         int32_t corrected = 1;
         if ((tracker->planned > 1) && (sailnet_has_failed(tracker) != 0)) {
-            tracker->computed = sailnet_track(problem, state, SAILNET_LARGEST_STRIDE, most, plan);
+            /* What no plan for less leads through, one for all that the vehicle has may. */
+            sailnet_problem all = *problem;
+            all.beta = estimated;
+            tracker->computed = sailnet_track(&all, state, SAILNET_LARGEST_STRIDE, most, plan);
         } else if (tracker->planned > 1) {
             tracker->computed = sailnet_correct_plan(&before, state, most, plan);
         } else if (!(tracker->regret > 0.0) &&

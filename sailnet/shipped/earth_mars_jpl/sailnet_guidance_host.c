@@ -2515,7 +2515,7 @@ SAILNET_TRACKER_API void sailnet_advance_candidate(const sailnet_problem *proble
 /* A faster plan saves at least so much of the time to go: what networks err by. */
 #define FASTER 0.01
 /* A plan that misses the state by more [AU, AU/TU] has failed. Any other is better, no attitude is kept for it, and while
-   it is not solved there is no thrust margin. */
+   it is not solved it spends the thrust margin. */
 #define FAILED 4e-4
 /* Extremals that a candidate may take until it is given up. */
 #define CANDIDATE_EXTREMALS 80
@@ -2688,7 +2688,8 @@ SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double he
  * of the next `hold` [TU].
  *
  * problem: of the vehicle to plan for.
- * estimated: its beta without the thrust margin; a plan for a stronger vehicle is flown only while its beta moves.
+ * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
+ *     flown only while its beta moves.
  * Returns 1; 0 if there is no plan that passes through the state.
  */
 SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
@@ -2797,7 +2798,10 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
         const sailnet_problem before = sailnet_problem_of(problem, plan);
         int32_t corrected = 1;
         if ((tracker->planned > 1) && (sailnet_has_failed(tracker) != 0)) {
-            tracker->computed = sailnet_track(problem, state, SAILNET_LARGEST_STRIDE, most, plan);
+            /* What no plan for less leads through, one for all that the vehicle has may. */
+            sailnet_problem all = *problem;
+            all.beta = estimated;
+            tracker->computed = sailnet_track(&all, state, SAILNET_LARGEST_STRIDE, most, plan);
         } else if (tracker->planned > 1) {
             tracker->computed = sailnet_correct_plan(&before, state, most, plan);
         } else if (!(tracker->regret > 0.0) &&
@@ -3589,10 +3593,7 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         own *= sailnet_aged(estimate, memory->time_of_flight, known);
     }
 #endif
-    /* A plan that has failed spends the thrust margin: where none for less is found, one for all that there is may be. */
-    const int32_t spent = ((memory->tracker.planned > 1) && (sailnet_has_failed(&memory->tracker) != 0)) ? 1 : 0;
-    const sailnet_real reserve = sailnet_reserve(estimate, &memory->time_of_flight, hold);
-    const sailnet_real plan = spent != 0 ? own : (own * (R(1.0) - reserve));
+    const sailnet_real plan = own * (R(1.0) - sailnet_reserve(estimate, &memory->time_of_flight, hold));
     const sailnet_real beta = sailnet_limited(&plan, SAILNET_OF_BETA);
     const sailnet_real estimated = sailnet_limited(&own, SAILNET_OF_BETA);
     uint32_t seen = 0u;
