@@ -75,6 +75,27 @@ def first_plans(networks: PlanNetworks, tau: Network, given: States) -> NDArray[
     return tracker(networks.components).begun(directions, predicted, given.beta)
 
 
+def corrected(
+    transfer: Transfer, plans: NDArray[np.void], given: States, calls: Sequence[int]
+) -> NDArray[np.bool_]:
+    """(n,) whether plans are solved after some calls of the tracker; they are corrected in place.
+
+    Args:
+        transfer: the problem.
+        plans: of :func:`first_plans`, of which those that are solved stay as they are.
+        given: states to pass through.
+        calls: extremals that each call computes at most.
+    """
+    problem = problem_of(transfer.optics, transfer.phi_max, transfer.beta, transfer.target_radius)
+    corrector = tracker(given.states.shape[1])
+    for most in calls:
+        rows = np.flatnonzero(~corrector.solved(plans))
+        own = plans[rows]
+        corrector.correct(problem, own, given.states[rows], most)
+        plans[rows] = own
+    return corrector.solved(plans)
+
+
 def shares(transfer: Transfer, plans: NDArray[np.void], given: States, known: bool) -> list[Share]:
     """What becomes of plans, by bands of the time to go, the last one all; the plans are corrected in place.
 
@@ -84,19 +105,12 @@ def shares(transfer: Transfer, plans: NDArray[np.void], given: States, known: bo
         given: states to pass through.
         known: whether the optimum from them is.
     """
-    problem = problem_of(transfer.optics, transfer.phi_max, transfer.beta, transfer.target_radius)
-    corrector = tracker(given.states.shape[1])
     predicted = plans["time_to_go"].copy()
     longest = (1.0 + SAME_OPTIMUM) * given.tau if known else (1.0 + LONGER) * predicted
     shortest = (1.0 - SAME_OPTIMUM) * given.tau if known else np.zeros(len(plans))
     reached = []
     for calls in CALLS.values():
-        for most in calls:
-            rows = np.flatnonzero(~corrector.solved(plans))
-            own = plans[rows]
-            corrector.correct(problem, own, given.states[rows], most)
-            plans[rows] = own
-        tau, converged = plans["time_to_go"], corrector.solved(plans)
+        tau, converged = plans["time_to_go"], corrected(transfer, plans, given, calls)
         reached.append((converged, converged & (tau >= shortest) & (tau <= longest)))
     found = []
     for low, high in (*itertools.pairwise(BANDS), (BANDS[0], BANDS[-1])):

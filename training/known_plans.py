@@ -10,12 +10,10 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sailnet.artefacts.ownership import LOCK, sole_owner
 from sailnet.dataset import Dataset, open_dataset
 from sailnet.errors import NetworkError, SailnetError
-from sailnet.guidance.tracker.library import problem_of, tracker
 from sailnet.networks.known_plans import FILE, KnownPlans, save_known_plans
 from sailnet.networks.network import Network, load_network, weights_digest
 from sailnet.networks.plan_networks import PlanNetworks, load_plan_networks, unit_vectors
@@ -23,8 +21,8 @@ from sailnet.physics.arrays import Array
 from sailnet.workers.interruption import run_command
 from sailnet.workers.progress import progress
 from training.arrival_targets import arrival_columns
-from training.convergence import first_plans
-from training.plan_states import States
+from training.convergence import corrected, first_plans
+from training.plan_states import States, states_at
 from training.samples import split_trajectories
 
 PLANS = 256
@@ -66,7 +64,8 @@ def choose_known_plans(
         for first in range(0, len(failed), BATCH):
             at = slice(first, first + BATCH)
             own = States(given.states[at], given.beta[at], given.tau[at])
-            failed[at] = ~_converges(networks, tau, own)
+            plans = first_plans(networks, tau, own)
+            failed[at] = ~corrected(networks.mission.problem, plans, own, CALLS)
             bar.update(len(own.tau))
     # They are in random order.
     rows = np.flatnonzero(failed)[:PLANS]
@@ -90,30 +89,12 @@ def _samples(data: Dataset, seed: int, rng: np.random.Generator) -> tuple[States
     tau = np.concatenate([columns["tau"] for _, columns in data.blocks(["tau"])])
     rows = np.flatnonzero(training & (tau > LEAST_TIME))
     chosen = np.sort(rng.choice(rows, min(TRIED, len(rows)), replace=False))
-    names = (*data.states, "beta", "tau")
-    kept = []
-    for at, columns in data.blocks(names):
-        here = chosen[slice(*np.searchsorted(chosen, (at.start, at.stop)))] - at.start
-        kept.append(np.column_stack([columns[name][here] for name in names]))
     order = rng.permutation(len(chosen))
-    table = np.concatenate(kept)[order]
+    read = states_at(data, chosen)
     costates = data.read_trajectories(arrival_columns(len(data.states)))
     trajectory = np.searchsorted(data.first_sample, chosen, "right")[order] - 1
     directions = np.column_stack([costates[name][trajectory] for name in arrival_columns(len(data.states))])
-    return States(table[:, :-2], table[:, -2], table[:, -1]), unit_vectors(directions)
-
-
-def _converges(networks: PlanNetworks, tau: Network, given: States) -> NDArray[np.bool_]:
-    """(n,) whether the plans of the networks do."""
-    transfer, corrector = networks.mission.problem, tracker(networks.components)
-    problem = problem_of(transfer.optics, transfer.phi_max, transfer.beta, transfer.target_radius)
-    plans = first_plans(networks, tau, given)
-    for most in CALLS:
-        rows = np.flatnonzero(~corrector.solved(plans))
-        own = plans[rows]
-        corrector.correct(problem, own, given.states[rows], most)
-        plans[rows] = own
-    return corrector.solved(plans)
+    return States(read.states[order], read.beta[order], read.tau[order]), unit_vectors(directions)
 
 
 def _digest(networks: PlanNetworks, tau: Network) -> str:

@@ -4,6 +4,7 @@ import itertools
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sailnet.dataset import Dataset
 from sailnet.networks.approach import approach_direction
@@ -51,7 +52,16 @@ def states_of(data: Dataset, part: str, seed: int, count: int, draw: int) -> Sta
     for low, high in itertools.pairwise(BANDS):
         here = rows[(tau > low) & (tau <= high)]
         drawn.append(rng.choice(here, min(count, len(here)), replace=False))
-    chosen = np.sort(np.concatenate(drawn))
+    return states_at(data, np.sort(np.concatenate(drawn)))
+
+
+def states_at(data: Dataset, chosen: NDArray[np.intp]) -> States:
+    """States of some samples; memory holds what is returned and a block of rows.
+
+    Args:
+        data: to read from.
+        chosen: (n,) numbers of the samples, in ascending order.
+    """
     names = (*data.states, "beta", "tau")
     kept = []
     for at, columns in data.blocks(names):

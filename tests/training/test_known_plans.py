@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from sailnet.dataset import open_dataset
-from sailnet.guidance.tracker.library import problem_of, tracker
+from sailnet.guidance.tracker.library import tracker
 from sailnet.mission.mission import Mission
 from sailnet.networks.known_plans import FILE, load_known_plans
 from sailnet.networks.network import load_network
 from sailnet.networks.plan_networks import ARRIVAL_NAMES, load_plan_networks
 from tests.data.small_in_space import in_space, quickly_trained
 from training import known_plans
-from training.convergence import first_plans
+from training.convergence import corrected, first_plans
 from training.known_plans import LEAST_TIME, ensure_known_plans
 from training.parallel import train_networks
 from training.plan_states import States
@@ -51,18 +51,10 @@ def test_the_networks_fail_there_and_a_known_plan_does_not(folder: Path, mission
     assert networks is not None
     beta = known.shares * mission.sail.beta
     given = States(known.states, beta, known.tau)
-    transfer, corrector = mission.problem, tracker(5)
-    problem = problem_of(transfer.optics, transfer.phi_max, transfer.beta, transfer.target_radius)
     theirs = first_plans(networks, load_network(folder / "tau.safetensors"), given)
-    own = corrector.begun(known.directions, known.tau, beta)
-    for most in (40, 40):
-        rows = np.flatnonzero(~corrector.solved(theirs))
-        failing = theirs[rows]
-        corrector.correct(problem, failing, known.states[rows], most)
-        theirs[rows] = failing
-    corrector.correct(problem, own, known.states, 60)
-    assert corrector.solved(theirs).mean() < 0.1
-    assert corrector.solved(own).mean() > 0.9
+    own = tracker(5).begun(known.directions, known.tau, beta)
+    assert corrected(mission.problem, theirs, given, (40, 40)).mean() < 0.1
+    assert corrected(mission.problem, own, given, (60,)).mean() > 0.9
     # The sharp law is a little faster than the data set's.
     np.testing.assert_allclose(np.median(own["time_to_go"] / known.tau), 1.0, rtol=0, atol=1e-3)
 
