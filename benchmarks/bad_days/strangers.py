@@ -23,7 +23,7 @@ from sailnet.dataset import write_dataset
 from sailnet.dataset.inspection import ORIGIN
 from sailnet.dataset.schema import LAYOUT
 from sailnet.mission.mission import load_mission
-from sailnet.networks.network import _digest
+from sailnet.networks.stored_tensors import tensors_digest
 
 ENDLESS, PASSED, TRACEBACK = "5, was endless", "7, was passed", "6, was a traceback"
 DEEP = "[" * 100_000
@@ -197,7 +197,7 @@ def _networks(folder: Path) -> Iterator[Case]:
             tensors["bias0"] = np.zeros(())
         metadata |= texts
         del metadata["sha256"]
-        metadata["sha256"] = _digest(tensors, metadata)
+        metadata["sha256"] = tensors_digest(tensors, metadata)
         header, data = laid_out(tensors)
         if "float8" in name:
             header["bias0"] |= {"dtype": "F8_E5M2", "shape": [8 * tensors["bias0"].size]}

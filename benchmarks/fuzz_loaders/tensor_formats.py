@@ -19,7 +19,7 @@ from benchmarks.fuzz_loaders.hostile import as_json, edited, flipped
 from sailnet.artefacts.resumable import SUFFIX, Parts
 from sailnet.guidance.facts import describe
 from sailnet.networks.guidance_networks import load_guidance_networks
-from sailnet.networks.network import _digest
+from sailnet.networks.stored_tensors import tensors_digest
 from training.checkpoint import Progress, load_checkpoint, save_checkpoint
 from training.levenberg_marquardt import Iterate
 
@@ -71,7 +71,7 @@ def spoil_network(path: Path, random: Random) -> None:
             if random.random() < 0.3:
                 del tensors[random.choice(list(tensors))]
     metadata.pop("sha256", None)
-    metadata["sha256"] = _digest(tensors, metadata)
+    metadata["sha256"] = tensors_digest(tensors, metadata)
     header, data = laid_out(tensors)
     if way == "header":
         header = edited(header, random)
