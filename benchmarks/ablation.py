@@ -71,7 +71,7 @@ MECHANISMS = {
     ),
     "spent": Mechanism(
         "the thrust margin is never spent",
-        ((r"\(tracker->planned > 1\) && \(sailnet_has_failed\(tracker\) != 0\)", "(0 != 0)"),),
+        ((r"(const int32_t spent =) .* 1 : 0;", r"\1 0;"),),
     ),
     "reach": Mechanism(
         "a plan for a stronger vehicle is flown", ((r"\(plan->beta <= stronger\)", "(0 == 0)"),)

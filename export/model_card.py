@@ -89,7 +89,7 @@ def _known(known: KnownPlans | None) -> str:
         return "No known plans: where the plan of the networks leads nowhere, their law flies."
     record = known.provenance
     return (
-        f"Known plans: {len(known)}, which are tried where there is no plan and that of the networks leads "
+        f"Known plans: {len(known)}, which are tried where no plan is flown and that of the networks leads "
         f"nowhere, as from {record['failed']:,} of {record['tried']:,} samples of training trajectories."
     )
 

@@ -24,7 +24,7 @@ from sailnet.guidance.memory import Memory
 from sailnet.guidance.rules import LARGEST_PERIOD, RULES, SteeringRules
 from sailnet.guidance.tilts import angles_of, limited, size_of, spread, tilt_of, turned
 from sailnet.guidance.tracker.commands import Tracking
-from sailnet.guidance.tracker.library import Vehicles
+from sailnet.guidance.tracker.library import Vehicles, has_lost
 from sailnet.physics.arrays import Array
 from sailnet.physics.dynamics import Coefficients
 from sailnet.physics.geometry import lengths_of, target_of
@@ -97,7 +97,7 @@ class ReferenceSteering:
         with np.errstate(all="ignore"):
             known, change = self._known(memory, shown) if timed else (np.full_like(shown, np.nan), None)
             own = memory.beta * self._aged(memory, known)
-            plan = own * (1.0 - self._reserve(memory, hold))
+            plan = own * (1.0 - np.where(has_lost(memory.tracker), 0.0, self._reserve(memory, hold)))
             as_fast = 1.0 - rules.tangential_loss * np.maximum(memory.tangential, 0.0)
         limits = self._guidance.beta_range
         read, estimated = (np.clip(beta, *limits) for beta in (plan, own))

@@ -1,7 +1,7 @@
 """Known plans: optimal extremals from states at which the networks' plan leads nowhere.
 
 Near an edge along which two families of extremals are as fast, the direction of the arrival costates jumps,
-which smooth networks blur. A few samples of the data set do not: where there is no plan yet and that of the
+which smooth networks blur. A few samples of the data set do not: where no plan is flown and that of the
 networks does not converge, the tracker tries those from states near by (docs/tracking.md).
 """
 

@@ -7,13 +7,16 @@
 /* A faster plan saves at least so much of the time to go: what networks err by. */
 #define FASTER 0.01
 /* A plan that misses the state by more [AU, AU/TU] has failed. Any other is better, no attitude is kept for it, and while
-   it is not solved it spends the thrust margin. */
+   it is not solved there is no thrust margin. */
 #define FAILED 4e-4
+/* And one that misses it by more is not flown. */
+#define USABLE 1e-3
 /* Extremals that a candidate may take until it is given up. */
 #define CANDIDATE_EXTREMALS 80
-/* A known plan, as it begins and as it is solved, takes at most so many times as long as the networks say: others are of
-   families that are slower. */
+/* A known plan, as it begins and as it is solved, takes at most so many times as long as the networks say, and so much
+   more [TU]: others are of families that are slower. */
 #define SLOWEST 1.1
+#define SLOWER 0.3
 /* A difference of a position [AU], of a tangent or of beta relative to the mission's counts as much as one of so many speeds
    [AU/TU], inverted. */
 #define PER_SPEED (1.0 / 0.3)
@@ -24,6 +27,11 @@
 SAILNET_TRACKER_API int32_t sailnet_has_failed(const sailnet_tracker *tracker)
 {
     return ((tracker->planned == 0) || !(tracker->plan.residual < FAILED)) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_is_usable(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned != 0) && (tracker->plan.residual <= USABLE)) ? 1 : 0;
 }
 
 /* Whether a plan of so long a time to go is better than the one that is flown. */
@@ -71,8 +79,14 @@ SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet
         tracker->promised = time_to_go;
         tracker->tried = 0.0;
         const int32_t most = known < SAILNET_KNOWN_TRIED ? known : SAILNET_KNOWN_TRIED;
-        tracker->untried = tracker->planned == 0 ? most : 0;
+        tracker->untried = sailnet_is_usable(tracker) == 0 ? most : 0;
     }
+}
+
+/* The longest time to go of a known plan. */
+static double longest_known(const sailnet_tracker *tracker)
+{
+    return SLOWEST * tracker->promised + SLOWER;
 }
 
 /* How far the state of a known plan is from another, squared. */
@@ -91,7 +105,7 @@ SAILNET_TRACKER_API void sailnet_propose_known(const sailnet_problem *problem, s
                                                const double state[STATES], double share,
                                                const sailnet_known_plan *known, int32_t count)
 {
-    const double longest = SLOWEST * tracker->promised;
+    const double longest = longest_known(tracker);
     double nearest = UNSOLVED;
     int32_t next = -1;
     for (int32_t i = 0; i < count; i++) {
@@ -150,7 +164,7 @@ SAILNET_TRACKER_API void sailnet_advance_candidate(const sailnet_problem *proble
     const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
     tracker->searching = left - computed;
     if (sailnet_plan_is_solved(candidate) != 0) {
-        const double longest = SLOWEST * tracker->promised;
+        const double longest = longest_known(tracker);
         tracker->searching = 0;
         if ((is_better(tracker, candidate->time_to_go) != 0) &&
             ((candidate->time_to_go < longest) || !(tracker->tried > 0.0))) {

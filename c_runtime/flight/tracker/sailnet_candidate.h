@@ -9,7 +9,7 @@
 /* By how much a plan's vehicle moves in a correction at most, as a share of its force. */
 #define SAILNET_LARGEST_STRIDE 0.01
 
-/* Known plans that are tried where there is no plan and the networks' leads nowhere. */
+/* Known plans that are tried where no plan is flown and the networks' leads nowhere. */
 #define SAILNET_KNOWN_TRIED 8
 
 /* What a tracker asks for. */
@@ -20,6 +20,9 @@
 /* Whether there is no plan, or one that has failed: its family of extremals has ended. */
 SAILNET_TRACKER_API int32_t sailnet_has_failed(const sailnet_tracker *tracker);
 
+/* Whether there is a plan that passes through the state nearly enough to be flown. */
+SAILNET_TRACKER_API int32_t sailnet_is_usable(const sailnet_tracker *tracker);
+
 /* SAILNET_ASKS_NETWORKS: the networks are to be evaluated, for sailnet_propose; SAILNET_ASKS_KNOWN: sailnet_propose_known is
    to be called. */
 SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker);
@@ -28,7 +31,7 @@ SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker);
  * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time
  * to go [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
  *
- * known: how many known plans there are. While there is no plan, they are tried if this one leads nowhere.
+ * known: how many known plans there are. While no plan is flown, they are tried if this one leads nowhere.
  */
 SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
                                          const double direction[SAILNET_STATES], double time_to_go, int32_t known);

@@ -12,8 +12,6 @@
 #define SMALLEST_STRIDE 1e-4
 #define SHORTER 0.25
 #define LONGER 2.0
-/* A plan that misses the state by more [AU, AU/TU] is not flown. */
-#define USABLE 1e-3
 /* Hysteresis: an attitude is kept until that has lost so much of the time to go. */
 #define OF_TIME_TO_GO 1.6e-2
 /* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
@@ -100,10 +98,7 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
         const sailnet_problem before = sailnet_problem_of(problem, plan);
         int32_t corrected = 1;
         if ((tracker->planned > 1) && (sailnet_has_failed(tracker) != 0)) {
-            /* What no plan for less leads through, one for all that the vehicle has may. */
-            sailnet_problem all = *problem;
-            all.beta = estimated;
-            tracker->computed = sailnet_track(&all, state, SAILNET_LARGEST_STRIDE, most, plan);
+            tracker->computed = sailnet_track(problem, state, SAILNET_LARGEST_STRIDE, most, plan);
         } else if (tracker->planned > 1) {
             tracker->computed = sailnet_correct_plan(&before, state, most, plan);
         } else if (!(tracker->regret > 0.0) &&
@@ -129,7 +124,7 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
     /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
     const double stronger = (1.0 + SAILNET_LARGEST_STRIDE) * estimated;
     const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= SAILNET_LARGEST_STRIDE)) ? 1 : 0;
-    const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
+    const int32_t flown = sailnet_is_usable(tracker) != 0 ? within : 0;
     if (flown != 0) {
         const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
         planned->time_to_go = plan->time_to_go;

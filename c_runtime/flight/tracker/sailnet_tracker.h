@@ -14,8 +14,7 @@ SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double he
  * of the next `hold` [TU].
  *
  * problem: of the vehicle to plan for.
- * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
- *     flown only while its beta moves.
+ * estimated: its beta without the thrust margin; a plan for a stronger vehicle is flown only while its beta moves.
  * Returns 1; 0 if there is no plan that passes through the state.
  */
 SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,

@@ -81,6 +81,15 @@ def tracker_type(components: int) -> np.dtype[np.void]:
     )
 
 
+FAILED = 4e-4
+"""A plan that misses the state by more [AU, AU/TU] has failed: ``FAILED`` of ``sailnet_candidate.c``."""
+
+
+def has_lost(trackers: NDArray[np.void]) -> NDArray[np.bool_]:
+    """(n,) of which the plan has failed and is not solved: for those there is no thrust margin."""
+    return np.asarray((trackers["planned"] > 1) & ~(trackers["plan"]["residual"] < FAILED))
+
+
 def known_type(components: int) -> np.dtype[np.void]:
     """``sailnet_known_plan`` of states with so many components, 3 or 5."""
     vector = "f4", (components,)

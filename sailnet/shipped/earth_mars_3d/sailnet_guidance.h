@@ -199,7 +199,7 @@ typedef float sailnet_real;
 /* Whether the networks give a first plan; else it comes by sailnet_plan_upload alone. */
 #define SAILNET_PLANS 1
 
-/* Known plans, which are tried where there is no plan and the networks' leads nowhere. */
+/* Known plans, which are tried where no plan is flown and the networks' leads nowhere. */
 #define SAILNET_KNOWN_PLANS 0
 
 /* Normalised characteristic acceleration: the mission's, and the range the networks were trained on.

@@ -2600,7 +2600,7 @@ SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem
 /* By how much a plan's vehicle moves in a correction at most, as a share of its force. */
 #define SAILNET_LARGEST_STRIDE 0.01
 
-/* Known plans that are tried where there is no plan and the networks' leads nowhere. */
+/* Known plans that are tried where no plan is flown and the networks' leads nowhere. */
 #define SAILNET_KNOWN_TRIED 8
 
 /* What a tracker asks for. */
@@ -2611,6 +2611,9 @@ SAILNET_TRACKER_API void sailnet_planned_attitude(const sailnet_problem *problem
 /* Whether there is no plan, or one that has failed: its family of extremals has ended. */
 SAILNET_TRACKER_API int32_t sailnet_has_failed(const sailnet_tracker *tracker);
 
+/* Whether there is a plan that passes through the state nearly enough to be flown. */
+SAILNET_TRACKER_API int32_t sailnet_is_usable(const sailnet_tracker *tracker);
+
 /* SAILNET_ASKS_NETWORKS: the networks are to be evaluated, for sailnet_propose; SAILNET_ASKS_KNOWN: sailnet_propose_known is
    to be called. */
 SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker);
@@ -2619,7 +2622,7 @@ SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker);
  * A plan of the networks for the vehicle of `problem`: the direction of the arrival costates, of any size, and the time
  * to go [TU]. It becomes the candidate where there is no plan, where the plan has failed, or where that takes longer.
  *
- * known: how many known plans there are. While there is no plan, they are tried if this one leads nowhere.
+ * known: how many known plans there are. While no plan is flown, they are tried if this one leads nowhere.
  */
 SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet_tracker *tracker,
                                          const double direction[SAILNET_STATES], double time_to_go, int32_t known);
@@ -2653,13 +2656,16 @@ SAILNET_TRACKER_API void sailnet_advance_candidate(const sailnet_problem *proble
 /* A faster plan saves at least so much of the time to go: what networks err by. */
 #define FASTER 0.01
 /* A plan that misses the state by more [AU, AU/TU] has failed. Any other is better, no attitude is kept for it, and while
-   it is not solved it spends the thrust margin. */
+   it is not solved there is no thrust margin. */
 #define FAILED 4e-4
+/* And one that misses it by more is not flown. */
+#define USABLE 1e-3
 /* Extremals that a candidate may take until it is given up. */
 #define CANDIDATE_EXTREMALS 80
-/* A known plan, as it begins and as it is solved, takes at most so many times as long as the networks say: others are of
-   families that are slower. */
+/* A known plan, as it begins and as it is solved, takes at most so many times as long as the networks say, and so much
+   more [TU]: others are of families that are slower. */
 #define SLOWEST 1.1
+#define SLOWER 0.3
 /* A difference of a position [AU], of a tangent or of beta relative to the mission's counts as much as one of so many speeds
    [AU/TU], inverted. */
 #define PER_SPEED (1.0 / 0.3)
@@ -2670,6 +2676,11 @@ SAILNET_TRACKER_API void sailnet_advance_candidate(const sailnet_problem *proble
 SAILNET_TRACKER_API int32_t sailnet_has_failed(const sailnet_tracker *tracker)
 {
     return ((tracker->planned == 0) || !(tracker->plan.residual < FAILED)) ? 1 : 0;
+}
+
+SAILNET_TRACKER_API int32_t sailnet_is_usable(const sailnet_tracker *tracker)
+{
+    return ((tracker->planned != 0) && (tracker->plan.residual <= USABLE)) ? 1 : 0;
 }
 
 /* Whether a plan of so long a time to go is better than the one that is flown. */
@@ -2717,8 +2728,14 @@ SAILNET_TRACKER_API void sailnet_propose(const sailnet_problem *problem, sailnet
         tracker->promised = time_to_go;
         tracker->tried = 0.0;
         const int32_t most = known < SAILNET_KNOWN_TRIED ? known : SAILNET_KNOWN_TRIED;
-        tracker->untried = tracker->planned == 0 ? most : 0;
+        tracker->untried = sailnet_is_usable(tracker) == 0 ? most : 0;
     }
+}
+
+/* The longest time to go of a known plan. */
+static double longest_known(const sailnet_tracker *tracker)
+{
+    return SLOWEST * tracker->promised + SLOWER;
 }
 
 /* How far the state of a known plan is from another, squared. */
@@ -2737,7 +2754,7 @@ SAILNET_TRACKER_API void sailnet_propose_known(const sailnet_problem *problem, s
                                                const double state[STATES], double share,
                                                const sailnet_known_plan *known, int32_t count)
 {
-    const double longest = SLOWEST * tracker->promised;
+    const double longest = longest_known(tracker);
     double nearest = UNSOLVED;
     int32_t next = -1;
     for (int32_t i = 0; i < count; i++) {
@@ -2796,7 +2813,7 @@ SAILNET_TRACKER_API void sailnet_advance_candidate(const sailnet_problem *proble
     const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
     tracker->searching = left - computed;
     if (sailnet_plan_is_solved(candidate) != 0) {
-        const double longest = SLOWEST * tracker->promised;
+        const double longest = longest_known(tracker);
         tracker->searching = 0;
         if ((is_better(tracker, candidate->time_to_go) != 0) &&
             ((candidate->time_to_go < longest) || !(tracker->tried > 0.0))) {
@@ -2826,8 +2843,7 @@ SAILNET_TRACKER_API void sailnet_time_passes(sailnet_tracker *tracker, double he
  * of the next `hold` [TU].
  *
  * problem: of the vehicle to plan for.
- * estimated: its beta without the thrust margin, which a plan that is nearly lost spends; a plan for a stronger vehicle is
- *     flown only while its beta moves.
+ * estimated: its beta without the thrust margin; a plan for a stronger vehicle is flown only while its beta moves.
  * Returns 1; 0 if there is no plan that passes through the state.
  */
 SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailnet_tracker *tracker,
@@ -2848,8 +2864,6 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
 #define SMALLEST_STRIDE 1e-4
 #define SHORTER 0.25
 #define LONGER 2.0
-/* A plan that misses the state by more [AU, AU/TU] is not flown. */
-#define USABLE 1e-3
 /* Hysteresis: an attitude is kept until that has lost so much of the time to go. */
 #define OF_TIME_TO_GO 1.6e-2
 /* The cosine of a turn that is made at once, 0.35 rad. Before so much time to go [TU] every turn is that does not change
@@ -2936,10 +2950,7 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
         const sailnet_problem before = sailnet_problem_of(problem, plan);
         int32_t corrected = 1;
         if ((tracker->planned > 1) && (sailnet_has_failed(tracker) != 0)) {
-            /* What no plan for less leads through, one for all that the vehicle has may. */
-            sailnet_problem all = *problem;
-            all.beta = estimated;
-            tracker->computed = sailnet_track(&all, state, SAILNET_LARGEST_STRIDE, most, plan);
+            tracker->computed = sailnet_track(problem, state, SAILNET_LARGEST_STRIDE, most, plan);
         } else if (tracker->planned > 1) {
             tracker->computed = sailnet_correct_plan(&before, state, most, plan);
         } else if (!(tracker->regret > 0.0) &&
@@ -2965,7 +2976,7 @@ SAILNET_TRACKER_API int32_t sailnet_follow(const sailnet_problem *problem, sailn
     /* A vehicle falls behind a plan for one that is stronger by a step, unless that is on its way to another beta. */
     const double stronger = (1.0 + SAILNET_LARGEST_STRIDE) * estimated;
     const int32_t within = ((plan->beta <= stronger) || (tracker->stride >= SAILNET_LARGEST_STRIDE)) ? 1 : 0;
-    const int32_t flown = ((tracker->planned != 0) && (plan->residual <= USABLE)) ? within : 0;
+    const int32_t flown = sailnet_is_usable(tracker) != 0 ? within : 0;
     if (flown != 0) {
         const double left = plan->time_to_go > 0.0 ? plan->time_to_go : 0.0;
         planned->time_to_go = plan->time_to_go;
@@ -3385,7 +3396,10 @@ sailnet_status sailnet_steer(sailnet_memory *memory, const sailnet_state *state,
         own *= sailnet_aged(estimate, memory->time_of_flight, known);
     }
 #endif
-    const sailnet_real plan = own * (R(1.0) - sailnet_reserve(estimate, &memory->time_of_flight, hold));
+    /* A plan that has failed spends the thrust margin: where none for less is found, one for all that there is may be. */
+    const int32_t spent = ((memory->tracker.planned > 1) && (sailnet_has_failed(&memory->tracker) != 0)) ? 1 : 0;
+    const sailnet_real reserve = sailnet_reserve(estimate, &memory->time_of_flight, hold);
+    const sailnet_real plan = spent != 0 ? own : (own * (R(1.0) - reserve));
     const sailnet_real beta = sailnet_limited(&plan, SAILNET_OF_BETA);
     const sailnet_real estimated = sailnet_limited(&own, SAILNET_OF_BETA);
     uint32_t seen = 0u;

@@ -135,7 +135,7 @@ def test_the_c_steers_as_the_reference_from_departure_on(exported_of_any_sail: E
     steered_oddly(steer, "float64", 1000, guidance.mission.sail.optics.force)
     low, high = guidance.beta_range
     assert (moved > 10_000) == (low < high), moved
-    assert alike.sum() >= 57
+    assert alike.sum() >= 50
 
 
 def fly_with(

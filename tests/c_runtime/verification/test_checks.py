@@ -314,9 +314,9 @@ MUTANTS = {
     ),
     "a plan flown however much it misses": Mutant(
         "test",
-        "sailnet_follow",
-        "((tracker->planned != 0) && (plan->residual <= USABLE))",
-        "(tracker->planned != 0)",
+        "sailnet_is_usable",
+        " && (tracker->plan.residual <= USABLE)",
+        "",
         "flown == (i == 0)",
     ),
     "a plan for a much stronger vehicle": Mutant(
@@ -350,18 +350,24 @@ MUTANTS = {
         "test", "sailnet_follow", " && (plan->beta <= estimated)", "", "tracker->since == (i == 0"
     ),
     "a thrust margin that is never spent": Mutant(
+        "test", "sailnet_steer", "spent != 0 ? own", "spent > 1 ? own", "cases[i].spent == 0"
+    ),
+    "a thrust margin spent at once": Mutant(
+        "test", "sailnet_steer", " && (sailnet_has_failed(&memory->tracker) != 0)", "", "cases[i].spent == 0"
+    ),
+    "a failed plan that keeps its vehicle": Mutant(
         "test",
         "sailnet_follow",
         "(tracker->planned > 1) && (sailnet_has_failed(tracker) != 0)",
         "(0 != 0)",
-        "spent > TRIALS / 4",
+        "moved > TRIALS / 4",
     ),
-    "a thrust margin spent at once": Mutant(
+    "a plan that moves on to its vehicle at once": Mutant(
         "test",
         "sailnet_follow",
         "(tracker->planned > 1) && (sailnet_has_failed(tracker) != 0)",
         "tracker->planned > 1",
-        "spent == 0",
+        "moved == 0",
     ),
     "a bound that stays where other optics leave it": Mutant(
         "test",
@@ -447,7 +453,18 @@ MUTANTS = {
         "test", "sailnet_advance_candidate", "!(tracker->tried > 0.0)", "(0 != 0)", "flown == (i != 2)"
     ),
     "known plans tried while one is flown": Mutant(
-        "test", "sailnet_propose", "tracker->planned == 0 ? most : 0", "most", "tracker.untried == 0"
+        "test",
+        "sailnet_propose",
+        "sailnet_is_usable(tracker) == 0 ? most : 0",
+        "most",
+        "tracker.untried == 0",
+    ),
+    "no known plans tried while one leads nowhere": Mutant(
+        "test",
+        "sailnet_propose",
+        "sailnet_is_usable(tracker) == 0 ? most : 0",
+        "tracker->planned == 0 ? most : 0",
+        "tracker.untried == 8",
     ),
     "known plans without end": Mutant(
         "test", "sailnet_propose_known", "next >= 0 ? (left - 1) : 0", "next >= 0 ? left : 0", "failed: "
