@@ -65,7 +65,7 @@ class Limit:
 
 INSTRUCTIONS = {("cortex-m4f", "float32"): (15_000, 12_000), ("leon3", "float64"): (22_000, 18_000)}
 """Limit and aim of one command by the law."""
-INSTRUCTIONS_OF_STEERING = {("cortex-m4f", "float32"): 60_000_000, ("leon3", "float64"): 6_000_000}
+INSTRUCTIONS_OF_STEERING = {("cortex-m4f", "float32"): 300_000_000, ("leon3", "float64"): 30_000_000}
 """Limit of the longest call of steering; without doubles in hardware it takes some twenty times as many."""
 CODE, STACK = 2048, 512
 CODE_OF_STEERING, STACK_OF_STEERING = 24_576, 4096

@@ -17,11 +17,11 @@ from sailnet.guidance.tracker.library import (
 )
 from sailnet.physics.arrays import Array
 
-EXTREMALS_PER_PERIOD = 8
+EXTREMALS_PER_PERIOD = 64
 """Computed in a guidance period at most, as in the flight file. What has not converged by then goes on in the
 next period."""
 
-MOST_CORRECTIONS = 60
+MOST_CORRECTIONS = 20
 """Guidance periods' worth of corrections of one plan that is asked for alone."""
 
 

@@ -3752,7 +3752,7 @@ static const sailnet_problem sailnet_transfer = {
 };
 
 /* Extremals that are computed in a guidance period at most. What has not converged then goes on in the next one. */
-#define SAILNET_EXTREMALS_PER_PERIOD 8
+#define SAILNET_EXTREMALS_PER_PERIOD 64
 
 /* The transfer of a vehicle of `beta`, as it was learnt: light pushes it along its surface by more than the mission's, or
    less. */
