@@ -4,8 +4,8 @@
 >>> mission = sailnet.load_mission("earth_mars")
 >>> optimum = sailnet.solve(mission, (1.05, 0.15, 1.03))
 >>> flight = sailnet.fly(mission, (1.05, 0.15, 1.03))
->>> f"{flight.time_of_flight / optimum.time_of_flight - 1:.2%} above the optimum"
-'0.00% above the optimum'
+>>> f"{flight.time_of_flight / optimum.time_of_flight:.4f} times the optimum"
+'1.0000 times the optimum'
 """
 
 from importlib import import_module

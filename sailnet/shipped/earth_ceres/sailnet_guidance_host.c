@@ -2577,14 +2577,12 @@ static int32_t is_better(const sailnet_tracker *tracker, double time_to_go)
 SAILNET_TRACKER_API int32_t sailnet_asks(const sailnet_tracker *tracker)
 {
     int32_t asked = SAILNET_ASKS_NOTHING;
-    if (tracker->searching <= 0) {
-        if (tracker->untried > 0) {
-            asked = SAILNET_ASKS_KNOWN;
-        } else if ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY)) {
-            asked = SAILNET_ASKS_NETWORKS;
-        } else {
-            /* It is too early. */
-        }
+    if ((tracker->searching <= 0) && (tracker->untried > 0)) {
+        asked = SAILNET_ASKS_KNOWN;
+    } else if ((tracker->searching <= 0) && ((tracker->planned == 0) || !(tracker->searched < SEARCH_EVERY))) {
+        asked = SAILNET_ASKS_NETWORKS;
+    } else {
+        /* A candidate is corrected, or it is too early. */
     }
     return asked;
 }
@@ -2695,19 +2693,12 @@ SAILNET_TRACKER_API void sailnet_advance_candidate(const sailnet_problem *proble
     const int32_t computed = sailnet_correct_plan(&own, state, most, candidate);
     tracker->computed += computed;
     const int32_t left = tracker->searching < CANDIDATE_EXTREMALS ? tracker->searching : CANDIDATE_EXTREMALS;
-    tracker->searching = left - computed;
-    if (sailnet_plan_is_solved(candidate) != 0) {
-        const double longest = longest_known(tracker);
-        tracker->searching = 0;
-        if ((is_better(tracker, candidate->time_to_go) != 0) &&
-            ((candidate->time_to_go < longest) || !(tracker->tried > 0.0))) {
-            adopt(tracker, candidate);
-        }
-    } else if (!(candidate->residual < UNSOLVED)) {
-        /* It leads nowhere. */
-        tracker->searching = 0;
-    } else {
-        /* It goes on in the next period. */
+    const int32_t solved = sailnet_plan_is_solved(candidate);
+    /* What is not solved and does not lead nowhere goes on in the next period. */
+    tracker->searching = ((solved == 0) && (candidate->residual < UNSOLVED)) ? (left - computed) : 0;
+    if ((solved != 0) && (is_better(tracker, candidate->time_to_go) != 0) &&
+        ((candidate->time_to_go < longest_known(tracker)) || !(tracker->tried > 0.0))) {
+        adopt(tracker, candidate);
     }
 }
 

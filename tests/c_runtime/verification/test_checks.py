@@ -445,8 +445,8 @@ MUTANTS = {
     "a known plan of a slower family flown": Mutant(
         "test",
         "sailnet_advance_candidate",
-        "(candidate->time_to_go < longest)",
-        "(longest == longest)",
+        "(candidate->time_to_go < longest_known(tracker))",
+        "(tracker->tried > 0.0)",
         "flown == (i != 2)",
     ),
     "a plan of the networks held to their promise": Mutant(
