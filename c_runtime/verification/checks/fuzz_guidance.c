@@ -375,7 +375,7 @@ static void check_steer(sailnet_memory *memory, const sailnet_state *state, sail
         PROMISED(timed && is_state_finite(&estimate->state));
         PROMISED(!valid || is_same(&estimate->state, state, sizeof *state));
         PROMISED(isfinite(estimate->slewing) || isinf(before.estimate.slewing) || isnan(before.estimate.slewing));
-        PROMISED(memory->tracker.computed >= 0 && memory->tracker.computed <= 8);
+        PROMISED(memory->tracker.computed >= 0 && memory->tracker.computed <= 64);
 #if SAILNET_IN_SPACE
         check_the_normal(&command, memory);
 #endif

@@ -21,7 +21,7 @@ CAPTION = """\
 `make targets-table` on {machine}, {date}, revision {revision}.
 *Law* is the tier `sailnet_guidance`, as compiled with `-DSAILNET_LAW_ONLY`; *steer* is
 `sailnet_steer`. *Instructions*: of a call with valid input on average, and in brackets the most
-of any call, which in steering is a first plan by the networks and the eight extremals of a guidance period.
+of any call, which in steering is a first plan by the networks and the 64 extremals of a guidance period.
 *Code*, *constants* and *static* memory (which is written) are of the flight file alone.
 *Code*: of the law alone, which is what a linker keeps of it with `-ffunction-sections -Wl,--gc-sections`, /
 with steering, constants between functions included.
