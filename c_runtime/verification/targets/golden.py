@@ -13,7 +13,7 @@ from c_runtime.verification.targets.reference import ReferenceGuidance
 from sailnet.errors import GuidanceError
 from sailnet.flight.closed_loop import History, fly_recorded
 from sailnet.flight.starts import random_starts
-from sailnet.guidance.interface import GuidanceStatus, Precision
+from sailnet.guidance.interface import GuidanceStatus, Precision, Steered
 from sailnet.guidance.rules import LARGEST_PERIOD
 from sailnet.mission.disturbances import Disturbance
 from sailnet.physics.arrays import Array
@@ -29,6 +29,9 @@ SEQUENCES, PERIODS = 10, 20
 NUDGE = 2e-6
 """A state is clear of switches if the sign and status stay when what is missing to the target or beta,
 relatively, change by this."""
+
+ROUNDING = 1e-12
+"""Rounding decides of steering whose answers such a relative change of states moves beyond their bounds."""
 
 FAR = 0.3
 """Of a turn between two guidance periods [rad]."""
@@ -146,6 +149,13 @@ def _invalid(guidance: ReferenceGuidance, precision: Precision) -> NDArray[np.fl
     return rows.view(precision)
 
 
+def _steered(guidance: ReferenceGuidance, given: Array) -> tuple[list[Steered], Array]:
+    """What steering answers to states and periods, and (n, 4) of it as in ``Golden.expected``."""
+    steering = guidance.steering(1)
+    steered = [steering.steer(row[None, :3], float(row[3]), np.arange(1)) for row in given]
+    return steered, np.array([[s.cone_angle[0], s.time_of_flight[0], s.beta[0], s.hold[0]] for s in steered])
+
+
 def golden_steering(guidance: ReferenceGuidance, histories: list[History], precision: Precision) -> Golden:
     """Calls of ``sailnet_steer``: departures and arrivals.
 
@@ -169,9 +179,11 @@ def golden_steering(guidance: ReferenceGuidance, histories: list[History], preci
         period[PERIODS // 2 + 2] = -1.0
         period[PERIODS // 2 + 4] = 1.01 * LARGEST_PERIOD
         given = np.column_stack([states, period])
-        steering = guidance.steering(1)
-        steered = [steering.steer(row[None, :3], float(row[3]), np.arange(1)) for row in given.astype(float)]
-        outputs = np.array([[s.cone_angle[0], s.time_of_flight[0], s.beta[0], s.hold[0]] for s in steered])
+        steered, outputs = _steered(guidance, given.astype(float))
+        # Nor any in which rounding decides whether Newton's method ends in a period.
+        rounded = _steered(guidance, given * [*[1.0 + ROUNDING] * 3, 1.0])[1]
+        if (abs(rounded - outputs) > STEERING_BOUNDS[precision] * (1.0 + abs(outputs))).any():
+            continue
         valid = np.array([s.status[0] for s in steered]) != GuidanceStatus.INVALID_INPUT
         # Nor any in which the sail turns far or keeps its side: rounding may decide when.
         angle, lambda_v = (
