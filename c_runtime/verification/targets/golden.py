@@ -180,10 +180,6 @@ def golden_steering(guidance: ReferenceGuidance, histories: list[History], preci
         period[PERIODS // 2 + 4] = 1.01 * LARGEST_PERIOD
         given = np.column_stack([states, period])
         steered, outputs = _steered(guidance, given.astype(float))
-        # Nor any in which rounding decides whether Newton's method ends in a period.
-        rounded = _steered(guidance, given * [*[1.0 + ROUNDING] * 3, 1.0])[1]
-        if (abs(rounded - outputs) > STEERING_BOUNDS[precision] * (1.0 + abs(outputs))).any():
-            continue
         valid = np.array([s.status[0] for s in steered]) != GuidanceStatus.INVALID_INPUT
         # Nor any in which the sail turns far or keeps its side: rounding may decide when.
         angle, lambda_v = (
@@ -192,6 +188,10 @@ def golden_steering(guidance: ReferenceGuidance, histories: list[History], preci
         if (abs(np.diff(angle)) > FAR).any() or (angle * lambda_v > 0.0).any():
             continue
         if not _clear(guidance, np.column_stack([states.astype(float), outputs[:, 2]])[valid]).all():
+            continue
+        # Nor any in which rounding decides whether Newton's method ends in a period.
+        rounded = _steered(guidance, given * [*[1.0 + ROUNDING] * 3, 1.0])[1]
+        if (abs(rounded - outputs) > STEERING_BOUNDS[precision] * (1.0 + abs(outputs))).any():
             continue
         inputs.append(given)
         expected.append(outputs)

@@ -457,14 +457,14 @@ MUTANTS = {
         "sailnet_propose",
         "sailnet_is_usable(tracker) == 0 ? most : 0",
         "most",
-        "tracker.untried == 0",
+        "tracker.untried == cases",
     ),
     "no known plans tried while one leads nowhere": Mutant(
         "test",
         "sailnet_propose",
         "sailnet_is_usable(tracker) == 0 ? most : 0",
         "tracker->planned == 0 ? most : 0",
-        "tracker.untried == 8",
+        "tracker.untried == cases",
     ),
     "known plans without end": Mutant(
         "test", "sailnet_propose_known", "next >= 0 ? (left - 1) : 0", "next >= 0 ? left : 0", "failed: "
